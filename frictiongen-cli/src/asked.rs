@@ -3,7 +3,7 @@
 use crate::failure::Failure;
 use crate::hint;
 use frictiongen::study::UnknownMass;
-pub use frictiongen::study::columns::{CONTACT, Part};
+pub use frictiongen::study::columns::{CONTACT, MovingPart};
 use frictiongen::study::response::Size;
 use frictiongen::{Of, System};
 use std::ops::RangeInclusive;
@@ -20,7 +20,7 @@ pub struct RequestedMass {
     pub name: String,
 }
 
-impl From<RequestedMass> for Part {
+impl From<RequestedMass> for MovingPart {
     fn from(mass: RequestedMass) -> Self {
         Self {
             of: Of::Mass(mass.index),
@@ -95,7 +95,7 @@ pub fn masses(
 }
 
 /// Returns the contact and the named motions. Each occurs once. Without names, returns the contact and all masses.
-pub fn contact_and(system: &System, names: &[String]) -> Result<Vec<Part>, Failure> {
+pub fn contact_and(system: &System, names: &[String]) -> Result<Vec<MovingPart>, Failure> {
     let mut once: Vec<String> = Vec::new();
     for name in names {
         if !once.contains(name) {
@@ -104,24 +104,26 @@ pub fn contact_and(system: &System, names: &[String]) -> Result<Vec<Part>, Failu
     }
     let mut parts = parts(system, &once)?;
     parts.retain(|part| part.name != CONTACT);
-    parts.insert(0, Part::contact());
+    parts.insert(0, MovingPart::contact());
     Ok(parts)
 }
 
 /// Returns the named motions. Each occurs once. Without names, returns the contact and all masses.
-pub fn parts(system: &System, names: &[String]) -> Result<Vec<Part>, Failure> {
+pub fn parts(system: &System, names: &[String]) -> Result<Vec<MovingPart>, Failure> {
     if names.is_empty() {
-        let masses = known(system).map(Part::from);
-        return Ok(std::iter::once(Part::contact()).chain(masses).collect());
+        let masses = known(system).map(MovingPart::from);
+        return Ok(std::iter::once(MovingPart::contact())
+            .chain(masses)
+            .collect());
     }
-    let mut parts: Vec<Part> = Vec::new();
+    let mut parts: Vec<MovingPart> = Vec::new();
     for name in names {
         if parts.iter().any(|part| part.name == *name) {
             return Err(Failure::new(format_args!(
                 "--of `{name}`: it is given twice"
             )));
         }
-        let part = Part::named(system, name);
+        let part = MovingPart::named(system, name);
         parts.push(part.map_err(|error| Failure::new(format_args!("--of: {error}")))?);
     }
     Ok(parts)
@@ -147,7 +149,7 @@ fn mass(system: &System, option: &str, name: &str) -> Result<RequestedMass, Fail
 
 /// Fails if the user has requested a velocity or an acceleration. Commands that print only displacements and forces
 /// call this function.
-pub fn without_rates(parts: &[Part]) -> Result<(), Failure> {
+pub fn without_rates(parts: &[MovingPart]) -> Result<(), Failure> {
     match parts.iter().find(|part| part.has_rate()) {
         Some(part) => Err(Failure::new(format_args!(
             "--of `{}`: this command has displacements and forces of springs only; `curve`, `response`, `orbit` and `optimum` have velocities, accelerations, and force, energy and equivalent damping of the contact",
@@ -158,7 +160,7 @@ pub fn without_rates(parts: &[Part]) -> Result<(), Failure> {
 }
 
 /// Returns the contact, mass or combination with this name.
-pub fn part(system: &System, name: &str) -> Result<Part, Failure> {
+pub fn part(system: &System, name: &str) -> Result<MovingPart, Failure> {
     let mut parts = parts(system, &[name.to_owned()])?;
     parts
         .pop()

@@ -3,7 +3,7 @@
 
 use crate::layout::Layout;
 use crate::table;
-use frictiongen::study::columns::{Axis, Column};
+use frictiongen::study::columns::{Column, ColumnAxis};
 use std::io::{self, IsTerminal as _, Write};
 
 /// Width of a table on a terminal, in characters.
@@ -98,7 +98,7 @@ impl TableLayout {
             ranks.push(match own {
                 _ if !column.is_in_text() => None,
                 None if is_group(columns, column) => self.groups.then_some(1),
-                None if column.axis != Axis::Row => Some(0),
+                None if column.axis != ColumnAxis::Row => Some(0),
                 None if is_answer(column.name()) => Some(2),
                 None => Some(4),
                 // The amplitude of each motion has a rank before all other numbers, and its phase a rank before most

@@ -6,7 +6,7 @@ use crate::frequency::Frequencies;
 use crate::grid::{self, GridError, GridQuantity, MOST_POINTS};
 use crate::measure::{self, Measure};
 use crate::number::survives;
-use frictiongen::study::columns::Friction;
+use frictiongen::study::columns::FrictionSetting;
 use frictiongen::study::units::LoadScale;
 
 /// A grid of friction ratios β, or of forces in N.
@@ -95,7 +95,7 @@ impl Frictions {
     }
 
     /// Returns all frictions in the user's order.
-    pub fn all(&self) -> impl Iterator<Item = Friction> + Clone + '_ {
+    pub fn all(&self) -> impl Iterator<Item = FrictionSetting> + Clone + '_ {
         self.given.iter().map(|given| self.of(*given))
     }
 
@@ -105,7 +105,7 @@ impl Frictions {
     }
 
     /// Returns the only friction, or an error if there are several.
-    pub fn only(&self) -> Result<Friction, Failure> {
+    pub fn only(&self) -> Result<FrictionSetting, Failure> {
         match *self.given {
             [given] => Ok(self.of(given)),
             _ => Err(grid::several(self.quantity, self.len())),
@@ -117,10 +117,10 @@ impl Frictions {
         self.given.len()
     }
 
-    fn of(&self, given: f64) -> Friction {
+    fn of(&self, given: f64) -> FrictionSetting {
         match self.scale {
-            Some(scale) if self.are_forces() => Friction::of_force(given, scale),
-            scale => Friction::of_ratio(given, scale),
+            Some(scale) if self.are_forces() => FrictionSetting::of_force(given, scale),
+            scale => FrictionSetting::of_ratio(given, scale),
         }
     }
 }

@@ -1,6 +1,6 @@
 //! Grid of frequencies and frictions, with the settings for results at its points.
 
-use crate::asked::Part;
+use crate::asked::MovingPart;
 use crate::frequency::Frequencies;
 use crate::friction::Frictions;
 use crate::measure::Measure;
@@ -18,7 +18,7 @@ pub struct Grids {
     /// Units of the results: SI units under a load, otherwise non-dimensional groups.
     pub measure: Measure,
     /// The contact and masses whose motions the results contain.
-    pub parts: Vec<Part>,
+    pub parts: Vec<MovingPart>,
 }
 
 impl Grids {

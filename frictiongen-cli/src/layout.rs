@@ -2,7 +2,7 @@
 
 use crate::number::{Cell, Lossless as _};
 use crate::table;
-use frictiongen::study::columns::{CONTACT, Column, Kind};
+use frictiongen::study::columns::{CONTACT, Column, ColumnKind};
 use serde_json::{Map, Value as Json};
 
 /// Arrangement of the motions of a row in text and in JSON.
@@ -95,7 +95,7 @@ impl Layout {
         let mut fields = Map::new();
         let mut parts: Vec<(&str, Map<String, Json>)> = Vec::new();
         for column in columns.iter().filter(|column| column.is_in_json()) {
-            let is_list = matches!(column.kind, Kind::Complex | Kind::Intervals);
+            let is_list = matches!(column.kind, ColumnKind::Complex | ColumnKind::Intervals);
             if !motions && (is_list || column.part.is_some()) {
                 continue;
             }

@@ -4,9 +4,9 @@ use crate::args::LoadArguments;
 use crate::asked::number;
 use crate::failure::Failure;
 use frictiongen::System;
-#[cfg(feature = "report")]
-pub use frictiongen::study::columns::Dimension;
 pub use frictiongen::study::columns::Measure;
+#[cfg(feature = "report")]
+pub use frictiongen::study::columns::PhysicalQuantity;
 use frictiongen::study::columns::{base_load, unbalance};
 use frictiongen::study::units::{Load, LoadError};
 

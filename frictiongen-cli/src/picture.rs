@@ -1,6 +1,6 @@
 //! Draws pictures and writes their files.
 
-use crate::asked::Part;
+use crate::asked::MovingPart;
 use crate::destination::OutputFormat;
 use crate::failure::Failure;
 use crate::measure::{self, Measure};
@@ -18,7 +18,7 @@ pub const ROOM: f64 = 1.15;
 
 /// Returns panels against time in s, with displacements in m, spring forces in N and the friction force in N. `motions`
 /// has the values of each displacement or spring force at the times.
-pub fn over_time(times: &[f64], motions: &[(&Part, &[f64])], force: &[f64]) -> Vec<Panel> {
+pub fn over_time(times: &[f64], motions: &[(&MovingPart, &[f64])], force: &[f64]) -> Vec<Panel> {
     let ends = [times.first(), times.last()].map(|end| end.copied().unwrap_or(0.0));
     let [first, last] = ends;
     let time = || {
@@ -105,7 +105,7 @@ pub fn short(value: f64) -> String {
 }
 
 /// Returns the title of the panel of a motion.
-pub fn part_name(part: &Part) -> Label {
+pub fn part_name(part: &MovingPart) -> Label {
     Label::verbatim(&part.name)
 }
 

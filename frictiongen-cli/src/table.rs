@@ -1,7 +1,7 @@
 //! Writes printed tables, with columns aligned at the decimal points.
 
 use crate::number::{Cell, computed, decimals, given, within, word};
-use frictiongen::study::columns::{self, Kind};
+use frictiongen::study::columns::{self, ColumnKind};
 use std::io::{self, Write};
 
 /// The format of a column's values.
@@ -65,11 +65,13 @@ impl PrintedColumn {
     /// Returns the printed column for a column of the library, under this heading.
     pub fn of<R>(column: &columns::Column<'_, R>, title: &[&str]) -> Self {
         match column.kind {
-            Kind::Given(grid) => Self::given(title, grid),
-            Kind::Count => Self::counts(title),
-            Kind::Word(widest) => Self::new(title, Style::Words, widest),
-            Kind::Flag => Self::words(title, [word(false)]),
-            Kind::Number | Kind::Complex | Kind::Intervals => Self::computed(title),
+            ColumnKind::Given(grid) => Self::given(title, grid),
+            ColumnKind::Count => Self::counts(title),
+            ColumnKind::Word(widest) => Self::new(title, Style::Words, widest),
+            ColumnKind::Flag => Self::words(title, [word(false)]),
+            ColumnKind::Number | ColumnKind::Complex | ColumnKind::Intervals => {
+                Self::computed(title)
+            }
         }
     }
 

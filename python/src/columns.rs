@@ -1,6 +1,6 @@
 //! Builds the answers for Python: arrays by name, in the order of the command's columns.
 
-use frictiongen::study::columns::{Axis, Cell, Column, Kind};
+use frictiongen::study::columns::{ColumnAxis, Cell, Column, ColumnKind};
 use numpy::{Complex64, PyArray1};
 use pyo3::prelude::*;
 use pyo3::types::{PyDict, PyTuple};
@@ -77,7 +77,7 @@ impl<'py> Columns<'py> {
     }
 
     /// Adds the columns of a table that depend on the frequency alone, on the friction alone, or on the whole row.
-    pub fn along<R>(&mut self, axis: Axis, columns: &[Column<'_, R>], rows: &[R]) -> PyResult<()> {
+    pub fn along<R>(&mut self, axis: ColumnAxis, columns: &[Column<'_, R>], rows: &[R]) -> PyResult<()> {
         let shown = columns.iter().filter(|column| column.is_in_python());
         for column in shown.filter(|column| column.axis == axis) {
             self.column(column, rows)?;
@@ -88,29 +88,29 @@ impl<'py> Columns<'py> {
     fn column<R>(&mut self, column: &Column<'_, R>, rows: &[R]) -> PyResult<()> {
         let (name, cells) = (column.attribute(), rows.iter().map(|row| column.read(row)));
         match column.kind {
-            Kind::Number | Kind::Given(_) => {
+            ColumnKind::Number | ColumnKind::Given(_) => {
                 let number = |cell| match cell {
                     Cell::Number(value) | Cell::Within { value, .. } => value,
                     _ => f64::NAN,
                 };
                 self.numbers(name, cells.map(number).collect())
             }
-            Kind::Count => {
+            ColumnKind::Count => {
                 let counts = cells.map(|cell| match cell {
                     Cell::Count(value) => count(Some(value)),
                     _ => count(None),
                 });
                 self.counts(name, counts.collect())
             }
-            Kind::Word(_) => {
+            ColumnKind::Word(_) => {
                 let words = cells.map(|cell| match cell {
                     Cell::Word(word) => word,
                     _ => Cow::Borrowed(""),
                 });
                 self.words(name, words.collect())
             }
-            Kind::Flag => self.flags(name, cells.map(|cell| cell == Cell::Flag(true)).collect()),
-            Kind::Complex | Kind::Intervals => self.lists(column, cells),
+            ColumnKind::Flag => self.flags(name, cells.map(|cell| cell == Cell::Flag(true)).collect()),
+            ColumnKind::Complex | ColumnKind::Intervals => self.lists(column, cells),
         }
     }
 
@@ -133,7 +133,7 @@ impl<'py> Columns<'py> {
         let name = column.attribute();
         let shape = self.shape.clone();
         self.shape.push(longest);
-        if column.kind == Kind::Complex {
+        if column.kind == ColumnKind::Complex {
             let values = pairs.map(|[re, im]| Complex64::new(re, im));
             self.complex(name, values.collect())?;
         } else {

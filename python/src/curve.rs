@@ -2,7 +2,7 @@
 
 use crate::asked::{
     Band, FrequencyArguments, FrictionArguments, Frictions, LoadArguments, MOST_POINTS, Optional,
-    Part, check_size, harmonics, measure, one, parts, setting,
+    MovingPart, check_size, harmonics, measure, one, parts, setting,
 };
 use crate::columns::Columns;
 use crate::errors::domain;
@@ -63,7 +63,7 @@ pub fn curve<'py>(
     let band = Band::of(system, &frequency)?;
     let measure = measure::of(system, &load)?;
     let frictions = Frictions::listed(&friction, &measure)?;
-    let parts: Vec<Part> = parts(system, "of", of.as_ref())?;
+    let parts: Vec<MovingPart> = parts(system, "of", of.as_ref())?;
     let of: Vec<Of> = parts.iter().map(|part| part.of).collect();
     let mut request = CurveRequest::new(band.from, band.to, &of);
     if let Some(accuracy) = &accuracy {

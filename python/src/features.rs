@@ -9,7 +9,7 @@ use crate::errors::domain;
 use crate::system::NativeSystem;
 use crate::work::left_at_interrupt;
 use frictiongen::Of;
-use frictiongen::study::columns::{Column, FeatureLists, FeatureTable, FeatureVisitor, Row};
+use frictiongen::study::columns::{Column, FeatureLists, FeatureTable, FeatureVisitor, TableRow};
 use frictiongen::study::{features::Sensed, sensitivity::Parameter};
 use numpy::PyArray1;
 use pyo3::prelude::*;
@@ -72,7 +72,7 @@ struct Lists<'a, 'py> {
 impl FeatureVisitor for Lists<'_, '_> {
     type Error = PyErr;
 
-    fn list<R: Row>(
+    fn list<R: TableRow>(
         &mut self,
         name: &'static str,
         columns: &[Column<'_, R>],

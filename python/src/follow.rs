@@ -1,6 +1,6 @@
 //! Integrates the motion under any load, from rest, from a state, or from the end of an earlier run.
 
-use crate::asked::{Part, check_size, numbers};
+use crate::asked::{MovingPart, check_size, numbers};
 use crate::columns::Columns;
 use crate::errors::{domain, wrong_type};
 use crate::system::NativeSystem;
@@ -62,7 +62,7 @@ pub struct Course {
     /// Number of samples.
     pub samples: usize,
     /// The contact and masses whose motion the run returns.
-    pub parts: Vec<Part>,
+    pub parts: Vec<MovingPart>,
     /// State from which the run starts.
     pub start: Start,
     /// Ratio μ of static to kinetic friction. `None` means the ratio in the scene description.

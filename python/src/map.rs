@@ -8,7 +8,7 @@ use crate::columns::Columns;
 use crate::errors::domain;
 use crate::system::NativeSystem;
 use crate::work::without_lock;
-use frictiongen::study::columns::{Axis, MapTable};
+use frictiongen::study::columns::{ColumnAxis, MapTable};
 use frictiongen::study::map::MapRequest;
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
@@ -56,6 +56,6 @@ pub fn map<'py>(
     arrays.reshape(&frictions.shape());
     frictions.put(&mut arrays, &table.setting)?;
     arrays.reshape(&[frequencies.shape(), frictions.shape()].concat());
-    arrays.along(Axis::Row, &table.columns(), &rows)?;
+    arrays.along(ColumnAxis::Row, &table.columns(), &rows)?;
     Ok(arrays.done())
 }

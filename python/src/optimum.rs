@@ -1,7 +1,7 @@
 //! Finds the friction that minimises the largest amplitude over a frequency range, or the largest of several quotients.
 
 use crate::asked::{
-    Band, FrequencyArguments, LoadArguments, Measure, Part, measure, one, quantity, setting,
+    Band, FrequencyArguments, LoadArguments, Measure, MovingPart, measure, one, quantity, setting,
 };
 use crate::columns::Columns;
 use crate::errors::{defect, domain, wrong_type};
@@ -19,7 +19,7 @@ const WEIGHTED: &str = "weighted";
 
 /// A quantity, and the value that divides it, in the unit in which an optimum gives amplitudes.
 struct Valued {
-    part: Part,
+    part: MovingPart,
     value: f64,
 }
 
@@ -89,7 +89,7 @@ pub fn optimum<'py>(
     Ok((answer, Vec::new()))
 }
 
-fn request(part: &Part, band: &Band, measure: &Measure) -> OptimumRequest {
+fn request(part: &MovingPart, band: &Band, measure: &Measure) -> OptimumRequest {
     OptimumRequest {
         of: part.of,
         size: part.size,
@@ -162,7 +162,7 @@ fn weighted<'py>(
         setting: setting(system, measure, band.unit(&measure), &parts),
     };
     let values = all.iter().zip(&found.largest);
-    let values: Vec<(Part, f64, f64)> = values
+    let values: Vec<(MovingPart, f64, f64)> = values
         .map(|(valued, largest)| (valued.part.clone(), valued.value, *largest))
         .collect();
     let lines = table.lines_with(&found.optimum, None, Further::Weighted(&values));
@@ -176,7 +176,7 @@ fn weighted<'py>(
 /// Returns the lines about each quantity.
 fn quotients<'py>(
     py: Python<'py>,
-    values: &[(Part, f64, f64)],
+    values: &[(MovingPart, f64, f64)],
     lines: &[OptimumLine],
 ) -> PyResult<Vec<Quotient<'py>>> {
     let each = (1..).zip(values).map(|(row, (part, ..))| {

@@ -2,14 +2,14 @@
 
 use crate::asked::{
     Frequencies, FrequencyArguments, FrictionArguments, Frictions, LoadArguments, Measure,
-    Optional, Part, harmonics, measure, parts, setting,
+    Optional, MovingPart, harmonics, measure, parts, setting,
 };
 use crate::columns::Columns;
 use crate::errors::{defect, domain};
 use crate::system::NativeSystem;
 use crate::work::left_at_interrupt;
 use frictiongen::study::SystemAt;
-use frictiongen::study::columns::{Frequency, Friction, OrbitRow, OrbitTable};
+use frictiongen::study::columns::{Frequency, FrictionSetting, OrbitRow, OrbitTable};
 use frictiongen::{OutOfDomain, System};
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
@@ -22,13 +22,13 @@ struct Question {
     measure: Measure,
     frequencies: Frequencies,
     frictions: Frictions,
-    parts: Vec<Part>,
+    parts: Vec<MovingPart>,
     orders: Vec<u32>,
 }
 
 /// Function that computes the rows of the tables at a point.
 type Rows =
-    fn(&OrbitTable<'_>, &SystemAt<'_>, Frequency, Friction) -> Result<Vec<OrbitRow>, OutOfDomain>;
+    fn(&OrbitTable<'_>, &SystemAt<'_>, Frequency, FrictionSetting) -> Result<Vec<OrbitRow>, OutOfDomain>;
 
 impl Question {
     fn table(&self) -> OrbitTable<'_> {

@@ -5,7 +5,7 @@ mod draw;
 mod report;
 
 use crate::args::{CurveArguments, StartFrom};
-use crate::asked::{self, Part};
+use crate::asked::{self, MovingPart};
 use crate::destination::Destination;
 use crate::destination::OutputFormat;
 use crate::failure::Failure;
@@ -18,7 +18,7 @@ use crate::output;
 use crate::progress::Progress;
 use crate::summary::Summary;
 use frictiongen::System;
-use frictiongen::study::columns::Friction;
+use frictiongen::study::columns::FrictionSetting;
 use frictiongen::study::{
     curve::{Curve, CurveRequest, CurveStart},
     words,
@@ -77,7 +77,7 @@ pub fn run(arguments: &CurveArguments, out: &mut dyn Write) -> Result<(), Failur
     let mut request = CurveRequest {
         widest: band.widest,
         harmonics: orders,
-        rates: arguments.rates || parts.iter().any(Part::has_rate),
+        rates: arguments.rates || parts.iter().any(MovingPart::has_rate),
         turned: measure.turns_contact(),
         // Under a load whose amplitude depends on frequency, frictions are forces.
         rise: measure.fall(),
@@ -88,8 +88,9 @@ pub fn run(arguments: &CurveArguments, out: &mut dyn Write) -> Result<(), Failur
         request.accuracy = asked::number("--accuracy", text)?;
     }
     let starts = starts(&arguments.from)?;
-    let of_friction = |friction: Friction| starts.iter().map(move |start| (friction, *start));
-    let asked: Vec<(Friction, CurveStart)> = frictions.all().flat_map(of_friction).collect();
+    let of_friction =
+        |friction: FrictionSetting| starts.iter().map(move |start| (friction, *start));
+    let asked: Vec<(FrictionSetting, CurveStart)> = frictions.all().flat_map(of_friction).collect();
     let pairs: Vec<(f64, CurveStart)> = asked
         .iter()
         .map(|(friction, start)| (friction.beta, *start))
@@ -97,7 +98,7 @@ pub fn run(arguments: &CurveArguments, out: &mut dyn Write) -> Result<(), Failur
     let found = followed(&system, &request, &pairs)?;
     let curves = asked.iter().map(|(friction, _)| *friction).zip(found);
     let curves = curves.filter_map(|(friction, curve)| Some((friction, curve?)));
-    let curves: Vec<(Friction, Curve)> = curves.collect();
+    let curves: Vec<(FrictionSetting, Curve)> = curves.collect();
     let (done, all) = (curves.len(), asked.len());
     if done == 0 {
         return Err(stopped(done, all));

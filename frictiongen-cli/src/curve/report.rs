@@ -2,7 +2,7 @@
 
 #[cfg(feature = "pictures")]
 use crate::args::LogAxes;
-use crate::asked::Part;
+use crate::asked::MovingPart;
 use crate::failure::Failure;
 use crate::frequency::Band;
 use crate::friction::Frictions;
@@ -10,7 +10,7 @@ use crate::layout::Layout;
 use crate::measure::Measure;
 use crate::output::{ResultTable, Visitor};
 use frictiongen::System;
-use frictiongen::study::columns::{Column, CurveRow, CurveTable, Friction, Setting};
+use frictiongen::study::columns::{Column, CurveRow, CurveTable, FrictionSetting, Setting};
 use frictiongen::study::curve::{Curve, CurveRequest};
 
 /// The curves, with the settings for their output.
@@ -24,13 +24,13 @@ pub struct CurveReport {
     /// Units of the results: SI units under a load, otherwise non-dimensional groups.
     pub measure: Measure,
     /// The contact and masses whose motions the output contains.
-    pub parts: Vec<Part>,
+    pub parts: Vec<MovingPart>,
     /// True if the output contains velocities and accelerations of every motion.
     pub rates: bool,
     /// The request from which the library computed the curves.
     pub request: CurveRequest,
     /// The curves, one for each friction and initial state.
-    pub curves: Vec<(Friction, Curve)>,
+    pub curves: Vec<(FrictionSetting, Curve)>,
     /// The axes of a picture that are logarithmic.
     #[cfg(feature = "pictures")]
     pub log: LogAxes,

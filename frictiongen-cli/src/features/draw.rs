@@ -1,7 +1,7 @@
 //! Draws the amplitudes over frequency, with the features marked.
 
 use super::report::FeaturesReport;
-use crate::asked::Part;
+use crate::asked::MovingPart;
 use crate::destination::OutputFormat;
 use crate::failure::Failure;
 use crate::measure::Measure;
@@ -22,7 +22,7 @@ const MARKS: [(&str, Marker, &str); 3] = [
 /// Returns the marks of the features on the amplitude curve of a motion.
 pub fn marks(
     lines: &[FeatureLine],
-    part: &Part,
+    part: &MovingPart,
     measure: &Measure,
     scales: &Scales,
 ) -> Vec<Markers> {
@@ -54,7 +54,7 @@ pub fn marks(
 /// shows the motion without friction.
 pub fn draw(
     report: &FeaturesReport<'_>,
-    parts: &[Part],
+    parts: &[MovingPart],
     frictions: &[f64],
     form: OutputFormat,
     out: &mut dyn Write,

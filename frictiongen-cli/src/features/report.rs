@@ -6,7 +6,7 @@ use crate::measure::Measure;
 use crate::number::{Cell, Lossless as _, computed};
 use crate::output::{ResultTable, Visitor};
 use frictiongen::System;
-use frictiongen::study::columns::{Column, FeatureLine, FeatureTable, Part, Setting};
+use frictiongen::study::columns::{Column, FeatureLine, FeatureTable, MovingPart, Setting};
 use frictiongen::study::features::Sensed;
 use serde_json::{Value as Json, json};
 
@@ -27,7 +27,7 @@ pub fn table<'a>(
     system: &'a System,
     band: &Band,
     measure: Measure,
-    parts: &'a [Part],
+    parts: &'a [MovingPart],
 ) -> FeatureTable<'a> {
     FeatureTable {
         setting: Setting {

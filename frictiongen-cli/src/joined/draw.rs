@@ -8,7 +8,7 @@ use crate::interrupt;
 use crate::picture;
 use crate::progress::Progress;
 use frictiongen::Regime;
-use frictiongen::study::columns::{Frequency, Friction, JoinedRow};
+use frictiongen::study::columns::{Frequency, FrictionSetting, JoinedRow};
 use frictiongen::study::joined::JoinedHistory;
 use frictiongen_plot::Label;
 use frictiongen_plot::desk::{
@@ -82,7 +82,7 @@ pub fn steady(
     (form, out): (OutputFormat, &mut dyn Write),
 ) -> Result<(), Failure> {
     let frequencies: Vec<Frequency> = question.frequencies.all(question.system).collect();
-    let frictions: Vec<Friction> = question.frictions.all().collect();
+    let frictions: Vec<FrictionSetting> = question.frictions.all().collect();
     if frequencies.len() < 2 || (matches!(picture, Picture::Map(_)) && frictions.len() < 2) {
         return Err(Failure::new(match picture {
             Picture::Map(_) => "a picture of a map needs two frequencies and two frictions",
@@ -140,7 +140,7 @@ pub fn steady(
 /// Returns the panels and the curves: the amplitude of each mass, and the stuck fraction of each contact.
 fn curves(
     question: &Question<'_>,
-    rows: &[(Friction, Vec<JoinedRow>)],
+    rows: &[(FrictionSetting, Vec<JoinedRow>)],
     scales: &Scales,
 ) -> (Vec<(Label, Label)>, Vec<JoinedCurve>) {
     let names = question.table().parts();
@@ -182,7 +182,7 @@ fn curves(
 /// Returns the cells of a map, row by row from the lowest friction.
 fn cells(
     question: &Question<'_>,
-    rows: &[(Friction, Vec<JoinedRow>)],
+    rows: &[(FrictionSetting, Vec<JoinedRow>)],
     shade: ShadeArgument,
     scales: &Scales,
 ) -> JoinedCells {

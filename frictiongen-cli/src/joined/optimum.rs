@@ -15,7 +15,7 @@ use crate::summary::Summary;
 use crate::vary::Vary;
 use frictiongen::System;
 use frictiongen::study::columns::{
-    Column, Frequency, Friction, JoinedRow, JoinedTable, Measure, Setting,
+    Column, Frequency, FrictionSetting, JoinedRow, JoinedTable, Measure, Setting,
 };
 use frictiongen::study::joined::{
     Joined, JoinedDistribution, JoinedError, JoinedOptimum, ShareRange,
@@ -93,7 +93,7 @@ pub fn optimum(
         joined: &tuned,
         ..table
     };
-    let friction = Friction::of_ratio(found.friction, measure.scale());
+    let friction = FrictionSetting::of_ratio(found.friction, measure.scale());
     let row = table.row(Frequency::at(&system, found.r), friction);
     let report = OptimumReport {
         table,

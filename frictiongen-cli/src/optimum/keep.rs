@@ -1,7 +1,7 @@
 //! The option `--keep` of `frictiongen optimum`, which sets upper bounds on amplitudes: `--keep 'roof-base <= 5mm'`.
 
 use super::valued::QuantityArgument;
-use crate::asked::Part;
+use crate::asked::MovingPart;
 use crate::failure::Failure;
 use crate::measure::Measure;
 use crate::number::computed;
@@ -76,7 +76,7 @@ pub fn lines(
         error => Failure::new(error),
     })?;
     let values = bounds.iter().zip(&found.largest);
-    let values: Vec<(Part, f64, f64)> = values
+    let values: Vec<(MovingPart, f64, f64)> = values
         .map(|(bound, largest)| (bound.part.clone(), bound.value, *largest))
         .collect();
     Ok(table.lines_with(&found.optimum, None, Further::Kept(&values)))

@@ -5,7 +5,7 @@ mod valued;
 mod weigh;
 
 use crate::args::OptimumArguments;
-use crate::asked::{self, Part};
+use crate::asked::{self, MovingPart};
 use crate::failure::Failure;
 use crate::frequency::Band;
 use crate::interrupt;
@@ -118,7 +118,7 @@ impl OptimumArguments {
     }
 
     /// Returns the only quantity, or the first of several.
-    fn first(&self, system: &System, several: &[QuantityArgument]) -> Result<Part, Failure> {
+    fn first(&self, system: &System, several: &[QuantityArgument]) -> Result<MovingPart, Failure> {
         match several.first() {
             Some(valued) => Ok(valued.part.clone()),
             None => asked::part(system, self.of.first().map_or("", String::as_str)),

@@ -1,7 +1,7 @@
 //! A quantity in the options of `frictiongen optimum`, with its value. The value is an upper bound, or the number by
 //! which the quantity is divided.
 
-use crate::asked::Part;
+use crate::asked::MovingPart;
 use crate::failure::Failure;
 use crate::measure::Measure;
 use frictiongen::System;
@@ -15,7 +15,7 @@ pub struct QuantityArgument {
     pub name: String,
     /// Text of the value.
     pub text: String,
-    pub part: Part,
+    pub part: MovingPart,
     /// The value in the unit in which an optimum gives amplitudes.
     pub value: f64,
 }
@@ -28,7 +28,7 @@ impl QuantityArgument {
         measure: &Measure,
         wrong: &dyn Fn(&dyn Display) -> Failure,
     ) -> Result<Self, Failure> {
-        let part = Part::named(system, name).map_err(|error| wrong(&error))?;
+        let part = MovingPart::named(system, name).map_err(|error| wrong(&error))?;
         if part.size == Size::Damping {
             return Err(wrong(
                 &"an equivalent damping ratio has no upper bound; leave it out",

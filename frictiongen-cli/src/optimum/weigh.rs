@@ -2,7 +2,7 @@
 //! --of 'accel(roof)/2m/s2'`.
 
 use super::valued::QuantityArgument;
-use crate::asked::Part;
+use crate::asked::MovingPart;
 use crate::failure::Failure;
 use crate::measure::Measure;
 use frictiongen::System;
@@ -34,7 +34,7 @@ pub fn parsed(
 /// Finds the best friction for all quantities together, and returns the lines of the answer. The decisive quantity is
 /// the one with the largest quotient. `table` creates the table for it.
 pub fn lines<'a>(
-    table: &dyn Fn(&'a Part) -> OptimumTable<'a>,
+    table: &dyn Fn(&'a MovingPart) -> OptimumTable<'a>,
     request: &OptimumRequest,
     all: &'a [QuantityArgument],
     watch: &(dyn Fn() -> bool + Sync),
@@ -54,7 +54,7 @@ pub fn lines<'a>(
     let found = system.weighted_optimum(request, &weighted, watch);
     let found = found.map_err(Failure::new)?;
     let values = all.iter().zip(&found.largest);
-    let values: Vec<(Part, f64, f64)> = values
+    let values: Vec<(MovingPart, f64, f64)> = values
         .map(|(valued, largest)| (valued.part.clone(), valued.value, *largest))
         .collect();
     let decisive = all.get(found.decisive).unwrap_or(first);

@@ -2,7 +2,7 @@
 
 use super::driven::DrivenReport;
 use super::spectrum::ResponseSpectrumReport;
-use crate::asked::Part;
+use crate::asked::MovingPart;
 use crate::destination::OutputFormat;
 use crate::failure::Failure;
 use crate::picture::{self, over_time};
@@ -71,7 +71,7 @@ pub fn driven(
     out: &mut dyn Write,
 ) -> Result<(), Failure> {
     let motions = driven.parts.iter().zip(&driven.motion.motions);
-    let motions: Vec<(&Part, &[f64])> = motions
+    let motions: Vec<(&MovingPart, &[f64])> = motions
         .map(|(part, [values, _])| (part, values.as_slice()))
         .collect();
     let panels = over_time(&driven.motion.time, &motions, &driven.motion.force);

@@ -1,6 +1,6 @@
 //! Computes the motion of a scene under a recorded input, sample by sample.
 
-use crate::asked::Part;
+use crate::asked::MovingPart;
 use crate::failure::Failure;
 use crate::number::computed;
 use crate::output::{ResultTable, Visitor};
@@ -15,7 +15,7 @@ use serde_json::{Value as Json, json};
 pub struct DrivenReport<'s> {
     system: &'s System,
     /// The contact and masses whose motions the output contains.
-    pub parts: Vec<Part>,
+    pub parts: Vec<MovingPart>,
     /// The motion at every sample.
     pub motion: Driven,
     work: Work<f64>,
@@ -24,7 +24,11 @@ pub struct DrivenReport<'s> {
 
 impl<'s> DrivenReport<'s> {
     /// Computes the motion under the recorded input.
-    pub fn of(system: &'s System, inputs: &Inputs<'_>, parts: Vec<Part>) -> Result<Self, Failure> {
+    pub fn of(
+        system: &'s System,
+        inputs: &Inputs<'_>,
+        parts: Vec<MovingPart>,
+    ) -> Result<Self, Failure> {
         let turned = system.contact_is_reversed();
         let mut step = system.stepper(inputs.dt()).map_err(|_| {
             Failure::new(format_args!(

@@ -2,7 +2,7 @@
 
 use super::read;
 use crate::args::RecordingArguments;
-use crate::asked::{Part, without_rates};
+use crate::asked::{MovingPart, without_rates};
 use crate::destination::OutputFormat;
 use crate::failure::Failure;
 use crate::measure::Measure;
@@ -47,7 +47,7 @@ impl<'s> DriveRequest<'s> {
         if names.is_empty() {
             // Under a recorded acceleration the base drifts by metres, which hides all relative motion.
             let masses = system.scene().masses.iter();
-            let masses = masses.map(|mass| Part::named(system, &mass.name));
+            let masses = masses.map(|mass| MovingPart::named(system, &mass.name));
             parts.extend((0..contacts.len()).map(JoinedPart::Contact));
             for mass in masses {
                 let mass = mass.map_err(Failure::new)?.from_base(system);
@@ -145,9 +145,9 @@ impl<'s> DriveRequest<'s> {
 }
 
 /// Finds a mass or a combination of masses and base by its name.
-fn named(system: &System, name: &str, contacts: &[String]) -> Result<Part, Failure> {
+fn named(system: &System, name: &str, contacts: &[String]) -> Result<MovingPart, Failure> {
     let contacts = contacts.join(", ");
-    let part = Part::named(system, name);
+    let part = MovingPart::named(system, name);
     let part = part.map_err(|error| {
         Failure::new(format_args!("--of: {error}; the contacts are {contacts}"))
     })?;

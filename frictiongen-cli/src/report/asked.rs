@@ -2,7 +2,7 @@
 
 use super::words::PageUnits;
 use crate::args::ReportArguments;
-use crate::asked::{self, Part};
+use crate::asked::{self, MovingPart};
 use crate::failure::Failure;
 use crate::frequency::Band;
 use crate::friction::Frictions;
@@ -34,7 +34,7 @@ pub struct ReportRequest {
     /// The units of the numbers on the page.
     pub words: PageUnits,
     /// The contact and masses whose motions the page shows.
-    pub parts: Vec<Part>,
+    pub parts: Vec<MovingPart>,
     /// Friction ratios β that the user gave. `None` for the default frictions.
     pub frictions: Option<Vec<f64>>,
     /// Sentences that tell the reader what the command has chosen, and by which rule.
@@ -70,8 +70,9 @@ impl ReportRequest {
             shown(&system, &band, &mut chosen)?
         } else {
             let parts = asked::parts(&system, &arguments.of)?;
-            let plain =
-                |part: &&Part| matches!(part.of, Of::Contact | Of::Mass(_)) && !part.has_rate();
+            let plain = |part: &&MovingPart| {
+                matches!(part.of, Of::Contact | Of::Mass(_)) && !part.has_rate()
+            };
             if let Some(part) = parts.iter().find(|part| !plain(part)) {
                 return Err(Failure::new(format_args!(
                     "--of `{}`: the report shows the contact and masses; `curve` shows relative motions and forces",
@@ -210,7 +211,11 @@ fn automatic(system: &System, in_hertz: bool) -> Band {
 
 /// Returns the contact and masses that the page shows. For a long chain it returns only the most important ones. If a
 /// mass slides on a wall, the contact has the same motion as this mass, and the list does not contain the contact.
-fn shown(system: &System, band: &Band, chosen: &mut Vec<String>) -> Result<Vec<Part>, Failure> {
+fn shown(
+    system: &System,
+    band: &Band,
+    chosen: &mut Vec<String>,
+) -> Result<Vec<MovingPart>, Failure> {
     let mut all = asked::parts(system, &[])?;
     let scene = system.scene();
     if [scene.contact.from, scene.contact.to].contains(&Node::Wall) {
@@ -247,7 +252,7 @@ fn shown(system: &System, band: &Band, chosen: &mut Vec<String>) -> Result<Vec<P
         "Of {count} masses the page shows the masses at the contact and at the load, the last mass, and the mass that would move \
          farthest with the contact stuck. The option --of shows others."
     ));
-    let counts = |part: &Part| match part.of {
+    let counts = |part: &MovingPart| match part.of {
         Of::Contact => true,
         Of::Mass(index) => kept.contains(&index),
         _ => false,

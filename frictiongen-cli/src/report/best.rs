@@ -3,8 +3,8 @@
 use super::asked::ReportRequest;
 use super::found::at_once;
 use super::words::{PageUnits, digits, number, object};
-use crate::asked::Part;
-use crate::measure::Dimension;
+use crate::asked::MovingPart;
+use crate::measure::PhysicalQuantity;
 use frictiongen::Of;
 use frictiongen::study::{
     optimum::{FrequencyBand, Optimum, OptimumEnd, OptimumKind, OptimumRequest},
@@ -31,7 +31,7 @@ const MOST_OF_LONG: usize = 2;
 /// Best friction for one motion, or the reason why none was found.
 pub struct Best {
     /// The contact or mass whose largest amplitude is minimised.
-    pub part: Part,
+    pub part: MovingPart,
     /// The result of the search.
     pub found: Result<Optimum, String>,
 }
@@ -49,10 +49,10 @@ pub fn search(asked: &ReportRequest) -> Result<Vec<Best>, String> {
     let only_contact = asked.parts.iter().all(|part| part.of == Of::Contact);
     let parts = asked.parts.iter();
     let parts = parts.filter(|part| only_contact || part.of != Of::Contact);
-    let mut parts: Vec<Part> = parts.cloned().collect();
+    let mut parts: Vec<MovingPart> = parts.cloned().collect();
     // The command searches only for the motions that are largest with the contact stuck.
     let farthest = asked.farthest_if_stuck();
-    let rank = |part: &Part| match part.of {
+    let rank = |part: &MovingPart| match part.of {
         Of::Mass(mass) => farthest.iter().position(|other| *other == mass),
         _ => None,
     };
@@ -66,7 +66,7 @@ pub fn search(asked: &ReportRequest) -> Result<Vec<Best>, String> {
     if let Some(last) = ranks.get(most.saturating_sub(1)) {
         parts.retain(|part| rank(part).is_some_and(|rank| rank <= *last));
     }
-    let best = |part: Part| {
+    let best = |part: MovingPart| {
         let request = OptimumRequest {
             of: part.of,
             size: part.size,
@@ -220,7 +220,7 @@ pub fn data(best: &Result<Vec<Best>, String>, asked: &ReportRequest) -> Json {
         Err(error) => json!({ "of": best.part.name, "none": error }),
         Ok(optimum) => {
             let length = |ratio: f64| number(words.measure.length(ratio));
-            let name = |name: &str| words.measure.name(name, Dimension::Length);
+            let name = |name: &str| words.measure.name(name, PhysicalQuantity::Length);
             let mut fields: Vec<(String, Json)> = vec![
                 ("of".to_owned(), best.part.name.as_str().into()),
                 ("limited_by".to_owned(), kind(optimum).into()),

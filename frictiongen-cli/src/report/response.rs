@@ -7,7 +7,7 @@ use super::words::{PageUnits, object};
 
 use crate::failure::Failure;
 use crate::features::draw::marks;
-use crate::measure::Dimension;
+use crate::measure::PhysicalQuantity;
 use frictiongen::study::columns::FeatureLine;
 use frictiongen::study::{
     curve::{Curve, CurveRequest, End},
@@ -352,7 +352,7 @@ impl Responses {
         let cell = |found: &FoundMotion| match found {
             Err(error) => json!({ "none": words::no_answer(*error) }),
             Ok((regime, swing)) => {
-                let phase = words.measure.name("phase", Dimension::Angle);
+                let phase = words.measure.name("phase", PhysicalQuantity::Angle);
                 let lag = swing.phase.map(|phase| words.measure.angle(phase));
                 object([
                     words.length_json(swing.amplitude),

@@ -1,6 +1,6 @@
 //! Formats the numbers of the page with four digits and their unit.
 
-use crate::measure::{Dimension, Measure};
+use crate::measure::{Measure, PhysicalQuantity};
 use crate::number::Lossless as _;
 use frictiongen::System;
 use frictiongen::study::units;
@@ -134,7 +134,7 @@ impl PageUnits {
 
     /// Returns the JSON field of an amplitude.
     pub fn length_json(&self, ratio: f64) -> (String, Json) {
-        let name = self.measure.name("amplitude", Dimension::Length);
+        let name = self.measure.name("amplitude", PhysicalQuantity::Length);
         (name, number(self.measure.length(ratio)))
     }
 }

@@ -1,9 +1,11 @@
 //! Settings of a motion over time: frequency, friction, units, and the contact and masses.
 
-use crate::asked::Part;
+use crate::asked::MovingPart;
 use crate::measure::Measure;
 use frictiongen::System;
-use frictiongen::study::columns::{Frequency, FrequencyUnit, Friction, HistoryTable, Setting};
+use frictiongen::study::columns::{
+    Frequency, FrequencyUnit, FrictionSetting, HistoryTable, Setting,
+};
 
 /// Settings of a motion over time: frequency, friction, units, and the contact and masses.
 pub struct RunSettings<'a> {
@@ -14,11 +16,11 @@ pub struct RunSettings<'a> {
     /// Frequency of the excitation, as ratio r, in Hz and in rad/s.
     pub frequency: Frequency,
     /// Friction in the contact, as ratio β and, under a load, as force in N.
-    pub friction: Friction,
+    pub friction: FrictionSetting,
     /// Units of the answers: SI units under a load, otherwise non-dimensional groups.
     pub measure: Measure,
     /// The contact and masses whose motions the output contains.
-    pub parts: Vec<Part>,
+    pub parts: Vec<MovingPart>,
     /// True if the output has times in seconds as well.
     pub in_seconds: bool,
 }

@@ -4,7 +4,7 @@ use super::motion::RunMotion;
 use crate::failure::Failure;
 use crate::layout::Layout;
 use crate::output::{ResultTable, Visitor};
-use frictiongen::study::columns::{Column, SpectrumRow};
+use frictiongen::study::columns::{Column, HarmonicRow};
 use frictiongen::study::history::Spectrum;
 use serde_json::Value as Json;
 use std::borrow::Cow;
@@ -28,18 +28,18 @@ pub fn spectra<'m>(motion: &'m RunMotion<'_>) -> Cow<'m, [Spectrum]> {
 }
 
 impl<'m> ResultTable for SpectrumReport<'m> {
-    type Row = SpectrumRow<'m>;
+    type Row = HarmonicRow<'m>;
 
     fn len(&self) -> usize {
         self.spectra.first().map_or(0, |first| first.lines.len())
     }
 
-    fn each(&self, visit: Visitor<'_, SpectrumRow<'m>>) -> Result<(), Failure> {
+    fn each(&self, visit: Visitor<'_, HarmonicRow<'m>>) -> Result<(), Failure> {
         let mut rows = self.motion.course.table().lines(self.spectra);
         rows.try_for_each(|row| visit(&row))
     }
 
-    fn columns(&self) -> Vec<Column<'_, SpectrumRow<'m>>> {
+    fn columns(&self) -> Vec<Column<'_, HarmonicRow<'m>>> {
         self.motion.course.table().spectrum_columns()
     }
 

@@ -6,7 +6,7 @@ use super::measure::{self, Measure};
 use super::numbers::{Given, ends, points};
 use crate::columns::Columns;
 use crate::errors::domain;
-use frictiongen::study::columns::{Axis, Friction, Setting};
+use frictiongen::study::columns::{ColumnAxis, FrictionSetting, Setting};
 use pyo3::prelude::*;
 
 /// The Python arguments `beta` and `friction`, of which the caller gives one.
@@ -19,7 +19,7 @@ pub struct Frictions {
     argument: &'static str,
     /// Friction ratios β.
     pub beta: Vec<f64>,
-    all: Vec<Friction>,
+    all: Vec<FrictionSetting>,
 }
 
 impl Frictions {
@@ -56,10 +56,10 @@ impl Frictions {
             ));
         }
         let friction = |given: &f64| match scale {
-            Some(scale) if argument == "friction" => Friction::of_force(*given, scale),
-            scale => Friction::of_ratio(*given, scale),
+            Some(scale) if argument == "friction" => FrictionSetting::of_force(*given, scale),
+            scale => FrictionSetting::of_ratio(*given, scale),
         };
-        let all: Vec<Friction> = given.values.iter().map(friction).collect();
+        let all: Vec<FrictionSetting> = given.values.iter().map(friction).collect();
         for (index, (value, friction)) in given.values.iter().zip(&all).enumerate() {
             if !(survives(*value, friction.beta) && survives(*value, friction.force())) {
                 let why = "with this load it is too small or too large to compute with";
@@ -91,7 +91,7 @@ impl Frictions {
     }
 
     /// Returns the friction. Fails if the caller gave several frictions.
-    pub fn only(&self) -> PyResult<Friction> {
+    pub fn only(&self) -> PyResult<FrictionSetting> {
         match (self.given.is_one, self.all.as_slice()) {
             (true, [friction]) => Ok(*friction),
             _ => Err(domain(format_args!(
@@ -102,7 +102,7 @@ impl Frictions {
     }
 
     /// Returns the frictions in the order of the caller.
-    pub fn all(&self) -> Vec<Friction> {
+    pub fn all(&self) -> Vec<FrictionSetting> {
         self.all.clone()
     }
 
@@ -113,6 +113,6 @@ impl Frictions {
 
     /// Adds the columns that depend on the friction alone, with one row for each friction.
     pub fn put(&self, arrays: &mut Columns<'_>, setting: &Setting<'_>) -> PyResult<()> {
-        arrays.along(Axis::Friction, &setting.friction_columns(), &self.all)
+        arrays.along(ColumnAxis::Friction, &setting.friction_columns(), &self.all)
     }
 }

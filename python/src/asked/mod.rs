@@ -14,8 +14,8 @@ pub use numbers::{numbers, one, whole};
 use crate::columns::Columns;
 use crate::errors::{domain, wrong_type};
 use frictiongen::System;
-use frictiongen::study::columns::{Axis, Column, FrequencyUnit, Setting};
-pub use frictiongen::study::columns::{CONTACT, Part};
+use frictiongen::study::columns::{ColumnAxis, Column, FrequencyUnit, Setting};
+pub use frictiongen::study::columns::{CONTACT, MovingPart};
 use pyo3::prelude::*;
 use pyo3::types::PyString;
 
@@ -43,7 +43,7 @@ pub fn setting<'a>(
     system: &'a System,
     measure: Measure,
     frequency: FrequencyUnit,
-    parts: &'a [Part],
+    parts: &'a [MovingPart],
 ) -> Setting<'a> {
     Setting {
         system,
@@ -69,7 +69,7 @@ pub fn put_grid<R>(
     arrays.reshape(&frictions.shape());
     frictions.put(arrays, setting)?;
     arrays.reshape(&[frequencies.shape(), frictions.shape()].concat());
-    arrays.along(Axis::Row, columns, rows)
+    arrays.along(ColumnAxis::Row, columns, rows)
 }
 
 /// Reads one name or several names.
@@ -93,7 +93,7 @@ pub fn parts(
     system: &System,
     argument: &str,
     given: Option<&Bound<'_, PyAny>>,
-) -> PyResult<Vec<Part>> {
+) -> PyResult<Vec<MovingPart>> {
     let mut asked = names(argument, given)?;
     if asked.is_empty() {
         let masses = system.scene().masses.iter();
@@ -101,12 +101,12 @@ pub fn parts(
             .chain(masses.map(|mass| mass.name.clone()))
             .collect();
     }
-    let mut parts: Vec<Part> = Vec::new();
+    let mut parts: Vec<MovingPart> = Vec::new();
     for name in asked {
         if parts.iter().any(|part| part.name == name) {
             return Err(domain(format_args!("{argument}: `{name}` is given twice")));
         }
-        let part = Part::named(system, &name);
+        let part = MovingPart::named(system, &name);
         let part = part.map_err(|error| domain(format_args!("{argument}: {error}")))?;
         if part.has_rate() {
             return Err(domain(format_args!(
@@ -119,7 +119,7 @@ pub fn parts(
 }
 
 /// Returns the contact or mass with this name.
-pub fn part(system: &System, argument: &str, given: &Bound<'_, PyAny>) -> PyResult<Part> {
+pub fn part(system: &System, argument: &str, given: &Bound<'_, PyAny>) -> PyResult<MovingPart> {
     let Ok(name) = given.cast::<PyString>() else {
         return Err(wrong_type(format_args!(
             "{argument}: the name of a mass is needed, or `contact`"
@@ -134,8 +134,8 @@ pub fn part(system: &System, argument: &str, given: &Bound<'_, PyAny>) -> PyResu
 }
 
 /// Returns the quantity with this name: a motion, or a velocity, an acceleration or a force such as `accel(roof)`.
-pub fn quantity(system: &System, argument: &str, name: &str) -> PyResult<Part> {
-    Part::named(system, name).map_err(|error| domain(format_args!("{argument}: {error}")))
+pub fn quantity(system: &System, argument: &str, name: &str) -> PyResult<MovingPart> {
+    MovingPart::named(system, name).map_err(|error| domain(format_args!("{argument}: {error}")))
 }
 
 /// Reads the highest order of a harmonic. The default is 0.

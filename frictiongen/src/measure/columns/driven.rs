@@ -1,7 +1,9 @@
 //! Rows and columns of a motion that follows an input step by step.
 
 use crate::Of;
-use crate::study::columns::{CONTACT, Column, Columns, Dimension, Head, Measure, Part, Row};
+use crate::study::columns::{
+    CONTACT, Column, Columns, Head, Measure, MovingPart, PhysicalQuantity, TableRow,
+};
 use crate::study::{System, stepper::SystemStepper, words};
 use frictiongen_kernel::simulation::Contact;
 
@@ -25,12 +27,12 @@ pub struct DrivenRow<'d> {
     index: usize,
 }
 
-impl Row for DrivenRow<'_> {}
+impl TableRow for DrivenRow<'_> {}
 
 impl Driven {
     /// Creates a table without samples.
     #[must_use]
-    pub fn new(parts: &[Part]) -> Self {
+    pub fn new(parts: &[MovingPart]) -> Self {
         Self {
             motions: vec![Default::default(); parts.len()],
             ..Self::default()
@@ -40,7 +42,13 @@ impl Driven {
     /// Adds the present state of a stepper to the table. `parts` are the masses and the contact of the table. `events`
     /// is the number of events of the contact since the previous sample. If `turned` is true, the contact's motion and
     /// force enter the table with opposite signs.
-    pub fn push(&mut self, stepper: &SystemStepper<'_>, parts: &[Part], turned: bool, events: u32) {
+    pub fn push(
+        &mut self,
+        stepper: &SystemStepper<'_>,
+        parts: &[MovingPart],
+        turned: bool,
+        events: u32,
+    ) {
         let signed = |value: f64| if turned { 0.0 - value } else { value };
         let contact = stepper.contact();
         for (part, [displacement, velocity]) in parts.iter().zip(&mut self.motions) {
@@ -71,24 +79,24 @@ impl Driven {
 
     /// Returns the columns of the table, with their names and units.
     #[must_use]
-    pub fn columns<'d>(system: &System, parts: &[Part]) -> Vec<Column<'d, DrivenRow<'d>>> {
+    pub fn columns<'d>(system: &System, parts: &[MovingPart]) -> Vec<Column<'d, DrivenRow<'d>>> {
         let mut columns = Columns::new(&Measure::si(system));
-        let head = Head::of("time", Dimension::Time);
+        let head = Head::of("time", PhysicalQuantity::Time);
         columns.number(head, |row: &DrivenRow<'_>| {
             row.driven.time.get(row.index).copied()
         });
         for (place, part) in parts.iter().enumerate() {
             columns.begin_part(&part.name);
             if part.of.is_force() {
-                columns.converted(Head::of("force", Dimension::Force), move |row| {
+                columns.converted(Head::of("force", PhysicalQuantity::Force), move |row| {
                     let [force, _] = row.driven.motions.get(place)?;
                     force.get(row.index).copied()
                 });
                 continue;
             }
             for (which, (name, dimension)) in [
-                ("displacement", Dimension::Length),
-                ("velocity", Dimension::Velocity),
+                ("displacement", PhysicalQuantity::Length),
+                ("velocity", PhysicalQuantity::Velocity),
             ]
             .into_iter()
             .enumerate()
@@ -100,7 +108,7 @@ impl Driven {
             }
         }
         columns.begin_part(CONTACT);
-        columns.number(Head::of("friction", Dimension::Force), |row| {
+        columns.number(Head::of("friction", PhysicalQuantity::Force), |row| {
             row.driven.force.get(row.index).copied()
         });
         columns.word("state", "backward", |row| {

@@ -1,7 +1,9 @@
 //! Rows and columns of the motion of a scene with several contacts that follows an input step by step.
 
 use crate::study::System;
-use crate::study::columns::{Column, Columns, Dimension, Head, Measure, Part, Row};
+use crate::study::columns::{
+    Column, Columns, Head, Measure, MovingPart, PhysicalQuantity, TableRow,
+};
 use crate::study::joined::{Joined, JoinedContactNow, JoinedStepper};
 
 /// A part of a scene with several contacts whose motion the table contains.
@@ -10,7 +12,7 @@ pub enum JoinedPart {
     /// A contact, by its index in the description, from 0.
     Contact(usize),
     /// A mass, or a combination of masses and base.
-    Mass(Part),
+    Mass(MovingPart),
 }
 
 /// The motion of masses and of all contacts at every sample of an input.
@@ -33,12 +35,12 @@ pub struct JoinedDrivenRow<'d> {
     index: usize,
 }
 
-impl Row for JoinedDrivenRow<'_> {}
+impl TableRow for JoinedDrivenRow<'_> {}
 
 impl JoinedPart {
     /// Returns the mass or the combination of masses and base. Returns `None` for a contact.
     #[must_use]
-    pub fn mass(&self) -> Option<&Part> {
+    pub fn mass(&self) -> Option<&MovingPart> {
         match self {
             Self::Contact(_) => None,
             Self::Mass(part) => Some(part),
@@ -94,7 +96,7 @@ impl JoinedDriven {
     ) -> Vec<Column<'d, JoinedDrivenRow<'d>>> {
         let names = joined.contact_names();
         let mut columns = Columns::new(&Measure::si(system));
-        let head = Head::of("time", Dimension::Time);
+        let head = Head::of("time", PhysicalQuantity::Time);
         columns.number(head, |row: &JoinedDrivenRow<'_>| {
             row.driven.time.get(row.index).copied()
         });
@@ -130,42 +132,48 @@ fn now(row: &JoinedDrivenRow<'_>, contact: usize) -> Option<JoinedContactNow> {
 
 /// Adds the columns with the relative displacement and velocity of a contact.
 fn moves<'d>(columns: &mut Columns<'d, JoinedDrivenRow<'d>>, index: usize) {
-    columns.converted(Head::of("displacement", Dimension::Length), move |row| {
-        Some(now(row, index)?.displacement)
-    });
-    columns.converted(Head::of("velocity", Dimension::Velocity), move |row| {
-        Some(now(row, index)?.velocity)
-    });
+    columns.converted(
+        Head::of("displacement", PhysicalQuantity::Length),
+        move |row| Some(now(row, index)?.displacement),
+    );
+    columns.converted(
+        Head::of("velocity", PhysicalQuantity::Velocity),
+        move |row| Some(now(row, index)?.velocity),
+    );
 }
 
 /// Adds the columns with force, slip, energy and state of a contact.
 fn pulls<'d>(columns: &mut Columns<'d, JoinedDrivenRow<'d>>, index: usize) {
-    columns.converted(Head::of("force", Dimension::Force), move |row| {
+    columns.converted(Head::of("force", PhysicalQuantity::Force), move |row| {
         Some(now(row, index)?.force)
     });
-    columns.converted(Head::of("slip", Dimension::Length), move |row| {
+    columns.converted(Head::of("slip", PhysicalQuantity::Length), move |row| {
         Some(now(row, index)?.slip)
     });
-    columns.converted(Head::of("energy", Dimension::Energy), move |row| {
+    columns.converted(Head::of("energy", PhysicalQuantity::Energy), move |row| {
         Some(now(row, index)?.energy)
     });
     columns.flag("sticks", move |row| Some(now(row, index)?.is_sticking));
 }
 
 /// Adds the columns of a mass or of a combination of masses and base.
-fn of_mass<'d>(columns: &mut Columns<'d, JoinedDrivenRow<'d>>, part: &Part, place: usize) {
+fn of_mass<'d>(columns: &mut Columns<'d, JoinedDrivenRow<'d>>, part: &MovingPart, place: usize) {
     let read = move |row: &JoinedDrivenRow<'_>, which: usize| {
         let motion = row.driven.motions.get(place)?.get(which)?;
         motion.get(row.index).copied()
     };
     if part.of.is_force() {
-        columns.converted(Head::of("force", Dimension::Force), move |row| read(row, 0));
+        columns.converted(Head::of("force", PhysicalQuantity::Force), move |row| {
+            read(row, 0)
+        });
         return;
     }
-    columns.converted(Head::of("displacement", Dimension::Length), move |row| {
-        read(row, 0)
-    });
-    columns.converted(Head::of("velocity", Dimension::Velocity), move |row| {
-        read(row, 1)
-    });
+    columns.converted(
+        Head::of("displacement", PhysicalQuantity::Length),
+        move |row| read(row, 0),
+    );
+    columns.converted(
+        Head::of("velocity", PhysicalQuantity::Velocity),
+        move |row| read(row, 1),
+    );
 }

@@ -4,7 +4,7 @@
 use super::drive;
 use super::once::scaled;
 use crate::measure::{Estimate, Explained, FreeDecay, Identified, Observation, SweepFit, Unknown};
-use crate::study::columns::{Cell, Column, Columns, Head, Kind, Measure, Row, Shown};
+use crate::study::columns::{Cell, Column, ColumnKind, Columns, Head, Measure, Shown, TableRow};
 use crate::study::sensitivity::Quantity;
 use crate::study::units::{hertz, polar};
 use crate::study::{System, words};
@@ -27,7 +27,7 @@ pub struct QuantityLine {
     pub unit: &'static str,
 }
 
-impl Row for QuantityLine {}
+impl TableRow for QuantityLine {}
 
 /// A list of result lines, to which the functions of this module add lines.
 #[derive(Default)]
@@ -81,7 +81,7 @@ pub fn line_columns<'a>(system: &System, lines: &[QuantityLine]) -> Vec<Column<'
     columns.word("quantity", widest.unwrap_or_default(), |line| {
         Some(&line.label)
     });
-    columns.cell("value", Kind::Number, |line| line.value.borrowed());
+    columns.cell("value", ColumnKind::Number, |line| line.value.borrowed());
     columns.number(Head::new("from").titled(&["from", "(95 %)"]), |line| {
         Some(line.interval?.0)
     });

@@ -21,19 +21,19 @@ pub use spectrum::{SpectrumRow, spectrum_columns};
 pub use transmissibility::TransmissibilityTable;
 
 use crate::study::System;
-use crate::study::columns::{Columns, Dimension, Head, Measure, Row};
+use crate::study::columns::{Columns, Head, Measure, PhysicalQuantity, TableRow};
 use crate::study::scene::Excitation;
 
 /// Returns the name of the excitation in the table, and its physical quantity: displacement or force.
-fn drive(system: &System) -> (&'static str, Dimension) {
+fn drive(system: &System) -> (&'static str, PhysicalQuantity) {
     match system.scene().excitation {
-        Excitation::Base => ("base", Dimension::Length),
-        Excitation::Force(_) => ("force", Dimension::Force),
+        Excitation::Base => ("base", PhysicalQuantity::Length),
+        Excitation::Force(_) => ("force", PhysicalQuantity::Force),
     }
 }
 
 /// Adds the column with the amplitude of the excitation, in m or N.
-fn drive_amplitude<'a, R: Row + 'a>(
+fn drive_amplitude<'a, R: TableRow + 'a>(
     columns: &mut Columns<'a, R>,
     system: &System,
     read: impl Fn(&R) -> Option<f64> + 'a,

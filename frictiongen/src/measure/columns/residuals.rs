@@ -3,7 +3,7 @@
 use super::drive_amplitude;
 use crate::Complex;
 use crate::measure::{Datum, Explained, FreeDecay, Identified, Observation, SweepFit, SweepPoint};
-use crate::study::columns::{Column, Columns, Dimension, Head, Measure, Row};
+use crate::study::columns::{Column, Columns, Head, Measure, PhysicalQuantity, TableRow};
 use crate::study::units::polar;
 use crate::study::{System, words};
 
@@ -46,11 +46,11 @@ pub struct ExtremeRow {
     displacement: f64,
 }
 
-impl Row for ResidualRow<'_> {}
+impl TableRow for ResidualRow<'_> {}
 
-impl Row for FittedRow<'_> {}
+impl TableRow for FittedRow<'_> {}
 
-impl Row for ExtremeRow {}
+impl TableRow for ExtremeRow {}
 
 impl ResidualRow<'_> {
     /// Returns the residual of the measured quantity (complex value, amplitude or phase), divided by the standard
@@ -107,10 +107,10 @@ pub fn residuals<'o>(
 /// Returns the columns of the table of [`residuals`].
 #[must_use]
 pub fn residual_columns<'o>(system: &System) -> Vec<Column<'o, ResidualRow<'o>>> {
-    use Dimension::Angle;
+    use PhysicalQuantity::Angle;
     let mut columns = Columns::new(&Measure::si(system));
     columns.count("recording", |row: &ResidualRow<'_>| Some(row.recording));
-    let head = Head::of("frequency", Dimension::Hertz);
+    let head = Head::of("frequency", PhysicalQuantity::Hertz);
     columns.number(head, |row| Some(row.seen.hertz));
     drive_amplitude(&mut columns, system, |row| {
         let size = row.seen.load.amplitude();
@@ -157,7 +157,7 @@ pub fn fitted<'o>(
 #[must_use]
 pub fn fitted_columns<'o>(system: &System) -> Vec<Column<'o, FittedRow<'o>>> {
     let mut columns = Columns::new(&Measure::si(system));
-    let head = Head::of("frequency", Dimension::Hertz);
+    let head = Head::of("frequency", PhysicalQuantity::Hertz);
     columns.number(head, |row: &FittedRow<'_>| Some(row.point.hertz));
     columns.word("of", "", |row| Some(row.mass));
     columns.number("transmissibility", |row| Some(row.point.amplitude));
@@ -181,9 +181,9 @@ pub fn extremes(found: &FreeDecay) -> Vec<ExtremeRow> {
 #[must_use]
 pub fn extreme_columns<'o>(system: &System) -> Vec<Column<'o, ExtremeRow>> {
     let mut columns = Columns::new(&Measure::si(system));
-    let head = Head::of("time", Dimension::Time);
+    let head = Head::of("time", PhysicalQuantity::Time);
     columns.number(head, |row: &ExtremeRow| Some(row.time));
-    let head = Head::of("displacement", Dimension::Length);
+    let head = Head::of("displacement", PhysicalQuantity::Length);
     columns.number(head, |row| Some(row.displacement));
     columns.done()
 }

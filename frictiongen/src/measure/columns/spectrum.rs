@@ -2,7 +2,7 @@
 
 use crate::measure::PeakResponse;
 use crate::study::System;
-use crate::study::columns::{Column, Columns, Dimension, Head, Measure, Row};
+use crate::study::columns::{Column, Columns, Head, Measure, PhysicalQuantity, TableRow};
 
 /// Row of the table: the peak response of one oscillator.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -13,27 +13,28 @@ pub struct SpectrumRow {
     pub peak: PeakResponse,
 }
 
-impl Row for SpectrumRow {}
+impl TableRow for SpectrumRow {}
 
 /// Returns the columns of the table, with their names and units.
 #[must_use]
 pub fn spectrum_columns(system: &System) -> Vec<Column<'static, SpectrumRow>> {
     let mut columns = Columns::new(&Measure::si(system));
     columns.count("mode", |row: &SpectrumRow| row.mode);
-    columns.converted(Head::of("period", Dimension::Time), |row| {
+    columns.converted(Head::of("period", PhysicalQuantity::Time), |row| {
         Some(row.peak.period)
     });
-    columns.converted(Head::of("frequency", Dimension::Hertz), |row| {
+    columns.converted(Head::of("frequency", PhysicalQuantity::Hertz), |row| {
         Some(1.0 / row.peak.period)
     });
-    columns.converted(Head::of("displacement", Dimension::Length), |row| {
+    columns.converted(Head::of("displacement", PhysicalQuantity::Length), |row| {
         Some(row.peak.displacement)
     });
-    columns.converted(Head::of("pseudo_velocity", Dimension::Velocity), |row| {
-        Some(row.peak.displacement * row.peak.omega())
-    });
     columns.converted(
-        Head::of("pseudo_acceleration", Dimension::Acceleration),
+        Head::of("pseudo_velocity", PhysicalQuantity::Velocity),
+        |row| Some(row.peak.displacement * row.peak.omega()),
+    );
+    columns.converted(
+        Head::of("pseudo_acceleration", PhysicalQuantity::Acceleration),
         |row| Some(row.peak.displacement * row.peak.omega() * row.peak.omega()),
     );
     columns.done()

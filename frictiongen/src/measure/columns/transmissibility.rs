@@ -3,7 +3,7 @@
 use super::drive_amplitude;
 use crate::measure::Measured;
 use crate::study::System;
-use crate::study::columns::{Column, Columns, Dimension, Head, Measure, Row};
+use crate::study::columns::{Column, Columns, Head, Measure, PhysicalQuantity, TableRow};
 
 /// The table of measured displacement transmissibilities. It has one row for each recording.
 #[derive(Clone, Debug)]
@@ -13,7 +13,7 @@ pub struct TransmissibilityTable<'a> {
     masses: Vec<usize>,
 }
 
-impl Row for Measured {}
+impl TableRow for Measured {}
 
 impl<'a> TransmissibilityTable<'a> {
     /// Creates the table. It contains every mass that occurs in at least one of the recordings.
@@ -30,9 +30,9 @@ impl<'a> TransmissibilityTable<'a> {
     #[must_use]
     pub fn columns(&self) -> Vec<Column<'a, Measured>> {
         let mut columns = Columns::new(&Measure::si(self.system));
-        let head = Head::of("frequency", Dimension::Hertz);
+        let head = Head::of("frequency", PhysicalQuantity::Hertz);
         columns.number(head, |row: &Measured| Some(row.hertz));
-        let head = Head::of("steady_from", Dimension::Time).titled(&["steady", "from (s)"]);
+        let head = Head::of("steady_from", PhysicalQuantity::Time).titled(&["steady", "from (s)"]);
         columns.number(head, |row| Some(row.steady.0));
         drive_amplitude(&mut columns, self.system, |row| Some(row.drive_amplitude()));
         for mass in self.masses.iter().copied() {
@@ -41,7 +41,7 @@ impl<'a> TransmissibilityTable<'a> {
             columns.number("transmissibility", move |row| {
                 Some(row.transmissibility(mass)?.amplitude())
             });
-            let head = Head::of("lag", Dimension::Angle).titled(&["lag (deg)"]);
+            let head = Head::of("lag", PhysicalQuantity::Angle).titled(&["lag (deg)"]);
             columns.number(head, move |row| Some(row.transmissibility(mass)?.lag()));
             columns.number("deviation", move |row| {
                 Some(row.transmissibility(mass)?.deviation)

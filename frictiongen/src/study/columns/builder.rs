@@ -1,8 +1,8 @@
 //! Collects the columns of a table. Each call of a method adds one column.
 
 use super::cell::Cell;
-use super::column::{Axis, Column, Head, Kind, ReadCell, Row, Shown};
-use super::measure::{Dimension, Measure};
+use super::column::{Column, ColumnAxis, ColumnKind, Head, ReadCell, Shown, TableRow};
+use super::measure::{Measure, PhysicalQuantity};
 use crate::study::features::Sensed;
 
 /// The columns of a table, from left to right.
@@ -10,12 +10,12 @@ pub struct Columns<'a, R> {
     measure: Measure,
     part: Option<String>,
     order: Option<u32>,
-    axis: Axis,
+    axis: ColumnAxis,
     shown: Shown,
     all: Vec<Column<'a, R>>,
 }
 
-impl<'a, R: Row + 'a> Columns<'a, R> {
+impl<'a, R: TableRow + 'a> Columns<'a, R> {
     /// Returns a list without columns, for numbers in the units of `measure`.
     #[must_use]
     pub fn new(measure: &Measure) -> Self {
@@ -23,7 +23,7 @@ impl<'a, R: Row + 'a> Columns<'a, R> {
             measure: *measure,
             part: None,
             order: None,
-            axis: Axis::Row,
+            axis: ColumnAxis::Row,
             shown: Shown::Everywhere,
             all: Vec::new(),
         }
@@ -58,7 +58,7 @@ impl<'a, R: Row + 'a> Columns<'a, R> {
     }
 
     /// Sets the arguments on which the values of later columns depend: frequency, friction or the whole row.
-    pub fn along(&mut self, axis: Axis) {
+    pub fn along(&mut self, axis: ColumnAxis) {
         self.axis = axis;
     }
 
@@ -71,7 +71,11 @@ impl<'a, R: Row + 'a> Columns<'a, R> {
             let value = read(row)?;
             Some(measure.convert(dimension, value, row.omega()))
         };
-        self.push(head, Kind::Number, Box::new(move |row| convert(row).into()));
+        self.push(
+            head,
+            ColumnKind::Number,
+            Box::new(move |row| convert(row).into()),
+        );
     }
 
     /// Adds a column of numbers, each of which is known only to lie within an interval. `width` returns the width of
@@ -90,7 +94,7 @@ impl<'a, R: Row + 'a> Columns<'a, R> {
         };
         self.push(
             head,
-            Kind::Number,
+            ColumnKind::Number,
             Box::new(move |row| {
                 let value = convert(row, read(row));
                 match (value, convert(row, width(row))) {
@@ -114,8 +118,8 @@ impl<'a, R: Row + 'a> Columns<'a, R> {
         read: impl Fn(&R) -> Option<f64> + 'a,
     ) {
         let kind = match grid {
-            [] => Kind::Number,
-            grid => Kind::Given(grid),
+            [] => ColumnKind::Number,
+            grid => ColumnKind::Given(grid),
         };
         self.push(head.into(), kind, Box::new(move |row| read(row).into()));
     }
@@ -124,7 +128,7 @@ impl<'a, R: Row + 'a> Columns<'a, R> {
     pub fn count(&mut self, head: impl Into<Head>, read: impl Fn(&R) -> Option<usize> + 'a) {
         self.push(
             head.into(),
-            Kind::Count,
+            ColumnKind::Count,
             Box::new(move |row| read(row).into()),
         );
     }
@@ -136,7 +140,7 @@ impl<'a, R: Row + 'a> Columns<'a, R> {
         widest: &str,
         read: impl Fn(&R) -> Option<&str> + 'a,
     ) {
-        let kind = Kind::Word(widest.chars().count());
+        let kind = ColumnKind::Word(widest.chars().count());
         self.push(head.into(), kind, Box::new(move |row| read(row).into()));
     }
 
@@ -144,7 +148,7 @@ impl<'a, R: Row + 'a> Columns<'a, R> {
     pub fn flag(&mut self, head: impl Into<Head>, read: impl Fn(&R) -> Option<bool> + 'a) {
         self.push(
             head.into(),
-            Kind::Flag,
+            ColumnKind::Flag,
             Box::new(move |row| read(row).into()),
         );
     }
@@ -153,7 +157,7 @@ impl<'a, R: Row + 'a> Columns<'a, R> {
     pub fn list(
         &mut self,
         head: impl Into<Head>,
-        kind: Kind<'a>,
+        kind: ColumnKind<'a>,
         read: impl Fn(&R) -> Option<Vec<[f64; 2]>> + 'a,
     ) {
         self.push(head.into(), kind, Box::new(move |row| read(row).into()));
@@ -163,7 +167,7 @@ impl<'a, R: Row + 'a> Columns<'a, R> {
     pub fn cell(
         &mut self,
         head: impl Into<Head>,
-        kind: Kind<'a>,
+        kind: ColumnKind<'a>,
         read: impl for<'r> Fn(&'r R) -> Cell<'r> + 'a,
     ) {
         self.push(head.into(), kind, Box::new(read));
@@ -190,13 +194,13 @@ impl<'a, R: Row + 'a> Columns<'a, R> {
         }
     }
 
-    fn push(&mut self, head: Head, kind: Kind<'a>, read: ReadCell<'a, R>) {
+    fn push(&mut self, head: Head, kind: ColumnKind<'a>, read: ReadCell<'a, R>) {
         let name = match (head.under_load, self.measure.scale()) {
             (Some(name), Some(_)) => name,
             _ => &head.name,
         };
         let title = head.title.unwrap_or_else(|| match head.dimension {
-            Dimension::One => vec![name.to_owned()],
+            PhysicalQuantity::One => vec![name.to_owned()],
             dimension => vec![name.to_owned(), self.measure.title(dimension).to_owned()],
         });
         self.all.push(Column {
@@ -210,7 +214,7 @@ impl<'a, R: Row + 'a> Columns<'a, R> {
             name: self.measure.name(name, head.dimension),
             attribute: head.attribute,
             of_what: match (self.measure.unit(head.dimension), head.dimension) {
-                ("", Dimension::Length) => self.measure.reference(Dimension::Length),
+                ("", PhysicalQuantity::Length) => self.measure.reference(PhysicalQuantity::Length),
                 (unit, _) => unit,
             },
             read,

@@ -1,13 +1,13 @@
 //! Columns: key, heading, unit, and the function that reads a cell from a row.
 
 use super::cell::Cell;
-use super::measure::Dimension;
+use super::measure::PhysicalQuantity;
 use crate::study::features::Sensed;
 use std::borrow::Cow;
 
 /// The kind of values that a column contains.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub enum Kind<'a> {
+pub enum ColumnKind<'a> {
     /// Numbers.
     Number,
     /// Numbers that the user gave. The slice contains all of them, so that a printed table can choose the number of
@@ -27,7 +27,7 @@ pub enum Kind<'a> {
 
 /// The arguments of a result on which the values of a column depend.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Axis {
+pub enum ColumnAxis {
     /// The values depend on the frequency alone.
     Frequency,
     /// The values depend on the friction alone.
@@ -59,7 +59,7 @@ pub struct Head {
     pub(super) name: Cow<'static, str>,
     pub(super) under_load: Option<&'static str>,
     pub(super) attribute: Option<&'static str>,
-    pub(super) dimension: Dimension,
+    pub(super) dimension: PhysicalQuantity,
     pub(super) title: Option<Vec<String>>,
 }
 
@@ -71,14 +71,14 @@ impl Head {
             name: name.into(),
             under_load: None,
             attribute: None,
-            dimension: Dimension::One,
+            dimension: PhysicalQuantity::One,
             title: None,
         }
     }
 
     /// Creates the head of a column that contains values of a physical quantity.
     #[must_use]
-    pub fn of(name: impl Into<Cow<'static, str>>, dimension: Dimension) -> Self {
+    pub fn of(name: impl Into<Cow<'static, str>>, dimension: PhysicalQuantity) -> Self {
         Self {
             dimension,
             ..Self::new(name)
@@ -121,16 +121,16 @@ impl From<&'static str> for Head {
 }
 
 /// Function that reads a column's cell from a row.
-pub(super) type ReadCell<'a, Row> = Box<dyn for<'r> Fn(&'r Row) -> Cell<'r> + 'a>;
+pub(super) type ReadCell<'a, TableRow> = Box<dyn for<'r> Fn(&'r TableRow) -> Cell<'r> + 'a>;
 
 /// Function that returns true if a text output with one line for each value prints the value of a row.
-type Says<'a, Row> = Box<dyn Fn(&Row) -> bool + 'a>;
+type Says<'a, TableRow> = Box<dyn Fn(&TableRow) -> bool + 'a>;
 
 /// Function that returns the derivatives of a row's value with respect to the parameters.
-type Moves<'a, Row> = Box<dyn Fn(&Row) -> Option<&Sensed> + 'a>;
+type Moves<'a, TableRow> = Box<dyn Fn(&TableRow) -> Option<&Sensed> + 'a>;
 
 /// A column of a table, with the function that reads its cells.
-pub struct Column<'a, Row> {
+pub struct Column<'a, TableRow> {
     /// Name of the contact or mass whose motion the column describes. `None` for the whole row.
     pub part: Option<String>,
     /// Order of the harmonic. `None` for a column that belongs to no harmonic.
@@ -140,29 +140,29 @@ pub struct Column<'a, Row> {
     /// Unit of the column's numbers. It is empty for ratios.
     pub unit: &'static str,
     /// Kind of the values: numbers, counts, words, flags or lists.
-    pub kind: Kind<'a>,
+    pub kind: ColumnKind<'a>,
     /// The arguments on which the values depend.
-    pub axis: Axis,
+    pub axis: ColumnAxis,
     /// The outputs (printed table, CSV, JSON, Python) that contain the column.
     pub shown: Shown,
     pub(super) name: String,
     pub(super) attribute: Option<&'static str>,
     /// Unit of the column's numbers. For a displacement without a load it is the reference length, `P/k1` or `Y`.
     pub(super) of_what: &'static str,
-    pub(super) read: ReadCell<'a, Row>,
-    pub(super) says: Option<Says<'a, Row>>,
-    pub(super) moves: Option<Moves<'a, Row>>,
+    pub(super) read: ReadCell<'a, TableRow>,
+    pub(super) says: Option<Says<'a, TableRow>>,
+    pub(super) moves: Option<Moves<'a, TableRow>>,
 }
 
-impl<Row> Column<'_, Row> {
+impl<TableRow> Column<'_, TableRow> {
     /// Returns the value of a row in this column.
-    pub fn read<'r>(&self, row: &'r Row) -> Cell<'r> {
+    pub fn read<'r>(&self, row: &'r TableRow) -> Cell<'r> {
         (self.read)(row)
     }
 
     /// Returns true if a text output with one line for each value prints the value of this row. Such an output omits,
     /// for example, a bound that was not reached.
-    pub fn says(&self, row: &Row) -> bool {
+    pub fn says(&self, row: &TableRow) -> bool {
         self.says.as_ref().is_none_or(|says| says(row))
     }
 
@@ -173,7 +173,7 @@ impl<Row> Column<'_, Row> {
     }
 
     /// Returns the derivatives of a row's value in this column, if they exist.
-    pub fn derivatives<'r>(&self, row: &'r Row) -> Option<&'r Sensed> {
+    pub fn derivatives<'r>(&self, row: &'r TableRow) -> Option<&'r Sensed> {
         self.moves.as_ref()?(row)
     }
 
@@ -241,7 +241,7 @@ impl<Row> Column<'_, Row> {
 }
 
 /// A row of a table.
-pub trait Row {
+pub trait TableRow {
     /// Returns the row's angular frequency ω in rad/s. The table needs it to convert velocities, accelerations and
     /// powers.
     fn omega(&self) -> f64 {

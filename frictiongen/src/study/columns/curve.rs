@@ -1,10 +1,10 @@
 //! Rows and columns of the table of curves over frequency.
 
 use super::builder::Columns;
-use super::column::{Column, Head, Row};
-use super::measure::Dimension;
-use super::motion::{Extent, Moving, PartMotion, motions};
-use super::setting::{AtFrequency, AtFriction, Frequency, Friction, Setting};
+use super::column::{Column, Head, TableRow};
+use super::measure::PhysicalQuantity;
+use super::motion::{MotionColumns, MotionRow, PartMotion, motions};
+use super::setting::{AtFrequency, AtFriction, Frequency, FrictionSetting, Setting};
 use crate::Error;
 use crate::study::{
     curve::{Curve, CurvePoint, CurveStart},
@@ -15,7 +15,7 @@ use crate::study::{
 #[derive(Clone, Debug)]
 pub struct CurveRow {
     /// The friction of the curve, as friction ratio β and, under a load, as force in N.
-    pub friction: Friction,
+    pub friction: FrictionSetting,
     /// The initial state from which the motions of the curve start.
     pub start: CurveStart,
     /// Frequency of the excitation, as ratio r, in Hz and in rad/s.
@@ -45,7 +45,7 @@ impl CurveRow {
     }
 }
 
-impl Row for CurveRow {
+impl TableRow for CurveRow {
     fn omega(&self) -> f64 {
         self.frequency.omega
     }
@@ -58,12 +58,12 @@ impl AtFrequency for CurveRow {
 }
 
 impl AtFriction for CurveRow {
-    fn friction(&self) -> Friction {
+    fn friction(&self) -> FrictionSetting {
         self.friction
     }
 }
 
-impl Moving for CurveRow {
+impl MotionRow for CurveRow {
     fn motion(&self, part: usize) -> Option<PartMotion<'_>> {
         let point = self.point()?;
         let movement = point.movements.get(part)?;
@@ -83,7 +83,7 @@ impl Moving for CurveRow {
 impl<'a> CurveTable<'a> {
     /// Returns the rows of one curve, in ascending order of frequency.
     #[must_use]
-    pub fn rows(&self, friction: Friction, curve: &Curve) -> Vec<CurveRow> {
+    pub fn rows(&self, friction: FrictionSetting, curve: &Curve) -> Vec<CurveRow> {
         let row = |r: f64, piece: Option<usize>, found: Result<CurvePoint, Error>| {
             let frequency = Frequency::at(self.setting.system, r);
             CurveRow {
@@ -111,7 +111,7 @@ impl<'a> CurveTable<'a> {
     /// Returns the columns of the table, from left to right.
     #[must_use]
     pub fn columns(&self) -> Vec<Column<'a, CurveRow>> {
-        use Dimension::{Force, Length, Power};
+        use PhysicalQuantity::{Force, Length, Power};
         let measure = self.setting.measure;
         let (newton, power) = match measure.scale() {
             Some(_) => ("(N)", ["power", "(W)"]),
@@ -144,7 +144,7 @@ impl<'a> CurveTable<'a> {
         columns.flag(Head::new("from_rest").titled(&["from", "rest"]), |row| {
             Some(row.point()?.from_rest)
         });
-        let extent = Extent {
+        let extent = MotionColumns {
             monoharmonic: false,
             rates: self.rates,
             orders: self.orders,

@@ -1,9 +1,9 @@
 //! Rows and columns of motions over time: samples, events and spectra.
 
 use super::builder::Columns;
-use super::column::{Column, Head, Row};
-use super::measure::Dimension;
-use super::setting::{CONTACT, Frequency, Part, Setting};
+use super::column::{Column, Head, TableRow};
+use super::measure::PhysicalQuantity;
+use super::setting::{CONTACT, Frequency, MovingPart, Setting};
 use crate::study::units::{hertz, polar, seconds};
 use crate::study::{
     history::{History, HistoryEvent, Spectrum},
@@ -34,7 +34,7 @@ pub struct EventRow<'h> {
 
 /// A row of the table of spectra: one order, that is frequency divided by the frequency of the excitation.
 #[derive(Clone, Copy, Debug)]
-pub struct SpectrumRow<'h> {
+pub struct HarmonicRow<'h> {
     /// The spectra of the motions, one for the contact and for each mass in the table.
     pub spectra: &'h [Spectrum],
     /// Index of the row's order in each spectrum, counted from 0.
@@ -55,12 +55,12 @@ pub struct HistoryTable<'a> {
 }
 
 /// A row of a table that belongs to one instant.
-trait Timed: Row {
+trait Timed: TableRow {
     /// Returns the instant of the row as phase τ = ωt.
     fn tau(&self) -> f64;
 }
 
-impl Row for SampleRow<'_> {
+impl TableRow for SampleRow<'_> {
     fn omega(&self) -> f64 {
         self.omega
     }
@@ -72,7 +72,7 @@ impl Timed for SampleRow<'_> {
     }
 }
 
-impl Row for EventRow<'_> {
+impl TableRow for EventRow<'_> {
     fn omega(&self) -> f64 {
         self.omega
     }
@@ -84,13 +84,13 @@ impl Timed for EventRow<'_> {
     }
 }
 
-impl Row for SpectrumRow<'_> {
+impl TableRow for HarmonicRow<'_> {
     fn omega(&self) -> f64 {
         self.omega
     }
 }
 
-impl SpectrumRow<'_> {
+impl HarmonicRow<'_> {
     fn order(&self) -> Option<f64> {
         Some(self.spectra.first()?.lines.get(self.index)?.order)
     }
@@ -143,10 +143,10 @@ impl<'a> HistoryTable<'a> {
     pub fn lines<'h>(
         &self,
         spectra: &'h [Spectrum],
-    ) -> impl Iterator<Item = SpectrumRow<'h>> + use<'h> {
+    ) -> impl Iterator<Item = HarmonicRow<'h>> + use<'h> {
         let omega = self.at.omega;
         let count = spectra.first().map_or(0, |first| first.lines.len());
-        (0..count).map(move |index| SpectrumRow {
+        (0..count).map(move |index| HarmonicRow {
             spectra,
             index,
             omega,
@@ -155,7 +155,7 @@ impl<'a> HistoryTable<'a> {
 
     fn time<R: Timed + 'a>(&self, columns: &mut Columns<'a, R>) {
         if self.in_seconds {
-            columns.number(Head::of("time", Dimension::Time), |row: &R| {
+            columns.number(Head::of("time", PhysicalQuantity::Time), |row: &R| {
                 Some(seconds(row.tau(), row.omega()))
             });
         }
@@ -179,14 +179,14 @@ impl<'a> HistoryTable<'a> {
             if part.of.is_force() {
                 continue;
             }
-            let head = Head::of("velocity", Dimension::Velocity);
+            let head = Head::of("velocity", PhysicalQuantity::Velocity);
             columns.number(head, move |row| {
                 let track = row.history.tracks.get(place)?;
                 Some(table.signed(part.of, *track.velocity.get(row.index)?))
             });
         }
         columns.begin_part(CONTACT);
-        columns.number(Head::of("friction", Dimension::Force), move |row| {
+        columns.number(Head::of("friction", PhysicalQuantity::Force), move |row| {
             let force = row.history.friction.get(row.index)?;
             Some(table.signed(Of::Contact, *force))
         });
@@ -222,18 +222,18 @@ impl<'a> HistoryTable<'a> {
 
     /// Returns the columns of the table of spectra.
     #[must_use]
-    pub fn spectrum_columns<'h: 'a>(&self) -> Vec<Column<'a, SpectrumRow<'h>>> {
+    pub fn spectrum_columns<'h: 'a>(&self) -> Vec<Column<'a, HarmonicRow<'h>>> {
         let mut columns = Columns::new(&self.setting.measure);
         let table = *self;
         if self.in_seconds {
-            let head = Head::of("frequency", Dimension::Hertz);
-            columns.number(head, |row: &SpectrumRow<'_>| {
+            let head = Head::of("frequency", PhysicalQuantity::Hertz);
+            columns.number(head, |row: &HarmonicRow<'_>| {
                 Some(hertz(row.omega) * row.order()?)
             });
         }
-        columns.number("order", |row: &SpectrumRow<'_>| row.order());
+        columns.number("order", |row: &HarmonicRow<'_>| row.order());
         for (place, part) in self.setting.parts.iter().enumerate() {
-            let component = move |row: &SpectrumRow<'_>| {
+            let component = move |row: &HarmonicRow<'_>| {
                 let component = row.component(place)?;
                 let signed = |value| table.signed(part.of, value);
                 let component = Complex::new(signed(component.re), signed(component.im));
@@ -242,7 +242,7 @@ impl<'a> HistoryTable<'a> {
             columns.begin_part(&part.name);
             let head = Head::of("amplitude", part.dimension());
             columns.number(head, move |row| Some(component(row)?.0));
-            let head = Head::of("phase", Dimension::Angle);
+            let head = Head::of("phase", PhysicalQuantity::Angle);
             columns.number(head, move |row| Some(component(row)?.1));
         }
         columns.done()
@@ -250,7 +250,7 @@ impl<'a> HistoryTable<'a> {
 }
 
 /// Returns the word in the names of the columns: `force` for a spring or the base shear, otherwise `displacement`.
-fn word(part: &Part) -> &'static str {
+fn word(part: &MovingPart) -> &'static str {
     if part.of.is_force() {
         "force"
     } else {

@@ -1,9 +1,9 @@
 //! Tables of the steady states of scenes with several contacts.
 
 use super::builder::Columns;
-use super::column::{Column, Head, Row, Shown};
-use super::measure::Dimension;
-use super::setting::{AtFrequency, AtFriction, Frequency, Friction, Setting};
+use super::column::{Column, Head, Shown, TableRow};
+use super::measure::PhysicalQuantity;
+use super::setting::{AtFrequency, AtFriction, Frequency, FrictionSetting, Setting};
 use crate::Regime;
 use crate::study::joined::{Joined, JoinedAt, JoinedError, JoinedOrbit};
 use crate::study::joints::JointError;
@@ -15,7 +15,7 @@ pub struct JoinedRow {
     /// Frequency of the excitation, as ratio r, in Hz and in rad/s.
     pub frequency: Frequency,
     /// The common friction of all contacts, as friction ratio β and, under a load, as force in N.
-    pub friction: Friction,
+    pub friction: FrictionSetting,
     /// Regime: continuous, stick-slip or stuck. The text is empty if there is no steady state.
     pub regime: &'static str,
     /// Stability of the steady state: stable or marginal. If there is no steady state, the text is the reason.
@@ -23,22 +23,22 @@ pub struct JoinedRow {
     /// The smallest friction for the state in which no contact slides, and the contact that slides first at less
     /// friction.
     stuck: Option<(f64, String)>,
-    steady: Option<Steady>,
+    steady: Option<SteadyNumbers>,
 }
 
 /// Numbers of a steady state with several contacts.
 #[derive(Clone, Debug)]
-struct Steady {
+struct SteadyNumbers {
     regime: Regime,
     period: usize,
     multiplier: Option<f64>,
     marginal: String,
-    parts: Vec<Part>,
+    parts: Vec<ContactNumbers>,
 }
 
 /// Numbers of the motion of a contact or a mass over a period.
 #[derive(Clone, Debug)]
-struct Part {
+struct ContactNumbers {
     amplitude: f64,
     contact: Option<ContactPart>,
 }
@@ -55,7 +55,7 @@ struct ContactPart {
     energy: f64,
 }
 
-impl Row for JoinedRow {
+impl TableRow for JoinedRow {
     fn omega(&self) -> f64 {
         self.frequency.omega
     }
@@ -68,7 +68,7 @@ impl AtFrequency for JoinedRow {
 }
 
 impl AtFriction for JoinedRow {
-    fn friction(&self) -> Friction {
+    fn friction(&self) -> FrictionSetting {
         self.friction
     }
 }
@@ -106,7 +106,7 @@ impl JoinedRow {
         Some(self.contact(index)?.stuck_fraction)
     }
 
-    fn part(&self, index: usize) -> Option<&Part> {
+    fn part(&self, index: usize) -> Option<&ContactNumbers> {
         self.steady.as_ref()?.parts.get(index)
     }
 
@@ -148,7 +148,11 @@ impl<'a> JoinedTable<'a> {
     ///
     /// # Errors
     /// [`JoinedError`] for a frequency or a friction outside the domain.
-    pub fn row(&self, frequency: Frequency, friction: Friction) -> Result<JoinedRow, JoinedError> {
+    pub fn row(
+        &self,
+        frequency: Frequency,
+        friction: FrictionSetting,
+    ) -> Result<JoinedRow, JoinedError> {
         let at = self.at(frequency)?;
         let friction = friction.at(&self.setting.measure, frequency);
         match at.orbit(friction.beta) {
@@ -172,7 +176,7 @@ impl<'a> JoinedTable<'a> {
     pub fn states(
         &self,
         frequency: Frequency,
-        friction: Friction,
+        friction: FrictionSetting,
     ) -> Result<Vec<JoinedRow>, JoinedError> {
         let at = self.at(frequency)?;
         let friction = friction.at(&self.setting.measure, frequency);
@@ -186,10 +190,10 @@ impl<'a> JoinedTable<'a> {
     fn found(
         &self,
         at: &JoinedAt<'_>,
-        (frequency, friction): (Frequency, Friction),
+        (frequency, friction): (Frequency, FrictionSetting),
         orbit: &JoinedOrbit<'_>,
     ) -> Result<JoinedRow, JoinedError> {
-        let contacts = orbit.contacts().map(|contact| Part {
+        let contacts = orbit.contacts().map(|contact| ContactNumbers {
             amplitude: contact.displacement(),
             contact: Some(ContactPart {
                 regime: words::regime(contact.regime()),
@@ -202,7 +206,7 @@ impl<'a> JoinedTable<'a> {
             }),
         });
         let amplitudes = orbit.amplitudes();
-        let masses = self.masses.iter().map(|mass| Part {
+        let masses = self.masses.iter().map(|mass| ContactNumbers {
             amplitude: amplitudes.get(*mass).copied().unwrap_or(f64::NAN),
             contact: None,
         });
@@ -217,7 +221,7 @@ impl<'a> JoinedTable<'a> {
                 "stable"
             },
             stuck: limit(at),
-            steady: Some(Steady {
+            steady: Some(SteadyNumbers {
                 regime: orbit.regime(),
                 period: orbit.period(),
                 multiplier: multipliers.reduce(f64::max),
@@ -252,7 +256,7 @@ impl<'a> JoinedTable<'a> {
         columns.count(head, |row| Some(row.steady.as_ref()?.period));
         let head = Head::new("largest_multiplier").titled(&["multiplier", "(largest)"]);
         columns.number(head, |row| row.steady.as_ref()?.multiplier);
-        columns.number(Head::of("stuck_from", Dimension::Force), |row| {
+        columns.number(Head::of("stuck_from", PhysicalQuantity::Force), |row| {
             Some(row.stuck.as_ref()?.0)
         });
         columns.word("slides_first", "slides_first", |row| {
@@ -266,9 +270,10 @@ impl<'a> JoinedTable<'a> {
         let contacts = self.joined.contact_names().len();
         for (index, name) in self.parts().iter().enumerate() {
             columns.begin_part(name);
-            columns.number(Head::of("amplitude", Dimension::Length), move |row| {
-                Some(row.part(index)?.amplitude)
-            });
+            columns.number(
+                Head::of("amplitude", PhysicalQuantity::Length),
+                move |row| Some(row.part(index)?.amplitude),
+            );
             // The contacts come before the masses. A mass has only an amplitude.
             if contacts <= index {
                 continue;
@@ -280,13 +285,13 @@ impl<'a> JoinedTable<'a> {
             columns.count("reversals", move |row| Some(row.contact(index)?.reversals));
             let head = Head::new("stuck_fraction").titled(&["stuck", "(of period)"]);
             columns.number(head, move |row| Some(row.contact(index)?.stuck_fraction));
-            columns.number(Head::of("slip", Dimension::Length), move |row| {
+            columns.number(Head::of("slip", PhysicalQuantity::Length), move |row| {
                 Some(row.contact(index)?.slip)
             });
-            columns.number(Head::of("force", Dimension::Force), move |row| {
+            columns.number(Head::of("force", PhysicalQuantity::Force), move |row| {
                 Some(row.contact(index)?.force)
             });
-            columns.number(Head::of("energy", Dimension::Energy), move |row| {
+            columns.number(Head::of("energy", PhysicalQuantity::Energy), move |row| {
                 Some(row.contact(index)?.energy)
             });
         }

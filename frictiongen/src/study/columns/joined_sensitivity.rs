@@ -3,9 +3,9 @@
 use super::builder::Columns;
 use super::column::{Column, Head, Shown};
 use super::joined::reason;
-use super::measure::Dimension;
+use super::measure::PhysicalQuantity;
 use super::sensitivity::{FoundSlope, SensitivityRow, of_parameter, widest};
-use super::setting::{Frequency, Friction, Setting};
+use super::setting::{Frequency, FrictionSetting, Setting};
 use crate::study::StudyError;
 use crate::study::joined::{Joined, JoinedError, JoinedSensitivity};
 use crate::study::parameter::Slope;
@@ -45,10 +45,10 @@ impl JoinedNumber {
     }
 
     /// Returns the word for the table's number, its dimension, and the name of its mass or contact.
-    fn told(&self) -> (&'static str, Dimension, &str) {
+    fn told(&self) -> (&'static str, PhysicalQuantity, &str) {
         match self {
-            Self::Amplitude(_, name) => ("amplitude", Dimension::Length, name),
-            Self::Energy(_, name) => ("energy", Dimension::Energy, name),
+            Self::Amplitude(_, name) => ("amplitude", PhysicalQuantity::Length, name),
+            Self::Energy(_, name) => ("energy", PhysicalQuantity::Energy, name),
         }
     }
 }
@@ -62,7 +62,7 @@ impl<'a> JoinedSensitivityTable<'a> {
     pub fn rows(
         &self,
         frequency: Frequency,
-        friction: Friction,
+        friction: FrictionSetting,
     ) -> Result<Vec<JoinedSensitivityRow>, JoinedError> {
         let friction = friction.at(&self.setting.measure, frequency);
         let point = self.setting.point(frequency, friction);

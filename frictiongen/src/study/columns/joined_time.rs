@@ -1,9 +1,9 @@
 //! Tables of motions in time of scenes with several contacts: samples and events.
 
 use super::builder::Columns;
-use super::column::{Column, Head, Row};
+use super::column::{Column, Head, TableRow};
 use super::joined::JoinedTable;
-use super::measure::Dimension;
+use super::measure::PhysicalQuantity;
 use crate::answer::Event;
 use crate::study::joined::JoinedHistory;
 
@@ -18,7 +18,7 @@ pub struct JoinedSample<'h> {
     pub omega: f64,
 }
 
-impl Row for JoinedSample<'_> {
+impl TableRow for JoinedSample<'_> {
     fn omega(&self) -> f64 {
         self.omega
     }
@@ -35,7 +35,7 @@ pub struct JoinedEventRow<'h> {
     pub omega: f64,
 }
 
-impl Row for JoinedEventRow<'_> {
+impl TableRow for JoinedEventRow<'_> {
     fn omega(&self) -> f64 {
         self.omega
     }
@@ -51,7 +51,7 @@ impl<'a> JoinedTable<'a> {
         let mut columns = Columns::new(&self.setting.measure);
         let tau = |row: &JoinedSample<'h>| row.history.taus.get(row.index).copied();
         if self.setting.frequency.has_hertz() {
-            columns.number(Head::of("time", Dimension::Time), move |row| {
+            columns.number(Head::of("time", PhysicalQuantity::Time), move |row| {
                 Some(tau(row)? / row.omega)
             });
         }
@@ -61,16 +61,18 @@ impl<'a> JoinedTable<'a> {
             let now = move |row: &JoinedSample<'h>| {
                 row.history.contacts.get(row.index)?.get(index).copied()
             };
-            columns.number(Head::of("displacement", Dimension::Length), move |row| {
-                Some(now(row)?.displacement)
-            });
-            columns.number(Head::of("velocity", Dimension::Velocity), move |row| {
-                Some(now(row)?.velocity)
-            });
-            columns.number(Head::of("force", Dimension::Force), move |row| {
+            columns.number(
+                Head::of("displacement", PhysicalQuantity::Length),
+                move |row| Some(now(row)?.displacement),
+            );
+            columns.number(
+                Head::of("velocity", PhysicalQuantity::Velocity),
+                move |row| Some(now(row)?.velocity),
+            );
+            columns.number(Head::of("force", PhysicalQuantity::Force), move |row| {
                 Some(now(row)?.force)
             });
-            columns.number(Head::of("slip", Dimension::Length), move |row| {
+            columns.number(Head::of("slip", PhysicalQuantity::Length), move |row| {
                 Some(now(row)?.slip)
             });
             columns.flag("sticks", move |row| Some(now(row)?.is_sticking));
@@ -78,14 +80,20 @@ impl<'a> JoinedTable<'a> {
         let masses = self.joined.scene().masses.iter().enumerate();
         for (index, mass) in masses.filter(|(index, _)| self.masses.contains(index)) {
             columns.begin_part(&mass.name);
-            columns.number(Head::of("displacement", Dimension::Length), move |row| {
-                let (x, _) = row.history.states.get(row.index)?;
-                x.get(index).copied()
-            });
-            columns.number(Head::of("velocity", Dimension::Velocity), move |row| {
-                let (_, v) = row.history.states.get(row.index)?;
-                v.get(index).copied()
-            });
+            columns.number(
+                Head::of("displacement", PhysicalQuantity::Length),
+                move |row| {
+                    let (x, _) = row.history.states.get(row.index)?;
+                    x.get(index).copied()
+                },
+            );
+            columns.number(
+                Head::of("velocity", PhysicalQuantity::Velocity),
+                move |row| {
+                    let (_, v) = row.history.states.get(row.index)?;
+                    v.get(index).copied()
+                },
+            );
         }
         columns.end_parts();
         columns.done()
@@ -100,7 +108,7 @@ impl<'a> JoinedTable<'a> {
         let mut columns = Columns::new(&self.setting.measure);
         let tau = |row: &JoinedEventRow<'h>| Some(row.history.events.get(row.index)?.tau);
         if self.setting.frequency.has_hertz() {
-            columns.number(Head::of("time", Dimension::Time), move |row| {
+            columns.number(Head::of("time", PhysicalQuantity::Time), move |row| {
                 Some(tau(row)? / row.omega)
             });
         }

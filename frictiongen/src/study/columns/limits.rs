@@ -1,8 +1,8 @@
 //! Rows and columns of the table of the limits β_lim and β*_lim.
 
 use super::builder::Columns;
-use super::column::{Column, Head, Row};
-use super::measure::Dimension;
+use super::column::{Column, Head, TableRow};
+use super::measure::PhysicalQuantity;
 use super::setting::{AtFrequency, Frequency, Setting};
 use crate::OutOfDomain;
 
@@ -45,7 +45,7 @@ pub struct LimitsTable<'a> {
     pub asked: LimitsAsked,
 }
 
-impl Row for LimitsRow {
+impl TableRow for LimitsRow {
     fn omega(&self) -> f64 {
         self.frequency.omega
     }
@@ -132,7 +132,7 @@ impl<'a> LimitsTable<'a> {
         };
         if measure.scale().is_some() {
             for (_, (name, title, _, read)) in asked() {
-                let head = Head::of(*name, Dimension::Force).titled(&[title, "(N)"]);
+                let head = Head::of(*name, PhysicalQuantity::Force).titled(&[title, "(N)"]);
                 columns.number(head, *read);
             }
         }

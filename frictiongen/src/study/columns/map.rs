@@ -1,9 +1,9 @@
 //! Rows and columns of maps over frequency and friction.
 
 use super::builder::Columns;
-use super::column::{Axis, Column, Head, Row};
-use super::measure::Dimension;
-use super::setting::{AtFrequency, AtFriction, Frequency, Friction, Setting};
+use super::column::{Column, ColumnAxis, Head, TableRow};
+use super::measure::PhysicalQuantity;
+use super::setting::{AtFrequency, AtFriction, Frequency, FrictionSetting, Setting};
 use crate::study::{
     map::{Boundary, Map, MapColumn, MapPoint},
     words,
@@ -17,7 +17,7 @@ pub struct MapRow<'m> {
     /// Frequency of the excitation, as ratio r, in Hz and in rad/s.
     pub frequency: Frequency,
     /// Friction in the contact, as ratio β and, under a load, as force in N.
-    pub friction: Friction,
+    pub friction: FrictionSetting,
     /// Name of the region of the map: regime, stops and period of the motion.
     pub region: Cow<'static, str>,
     /// The point of the map, or the reason why there is no response.
@@ -39,7 +39,7 @@ pub struct BoundaryRow {
     /// Frequency of the excitation, as ratio r, in Hz and in rad/s.
     pub frequency: Frequency,
     /// The friction on the boundary between two regions.
-    pub friction: Friction,
+    pub friction: FrictionSetting,
     /// Width of the interval of β that contains the boundary.
     pub width: f64,
     /// Name of the region at less friction.
@@ -57,7 +57,7 @@ pub struct MapTable<'a> {
 
 macro_rules! at {
     ($($row:ty),*) => {$(
-        impl Row for $row {
+        impl TableRow for $row {
             fn omega(&self) -> f64 {
                 self.frequency.omega
             }
@@ -74,13 +74,13 @@ macro_rules! at {
 at!(MapRow<'_>, MapLimitsRow, BoundaryRow);
 
 impl AtFriction for MapRow<'_> {
-    fn friction(&self) -> Friction {
+    fn friction(&self) -> FrictionSetting {
         self.friction
     }
 }
 
 impl AtFriction for BoundaryRow {
-    fn friction(&self) -> Friction {
+    fn friction(&self) -> FrictionSetting {
         self.friction
     }
 }
@@ -116,7 +116,7 @@ impl<'a> MapTable<'a> {
     pub fn rows<'m>(
         map: &'m Map,
         frequencies: impl Iterator<Item = Frequency>,
-        frictions: impl Iterator<Item = Friction> + Clone,
+        frictions: impl Iterator<Item = FrictionSetting> + Clone,
     ) -> impl Iterator<Item = MapRow<'m>> {
         let columns = placed(frequencies, &map.columns, |column: &MapColumn| column.r);
         columns.flat_map(move |(frequency, column)| {
@@ -155,7 +155,7 @@ impl<'a> MapTable<'a> {
         let found = placed(frequencies, boundaries, |boundary| boundary.r);
         found.map(move |(frequency, boundary)| BoundaryRow {
             frequency,
-            friction: Friction::of_ratio(boundary.beta, scale),
+            friction: FrictionSetting::of_ratio(boundary.beta, scale),
             width: boundary.width,
             below: words::region(boundary.below),
             above: words::region(boundary.above),
@@ -165,7 +165,7 @@ impl<'a> MapTable<'a> {
     /// Returns the columns of the table of points.
     #[must_use]
     pub fn columns<'m: 'a>(&self) -> Vec<Column<'a, MapRow<'m>>> {
-        use Dimension::Length;
+        use PhysicalQuantity::Length;
         let sign = self.setting.measure.sign();
         let mut columns = Columns::new(&self.setting.measure);
         self.setting.frequency(&mut columns);
@@ -203,12 +203,12 @@ impl<'a> MapTable<'a> {
     #[must_use]
     pub fn limits_columns(&self) -> Vec<Column<'a, MapLimitsRow>> {
         let mut columns = Columns::new(&self.setting.measure);
-        columns.along(Axis::Frequency);
+        columns.along(ColumnAxis::Frequency);
         columns.number(
-            Head::of("continuous_limit", Dimension::Force),
+            Head::of("continuous_limit", PhysicalQuantity::Force),
             |row: &MapLimitsRow| Some(row.limits.continuous),
         );
-        columns.number(Head::of("sliding_limit", Dimension::Force), |row| {
+        columns.number(Head::of("sliding_limit", PhysicalQuantity::Force), |row| {
             Some(row.limits.sliding)
         });
         columns.done()

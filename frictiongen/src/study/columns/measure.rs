@@ -10,7 +10,7 @@ use std::f64::consts::TAU;
 
 /// Physical quantity of a number in a table. It determines the unit of the number.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Dimension {
+pub enum PhysicalQuantity {
     /// A ratio, or a number whose unit is in another column.
     One,
     /// A displacement, in m under a load. Without a load, it is divided by P/k₁ (by Y for base motion).
@@ -140,24 +140,25 @@ impl Measure {
     /// Converts a non-dimensional group to these units. For velocities, accelerations and powers, `omega` is the
     /// angular frequency ω in rad/s.
     #[must_use]
-    pub fn convert(&self, dimension: Dimension, value: f64, omega: f64) -> f64 {
+    pub fn convert(&self, dimension: PhysicalQuantity, value: f64, omega: f64) -> f64 {
         let here = Self {
             scale: self.scale_at(omega),
             ..*self
         };
         match dimension {
-            Dimension::Length => here.length(value),
-            Dimension::Velocity => here.velocity(value, omega),
-            Dimension::Acceleration => here.acceleration(value, omega),
-            Dimension::Angle => here.angle(value),
-            Dimension::Force => here.force(value),
-            Dimension::Power => here.power(value, omega),
-            Dimension::Energy => here
+            PhysicalQuantity::Length => here.length(value),
+            PhysicalQuantity::Velocity => here.velocity(value, omega),
+            PhysicalQuantity::Acceleration => here.acceleration(value, omega),
+            PhysicalQuantity::Angle => here.angle(value),
+            PhysicalQuantity::Force => here.force(value),
+            PhysicalQuantity::Power => here.power(value, omega),
+            PhysicalQuantity::Energy => here
                 .scale
                 .map_or(value, |scale| scale.displacement(scale.friction(value))),
-            Dimension::One | Dimension::Hertz | Dimension::AngularFrequency | Dimension::Time => {
-                value
-            }
+            PhysicalQuantity::One
+            | PhysicalQuantity::Hertz
+            | PhysicalQuantity::AngularFrequency
+            | PhysicalQuantity::Time => value,
         }
     }
 
@@ -211,19 +212,19 @@ impl Measure {
     /// Returns the name of a column for a quantity. Under a load the name contains the unit, as in `amplitude_m`.
     /// Otherwise it is the quantity alone, as in `amplitude`.
     #[must_use]
-    pub fn name(&self, name: &str, dimension: Dimension) -> String {
+    pub fn name(&self, name: &str, dimension: PhysicalQuantity) -> String {
         let (suffix, always) = match dimension {
-            Dimension::One => ("", true),
-            Dimension::Length => ("_m", false),
-            Dimension::Velocity => ("_m_s", false),
-            Dimension::Acceleration => ("_m_s2", false),
-            Dimension::Angle => ("_deg", false),
-            Dimension::Force => ("_N", false),
-            Dimension::Power => ("_W", false),
-            Dimension::Energy => ("_J", false),
-            Dimension::Hertz => ("_Hz", true),
-            Dimension::AngularFrequency => ("_rad_s", true),
-            Dimension::Time => ("_s", true),
+            PhysicalQuantity::One => ("", true),
+            PhysicalQuantity::Length => ("_m", false),
+            PhysicalQuantity::Velocity => ("_m_s", false),
+            PhysicalQuantity::Acceleration => ("_m_s2", false),
+            PhysicalQuantity::Angle => ("_deg", false),
+            PhysicalQuantity::Force => ("_N", false),
+            PhysicalQuantity::Power => ("_W", false),
+            PhysicalQuantity::Energy => ("_J", false),
+            PhysicalQuantity::Hertz => ("_Hz", true),
+            PhysicalQuantity::AngularFrequency => ("_rad_s", true),
+            PhysicalQuantity::Time => ("_s", true),
         };
         let suffix = if always || self.scale.is_some() {
             suffix
@@ -235,40 +236,52 @@ impl Measure {
 
     /// Returns the unit of a column, which is empty for ratios.
     #[must_use]
-    pub fn unit(&self, dimension: Dimension) -> &'static str {
+    pub fn unit(&self, dimension: PhysicalQuantity) -> &'static str {
         match (dimension, self.scale) {
-            (Dimension::Hertz, _) => "Hz",
-            (Dimension::AngularFrequency, _) => "rad/s",
-            (Dimension::Time, _) => "s",
-            (Dimension::Angle, None) => "rad",
-            (Dimension::One, _) | (_, None) => "",
-            (Dimension::Length, _) => "m",
-            (Dimension::Velocity, _) => "m/s",
-            (Dimension::Acceleration, _) => "m/s2",
-            (Dimension::Angle, _) => "deg",
-            (Dimension::Force, _) => "N",
-            (Dimension::Power, _) => "W",
-            (Dimension::Energy, _) => "J",
+            (PhysicalQuantity::Hertz, _) => "Hz",
+            (PhysicalQuantity::AngularFrequency, _) => "rad/s",
+            (PhysicalQuantity::Time, _) => "s",
+            (PhysicalQuantity::Angle, None) => "rad",
+            (PhysicalQuantity::One, _) | (_, None) => "",
+            (PhysicalQuantity::Length, _) => "m",
+            (PhysicalQuantity::Velocity, _) => "m/s",
+            (PhysicalQuantity::Acceleration, _) => "m/s2",
+            (PhysicalQuantity::Angle, _) => "deg",
+            (PhysicalQuantity::Force, _) => "N",
+            (PhysicalQuantity::Power, _) => "W",
+            (PhysicalQuantity::Energy, _) => "J",
         }
     }
 
     /// Returns the reference of a non-dimensional group for a heading, for example `Y` or `P/k1`. The text is empty
     /// under a load.
     #[must_use]
-    pub fn reference(&self, dimension: Dimension) -> &'static str {
+    pub fn reference(&self, dimension: PhysicalQuantity) -> &'static str {
         match (dimension, self.scale, self.base_motion) {
             (_, Some(_), _) => "",
-            (Dimension::Length | Dimension::Velocity | Dimension::Acceleration, _, true) => "Y",
-            (Dimension::Length | Dimension::Velocity | Dimension::Acceleration, _, false) => "P/k1",
-            (Dimension::Force, _, true) => "k1 Y",
-            (Dimension::Force, _, false) => "P",
+            (
+                PhysicalQuantity::Length
+                | PhysicalQuantity::Velocity
+                | PhysicalQuantity::Acceleration,
+                _,
+                true,
+            ) => "Y",
+            (
+                PhysicalQuantity::Length
+                | PhysicalQuantity::Velocity
+                | PhysicalQuantity::Acceleration,
+                _,
+                false,
+            ) => "P/k1",
+            (PhysicalQuantity::Force, _, true) => "k1 Y",
+            (PhysicalQuantity::Force, _, false) => "P",
             _ => "",
         }
     }
 
     /// Returns the unit or the reference of a column in brackets, for a heading: `(m)`, `(of Y)`.
     #[must_use]
-    pub fn title(&self, dimension: Dimension) -> &'static str {
+    pub fn title(&self, dimension: PhysicalQuantity) -> &'static str {
         match (self.unit(dimension), self.reference(dimension)) {
             ("m", _) => "(m)",
             ("m/s", _) => "(m/s)",
@@ -294,7 +307,7 @@ impl Measure {
 mod tests {
     #![allow(clippy::unwrap_used, reason = "a test may fail")]
 
-    use super::{Dimension, Measure};
+    use super::{Measure, PhysicalQuantity};
     use crate::study::{System, units::Load};
 
     #[test]
@@ -306,37 +319,49 @@ mod tests {
         let groups = Measure::groups(&system);
         let metres = Measure::under(&system, Load::Base(0.1)).unwrap();
         let cases = [
-            (Dimension::One, ["", "", ""], ["", "", ""]),
-            (Dimension::Length, ["", "", "(of Y)"], ["_m", "m", "(m)"]),
+            (PhysicalQuantity::One, ["", "", ""], ["", "", ""]),
             (
-                Dimension::Velocity,
+                PhysicalQuantity::Length,
+                ["", "", "(of Y)"],
+                ["_m", "m", "(m)"],
+            ),
+            (
+                PhysicalQuantity::Velocity,
                 ["", "", "(of Y)"],
                 ["_m_s", "m/s", "(m/s)"],
             ),
             (
-                Dimension::Acceleration,
+                PhysicalQuantity::Acceleration,
                 ["", "", "(of Y)"],
                 ["_m_s2", "m/s2", "(m/s2)"],
             ),
             (
-                Dimension::Angle,
+                PhysicalQuantity::Angle,
                 ["", "rad", "(rad)"],
                 ["_deg", "deg", "(deg)"],
             ),
-            (Dimension::Force, ["", "", "(of k1 Y)"], ["_N", "N", "(N)"]),
-            (Dimension::Power, ["", "", ""], ["_W", "W", "(W)"]),
-            (Dimension::Energy, ["", "", ""], ["_J", "J", "(J)"]),
             (
-                Dimension::Hertz,
+                PhysicalQuantity::Force,
+                ["", "", "(of k1 Y)"],
+                ["_N", "N", "(N)"],
+            ),
+            (PhysicalQuantity::Power, ["", "", ""], ["_W", "W", "(W)"]),
+            (PhysicalQuantity::Energy, ["", "", ""], ["_J", "J", "(J)"]),
+            (
+                PhysicalQuantity::Hertz,
                 ["_Hz", "Hz", "(Hz)"],
                 ["_Hz", "Hz", "(Hz)"],
             ),
             (
-                Dimension::AngularFrequency,
+                PhysicalQuantity::AngularFrequency,
                 ["_rad_s", "rad/s", "(rad/s)"],
                 ["_rad_s", "rad/s", "(rad/s)"],
             ),
-            (Dimension::Time, ["_s", "s", "(s)"], ["_s", "s", "(s)"]),
+            (
+                PhysicalQuantity::Time,
+                ["_s", "s", "(s)"],
+                ["_s", "s", "(s)"],
+            ),
         ];
         for (dimension, without, with) in cases {
             for (measure, [ending, unit, title]) in [(&groups, without), (&metres, with)] {
@@ -345,8 +370,14 @@ mod tests {
                 assert_eq!(measure.title(dimension), title, "{dimension:?}");
             }
         }
-        assert_eq!(metres.convert(Dimension::Force, 1.0, 0.0), 5.0);
-        assert_eq!(metres.convert(Dimension::Acceleration, 1.0, 2.0), 0.4);
-        assert_eq!(groups.convert(Dimension::Acceleration, 1.0, 3.0), 1.0);
+        assert_eq!(metres.convert(PhysicalQuantity::Force, 1.0, 0.0), 5.0);
+        assert_eq!(
+            metres.convert(PhysicalQuantity::Acceleration, 1.0, 2.0),
+            0.4
+        );
+        assert_eq!(
+            groups.convert(PhysicalQuantity::Acceleration, 1.0, 3.0),
+            1.0
+        );
     }
 }

@@ -4,7 +4,7 @@
 //! tables become arrays in Python. One line of code adds a column to a table.
 //!
 //! ```
-//! use frictiongen::study::columns::{CurveTable, FrequencyUnit, Friction, Measure, Part, Setting};
+//! use frictiongen::study::columns::{CurveTable, FrequencyUnit, FrictionSetting, Measure, MovingPart, Setting};
 //! use frictiongen::study::{System, curve::{CurveRequest, CurveStart}};
 //!
 //! # fn main() -> Result<(), Box<dyn std::error::Error>> {
@@ -15,7 +15,7 @@
 //!     excitation: block,
 //! }"
 //! .parse()?;
-//! let parts = [Part::contact()];
+//! let parts = [MovingPart::contact()];
 //! let setting = Setting {
 //!     system: &system,
 //!     measure: Measure::groups(&system),
@@ -28,7 +28,7 @@
 //! let table = CurveTable { setting, starts: false, rates: false, orders: &[] };
 //! let request = CurveRequest::new(0.4, 0.6, &[parts[0].of]);
 //! let curves = system.curves(&request, &[(0.5, CurveStart::Rest)])?;
-//! let friction = Friction::of_ratio(0.5, None);
+//! let friction = FrictionSetting::of_ratio(0.5, None);
 //! let rows = table.rows(friction, &curves[0]);
 //! let columns = table.columns();
 //! let keys: Vec<String> = columns.iter().map(|column| column.key()).collect();
@@ -64,27 +64,28 @@ mod steady;
 
 pub use builder::Columns;
 pub use cell::Cell;
-pub use column::{Axis, Column, Head, Kind, Row, Shown};
+pub use column::{Column, ColumnAxis, ColumnKind, Head, Shown, TableRow};
 #[cfg(feature = "desk")]
 pub use curve::{CurveRow, CurveTable};
 pub use features::{
     FeatureLine, FeatureLists, FeatureTable, FeatureVisitor, FeaturesAsked, Ground,
 };
 #[cfg(feature = "desk")]
-pub use history::{EventRow, HistoryTable, SampleRow, SpectrumRow};
+pub use history::{EventRow, HarmonicRow, HistoryTable, SampleRow};
 pub use joined::{JoinedRow, JoinedTable};
 pub use joined_sensitivity::{JoinedNumber, JoinedSensitivityRow, JoinedSensitivityTable};
 pub use joined_time::{JoinedEventRow, JoinedSample};
 pub use limits::{LimitsAsked, LimitsRow, LimitsTable};
 #[cfg(feature = "desk")]
 pub use map::{BoundaryRow, MapLimitsRow, MapRow, MapTable};
-pub use measure::{Dimension, Measure};
-pub use motion::{Extent, Moving, PartMotion, motions};
+pub use measure::{Measure, PhysicalQuantity};
+pub use motion::{MotionColumns, MotionRow, PartMotion, motions};
 pub use optimum::{Further, OptimumLine, OptimumSensitivityRow, OptimumTable, PeakRow, Tuned};
 pub use periodic::{PeriodicRow, PeriodicSample, PeriodicTable};
 pub use quantity::{base_load, bound, unbalance};
 pub use sensitivity::{SensitivityRow, SensitivityTable};
 pub use setting::{
-    AtFrequency, AtFriction, CONTACT, Frequency, FrequencyUnit, Friction, Part, Setting,
+    AtFrequency, AtFriction, CONTACT, Frequency, FrequencyUnit, FrictionSetting, MovingPart,
+    Setting,
 };
 pub use steady::{OrbitRow, OrbitTable, ResponseRow, ResponseTable};

@@ -1,9 +1,9 @@
 //! Columns of the motions of the contact and of masses. Several tables have these columns.
 
 use super::builder::Columns;
-use super::column::{Head, Row, Shown};
-use super::measure::Dimension;
-use super::setting::Part;
+use super::column::{Head, Shown, TableRow};
+use super::measure::PhysicalQuantity;
+use super::setting::MovingPart;
 use crate::Complex;
 use crate::study::response::{Size, Swing};
 use crate::study::units::polar;
@@ -34,14 +34,14 @@ pub struct PartMotion<'r> {
 }
 
 /// A row of a table that contains motions.
-pub trait Moving: Row {
+pub trait MotionRow: TableRow {
     /// Returns the motion of the contact or mass with this index in the table.
     fn motion(&self, part: usize) -> Option<PartMotion<'_>>;
 }
 
 /// The columns that each motion has in addition to amplitude and phase.
 #[derive(Clone, Copy, Debug)]
-pub struct Extent<'a> {
+pub struct MotionColumns<'a> {
     /// True if each motion has a column for the monoharmonic amplitude.
     pub monoharmonic: bool,
     /// True if each motion has columns for velocity and acceleration.
@@ -53,8 +53,12 @@ pub struct Extent<'a> {
 }
 
 /// Adds the columns of the motions of the contact and masses in `parts` to a table.
-pub fn motions<'a, R: Moving + 'a>(columns: &mut Columns<'a, R>, parts: &[Part], of: Extent<'_>) {
-    use Dimension::{Acceleration, Angle, Velocity};
+pub fn motions<'a, R: MotionRow + 'a>(
+    columns: &mut Columns<'a, R>,
+    parts: &[MovingPart],
+    of: MotionColumns<'_>,
+) {
+    use PhysicalQuantity::{Acceleration, Angle, Velocity};
     let angle = columns.measure().title(Angle);
     for (part, named) in parts.iter().enumerate() {
         let size = named.dimension();
@@ -114,13 +118,13 @@ pub fn motions<'a, R: Moving + 'a>(columns: &mut Columns<'a, R>, parts: &[Part],
 }
 
 /// Adds the columns of a harmonic: amplitude and lag. JSON files also get the real and imaginary part.
-fn harmonic<'a, R: Moving + 'a>(
+fn harmonic<'a, R: MotionRow + 'a>(
     columns: &mut Columns<'a, R>,
     (part, place): (usize, usize),
     order: u32,
-    (size, complex): (Dimension, bool),
+    (size, complex): (PhysicalQuantity, bool),
 ) {
-    use Dimension::Angle;
+    use PhysicalQuantity::Angle;
     let of = move |row: &R| row.motion(part)?.harmonics.get(place).copied();
     columns.begin_harmonic(order);
     let [length, angle] = [size, Angle].map(|dimension| columns.measure().title(dimension));

@@ -5,9 +5,9 @@ mod lines;
 pub use lines::{Further, OptimumLine, Tuned};
 
 use super::builder::Columns;
-use super::column::{Column, Head, Row};
-use super::measure::Dimension;
-use super::setting::{AtFrequency, Frequency, Part, Setting};
+use super::column::{Column, Head, TableRow};
+use super::measure::PhysicalQuantity;
+use super::setting::{AtFrequency, Frequency, MovingPart, Setting};
 use crate::study::{
     optimum::{Optimum, OptimumEnd, OptimumPeak, Tolerance, TunedPoint},
     sensitivity::{OperatingPoint, Parameter},
@@ -38,13 +38,13 @@ pub struct OptimumSensitivityRow {
     relative: f64,
 }
 
-impl Row for Optimum {
+impl TableRow for Optimum {
     fn omega(&self) -> f64 {
         self.reference
     }
 }
 
-impl Row for PeakRow {
+impl TableRow for PeakRow {
     fn omega(&self) -> f64 {
         self.reference
     }
@@ -56,11 +56,11 @@ impl AtFrequency for PeakRow {
     }
 }
 
-impl Row for Tolerance {}
+impl TableRow for Tolerance {}
 
-impl Row for OptimumSensitivityRow {}
+impl TableRow for OptimumSensitivityRow {}
 
-impl Row for TunedPoint {}
+impl TableRow for TunedPoint {}
 
 /// Returns the width of the interval of β that contains the best friction. Returns `None` if the search converged.
 fn unsure(optimum: &Optimum) -> Option<f64> {
@@ -116,15 +116,15 @@ impl<'a> OptimumTable<'a> {
     }
 
     /// Returns the physical dimension of the minimised amplitude: length or force.
-    fn size(&self) -> Dimension {
+    fn size(&self) -> PhysicalQuantity {
         let part = self.setting.parts.first();
-        part.map_or(Dimension::Length, Part::dimension)
+        part.map_or(PhysicalQuantity::Length, MovingPart::dimension)
     }
 
     /// Returns the columns of the best friction. The first line of a column's heading is the label in the printed
     /// result.
     fn best(&self) -> Vec<Column<'a, Optimum>> {
-        use Dimension::Force;
+        use PhysicalQuantity::Force;
         let mut columns = Columns::new(&self.setting.measure);
         let mut beta = "friction";
         if self.setting.measure.scale().is_some() {
@@ -162,7 +162,7 @@ impl<'a> OptimumTable<'a> {
     /// Returns the columns with which the best friction can be compared: the limits of friction, the amplitude without
     /// friction, and the amplitude with a stuck contact.
     fn bounds(&self) -> Vec<Column<'a, Optimum>> {
-        use Dimension::Force;
+        use PhysicalQuantity::Force;
         let mut columns = Columns::new(&self.setting.measure);
         let head = Head::of("unbounded_to", Force).titled(&["unbounded at a resonance up to"]);
         columns.number(head, |of: &Optimum| Some(of.unbounded_to));
@@ -208,9 +208,9 @@ impl<'a> OptimumTable<'a> {
     pub fn tolerance_columns(&self) -> Vec<Column<'a, Tolerance>> {
         let mut columns = Columns::new(&self.setting.measure);
         columns.number("excess", |row: &Tolerance| Some(row.excess));
-        let head = Head::of("beta_from", Dimension::Force).under_load("friction_from");
+        let head = Head::of("beta_from", PhysicalQuantity::Force).under_load("friction_from");
         columns.number(head, |row| Some(row.from));
-        let head = Head::of("beta_to", Dimension::Force).under_load("friction_to");
+        let head = Head::of("beta_to", PhysicalQuantity::Force).under_load("friction_to");
         columns.number(head, |row| Some(row.to));
         columns.done()
     }

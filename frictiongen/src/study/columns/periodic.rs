@@ -1,9 +1,9 @@
 //! Rows and columns of the steady states under periodic loads, and of the motion over a period.
 
 use super::builder::Columns;
-use super::column::{Column, Head, Kind, Row, Shown};
-use super::measure::{Dimension, Measure};
-use super::setting::{CONTACT, Part};
+use super::column::{Column, ColumnKind, Head, Shown, TableRow};
+use super::measure::{Measure, PhysicalQuantity};
+use super::setting::{CONTACT, MovingPart};
 use crate::study::System;
 use crate::study::periodic::PeriodicState;
 
@@ -29,11 +29,11 @@ pub struct PeriodicTable<'a> {
     /// System whose steady states are in the table.
     pub system: &'a System,
     /// The motions and spring forces in the table, in the order of the request.
-    pub parts: &'a [Part],
+    pub parts: &'a [MovingPart],
 }
 
-impl Row for PeriodicRow {}
-impl Row for PeriodicSample<'_> {}
+impl TableRow for PeriodicRow {}
+impl TableRow for PeriodicSample<'_> {}
 
 impl PeriodicRow {
     /// Returns the smallest and the largest value of a motion over the period. With `turned` the motion counts with the
@@ -80,7 +80,7 @@ impl<'a> PeriodicTable<'a> {
     pub fn columns(&self) -> Vec<Column<'a, PeriodicRow>> {
         let measure = Measure::si(self.system);
         let mut columns = Columns::new(&measure);
-        let head = Head::of("friction", Dimension::Force);
+        let head = Head::of("friction", PhysicalQuantity::Force);
         columns.converted(head, |row: &PeriodicRow| Some(row.friction));
         columns.word("state", "marginal", |row| {
             Some(if row.state.is_stable() {
@@ -103,7 +103,7 @@ impl<'a> PeriodicTable<'a> {
             ("friction", "friction"),
             ("damping", "damping"),
         ] {
-            let head = Head::of(format!("{name}_work"), Dimension::Energy);
+            let head = Head::of(format!("{name}_work"), PhysicalQuantity::Energy);
             columns.converted(head.titled(&[title, "(J)"]), move |row: &PeriodicRow| {
                 let work = row.state.work();
                 Some(match name {
@@ -114,7 +114,7 @@ impl<'a> PeriodicTable<'a> {
             });
         }
         columns.show(Shown::Objects);
-        columns.list("multipliers", Kind::Complex, |row| {
+        columns.list("multipliers", ColumnKind::Complex, |row| {
             let all = row.state.multipliers().iter();
             Some(all.map(|value| [value.re, value.im]).collect())
         });
@@ -137,7 +137,7 @@ impl<'a> PeriodicTable<'a> {
     pub fn sample_columns<'s>(&self) -> Vec<Column<'s, PeriodicSample<'s>>> {
         let measure = Measure::si(self.system);
         let mut columns = Columns::new(&measure);
-        let head = Head::of("time", Dimension::Time);
+        let head = Head::of("time", PhysicalQuantity::Time);
         columns.converted(head, |sample: &PeriodicSample<'_>| {
             let state = &sample.row.state;
             Some(state.start() + sample.step as f64 * state.step())
@@ -146,11 +146,11 @@ impl<'a> PeriodicTable<'a> {
         for (place, part) in self.parts.iter().enumerate() {
             columns.begin_part(&part.name);
             let turned = measure.turns(part.of);
-            let names: &[(&str, Dimension)] = match part.of.is_force() {
-                true => &[("force", Dimension::Force)],
+            let names: &[(&str, PhysicalQuantity)] = match part.of.is_force() {
+                true => &[("force", PhysicalQuantity::Force)],
                 false => &[
-                    ("displacement", Dimension::Length),
-                    ("velocity", Dimension::Velocity),
+                    ("displacement", PhysicalQuantity::Length),
+                    ("velocity", PhysicalQuantity::Velocity),
                 ],
             };
             for (which, (name, dimension)) in names.iter().enumerate() {
@@ -165,7 +165,7 @@ impl<'a> PeriodicTable<'a> {
         columns.begin_part(CONTACT);
         let turned = measure.turns_contact();
         columns.converted(
-            Head::of("friction", Dimension::Force),
+            Head::of("friction", PhysicalQuantity::Force),
             move |sample: &PeriodicSample<'_>| {
                 let force = sample.row.state.forces().get(sample.step)?;
                 Some(signed(*force, turned))

@@ -1,36 +1,36 @@
 //! Parses texts of loads with units, such as `0.2g`.
 
-use super::measure::Dimension;
+use super::measure::PhysicalQuantity;
 use crate::study::units::Load;
 
 /// Standard acceleration of gravity, m/s².
 const GRAVITY: f64 = 9.80665;
 
 /// Units of motions that a text can contain, each with its dimension and its size in SI units.
-const UNITS: [(&str, Dimension, f64); 14] = [
-    ("m", Dimension::Length, 1.0),
-    ("cm", Dimension::Length, 1e-2),
-    ("mm", Dimension::Length, 1e-3),
-    ("um", Dimension::Length, 1e-6),
-    ("µm", Dimension::Length, 1e-6),
-    ("m/s", Dimension::Velocity, 1.0),
-    ("mm/s", Dimension::Velocity, 1e-3),
-    ("cm/s", Dimension::Velocity, 1e-2),
-    ("m/s2", Dimension::Acceleration, 1.0),
-    ("m/s²", Dimension::Acceleration, 1.0),
-    ("m/s^2", Dimension::Acceleration, 1.0),
-    ("mm/s2", Dimension::Acceleration, 1e-3),
-    ("g", Dimension::Acceleration, GRAVITY),
-    ("mg", Dimension::Acceleration, 1e-3 * GRAVITY),
+const UNITS: [(&str, PhysicalQuantity, f64); 14] = [
+    ("m", PhysicalQuantity::Length, 1.0),
+    ("cm", PhysicalQuantity::Length, 1e-2),
+    ("mm", PhysicalQuantity::Length, 1e-3),
+    ("um", PhysicalQuantity::Length, 1e-6),
+    ("µm", PhysicalQuantity::Length, 1e-6),
+    ("m/s", PhysicalQuantity::Velocity, 1.0),
+    ("mm/s", PhysicalQuantity::Velocity, 1e-3),
+    ("cm/s", PhysicalQuantity::Velocity, 1e-2),
+    ("m/s2", PhysicalQuantity::Acceleration, 1.0),
+    ("m/s²", PhysicalQuantity::Acceleration, 1.0),
+    ("m/s^2", PhysicalQuantity::Acceleration, 1.0),
+    ("mm/s2", PhysicalQuantity::Acceleration, 1e-3),
+    ("g", PhysicalQuantity::Acceleration, GRAVITY),
+    ("mg", PhysicalQuantity::Acceleration, 1e-3 * GRAVITY),
 ];
 
 /// Units of forces and energies that a text can contain, each with its dimension and its size in SI units.
-const OTHERS: [(&str, Dimension, f64); 5] = [
-    ("N", Dimension::Force, 1.0),
-    ("kN", Dimension::Force, 1e3),
-    ("MN", Dimension::Force, 1e6),
-    ("J", Dimension::Energy, 1.0),
-    ("kJ", Dimension::Energy, 1e3),
+const OTHERS: [(&str, PhysicalQuantity, f64); 5] = [
+    ("N", PhysicalQuantity::Force, 1.0),
+    ("kN", PhysicalQuantity::Force, 1e3),
+    ("MN", PhysicalQuantity::Force, 1e6),
+    ("J", PhysicalQuantity::Energy, 1.0),
+    ("kJ", PhysicalQuantity::Energy, 1e3),
 ];
 
 /// Splits a text into a number and its unit. The number is `None` if the text does not begin with a number.
@@ -72,9 +72,9 @@ pub fn base_load(text: &str) -> Result<Load, String> {
     };
     let (_, dimension, factor) = known.ok_or_else(wrong)?;
     match dimension {
-        Dimension::Length => Ok(Load::Base(number * factor)),
-        Dimension::Velocity => Ok(Load::BaseVelocity(number * factor)),
-        Dimension::Acceleration => Ok(Load::BaseAcceleration(number * factor)),
+        PhysicalQuantity::Length => Ok(Load::Base(number * factor)),
+        PhysicalQuantity::Velocity => Ok(Load::BaseVelocity(number * factor)),
+        PhysicalQuantity::Acceleration => Ok(Load::BaseAcceleration(number * factor)),
         _ => Err(wrong()),
     }
 }
@@ -84,7 +84,7 @@ pub fn base_load(text: &str) -> Result<Load, String> {
 ///
 /// # Errors
 /// The reason in words. A message prints it after the text.
-pub fn bound(text: &str, dimension: Dimension) -> Result<f64, String> {
+pub fn bound(text: &str, dimension: PhysicalQuantity) -> Result<f64, String> {
     let (number, unit) = number_and_unit(text);
     let number = number.filter(|number| 0.0 <= *number && number.is_finite());
     let number = number.ok_or_else(|| "a bound that is not negative is needed".to_owned())?;
@@ -127,22 +127,22 @@ pub fn unbalance(text: &str) -> Result<Load, String> {
 #[cfg(test)]
 mod tests {
     use super::{base_load, bound, number_and_unit};
-    use crate::study::columns::Dimension;
+    use crate::study::columns::PhysicalQuantity;
     use crate::study::units::Load;
 
     #[test]
     fn texts_of_bounds() {
-        assert_eq!(bound("5mm", Dimension::Length), Ok(0.005));
-        assert_eq!(bound("0.2 g", Dimension::Acceleration), Ok(1.96133));
-        assert_eq!(bound("12 kN", Dimension::Force), Ok(12e3));
-        assert_eq!(bound("3", Dimension::Energy), Ok(3.0));
+        assert_eq!(bound("5mm", PhysicalQuantity::Length), Ok(0.005));
+        assert_eq!(bound("0.2 g", PhysicalQuantity::Acceleration), Ok(1.96133));
+        assert_eq!(bound("12 kN", PhysicalQuantity::Force), Ok(12e3));
+        assert_eq!(bound("3", PhysicalQuantity::Energy), Ok(3.0));
         assert!(
-            bound("5 mm", Dimension::Force)
+            bound("5 mm", PhysicalQuantity::Force)
                 .unwrap_err()
                 .contains("N, kN, MN")
         );
         for wrong in ["", "-1 mm", "inf"] {
-            assert!(bound(wrong, Dimension::Length).is_err(), "{wrong}");
+            assert!(bound(wrong, PhysicalQuantity::Length).is_err(), "{wrong}");
         }
     }
 

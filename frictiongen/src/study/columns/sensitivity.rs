@@ -1,9 +1,9 @@
 //! Rows and columns of the table of derivatives with respect to the parameters.
 
 use super::builder::Columns;
-use super::column::{Column, Head, Row, Shown};
-use super::measure::Dimension;
-use super::setting::{AtFrequency, AtFriction, Frequency, Friction, Setting};
+use super::column::{Column, Head, Shown, TableRow};
+use super::measure::PhysicalQuantity;
+use super::setting::{AtFrequency, AtFriction, Frequency, FrictionSetting, Setting};
 use crate::study::{
     StudyError,
     sensitivity::{ParameterSensitivity, ResponseSensitivities, Slope},
@@ -21,7 +21,7 @@ pub struct SensitivityRow<D = ParameterSensitivity> {
     /// Frequency of the excitation, as ratio r, in Hz and in rad/s.
     pub frequency: Frequency,
     /// Friction, as ratio β and, under a load, as force in N.
-    pub friction: Friction,
+    pub friction: FrictionSetting,
     /// Regime: continuous, stick-slip, stuck or unbounded.
     pub regime: &'static str,
     /// The word `exact`, or the reason why there are no derivatives.
@@ -53,7 +53,7 @@ pub struct SensitivityTable<'a> {
 struct SlopedAnswer {
     name: &'static str,
     title: &'static str,
-    dimension: Dimension,
+    dimension: PhysicalQuantity,
     read: fn(&ParameterSensitivity) -> Option<Slope>,
 }
 
@@ -62,30 +62,30 @@ const ANSWERS: [SlopedAnswer; 4] = [
     SlopedAnswer {
         name: "amplitude",
         title: "amplitude",
-        dimension: Dimension::Length,
+        dimension: PhysicalQuantity::Length,
         read: |of| Some(of.amplitude),
     },
     SlopedAnswer {
         name: "phase",
         title: "phase",
-        dimension: Dimension::Angle,
+        dimension: PhysicalQuantity::Angle,
         read: |of| of.phase,
     },
     SlopedAnswer {
         name: "continuous_limit",
         title: "continuous limit",
-        dimension: Dimension::Force,
+        dimension: PhysicalQuantity::Force,
         read: |of| of.continuous_limit,
     },
     SlopedAnswer {
         name: "sliding_limit",
         title: "sliding limit",
-        dimension: Dimension::Force,
+        dimension: PhysicalQuantity::Force,
         read: |of| of.sliding_limit,
     },
 ];
 
-impl<D> Row for SensitivityRow<D> {}
+impl<D> TableRow for SensitivityRow<D> {}
 
 impl<D> AtFrequency for SensitivityRow<D> {
     fn frequency(&self) -> Frequency {
@@ -94,7 +94,7 @@ impl<D> AtFrequency for SensitivityRow<D> {
 }
 
 impl<D> AtFriction for SensitivityRow<D> {
-    fn friction(&self) -> Friction {
+    fn friction(&self) -> FrictionSetting {
         self.friction
     }
 }
@@ -161,7 +161,7 @@ impl<'a> SensitivityTable<'a> {
     pub fn rows(
         &self,
         frequency: Frequency,
-        friction: Friction,
+        friction: FrictionSetting,
         known: Result<ResponseSensitivities, StudyError>,
     ) -> Result<Vec<SensitivityRow>, StudyError> {
         let row = |regime, answer, found| SensitivityRow {
@@ -235,13 +235,13 @@ impl<'a> SensitivityTable<'a> {
     /// m and forces in N, but phases are in rad.
     fn answer(&self, columns: &mut Columns<'a, SensitivityRow>, answer: SlopedAnswer, title: &str) {
         let measure = self.setting.measure;
-        let is_phase = answer.dimension == Dimension::Angle;
+        let is_phase = answer.dimension == PhysicalQuantity::Angle;
         let counted = move |value: f64| match is_phase {
             true => measure.angle(value),
             false => value,
         };
         let unit = match (answer.dimension, measure.scale()) {
-            (Dimension::Force, None) => "(beta)",
+            (PhysicalQuantity::Force, None) => "(beta)",
             (dimension, _) => measure.title(dimension),
         };
         let name = measure.name(answer.name, answer.dimension);

@@ -1,8 +1,8 @@
 //! The setting that all tables have in common: system, units, frequencies, frictions and motions.
 
 use super::builder::Columns;
-use super::column::{Axis, Column, Head, Row};
-use super::measure::{Dimension, Measure};
+use super::column::{Column, ColumnAxis, Head, TableRow};
+use super::measure::{Measure, PhysicalQuantity};
 use crate::Of;
 use crate::study::sensitivity::OperatingPoint;
 use crate::study::{
@@ -17,7 +17,7 @@ pub const CONTACT: &str = "contact";
 
 /// A moving part: the contact, a mass, or a combination of masses and base.
 #[derive(Clone, Debug)]
-pub struct Part {
+pub struct MovingPart {
     /// Selects the contact, a mass, or a combination such as the difference of two masses.
     pub of: Of,
     /// The requested quantity of the motion: displacement, velocity or acceleration.
@@ -26,7 +26,7 @@ pub struct Part {
     pub name: String,
 }
 
-impl Part {
+impl MovingPart {
     /// Returns the contact, mass or combination with this name, as [`System::quantity_named`] reads it.
     ///
     /// # Errors
@@ -59,15 +59,15 @@ impl Part {
 
     /// Returns the dimension of the amplitude: a force for a spring and for the base shear, otherwise a length.
     #[must_use]
-    pub fn dimension(&self) -> Dimension {
+    pub fn dimension(&self) -> PhysicalQuantity {
         match self.size {
-            Size::Displacement if self.of.is_force() => Dimension::Force,
-            Size::Displacement => Dimension::Length,
-            Size::Velocity => Dimension::Velocity,
-            Size::Acceleration => Dimension::Acceleration,
-            Size::Force => Dimension::Force,
-            Size::Energy => Dimension::Energy,
-            Size::Damping => Dimension::One,
+            Size::Displacement if self.of.is_force() => PhysicalQuantity::Force,
+            Size::Displacement => PhysicalQuantity::Length,
+            Size::Velocity => PhysicalQuantity::Velocity,
+            Size::Acceleration => PhysicalQuantity::Acceleration,
+            Size::Force => PhysicalQuantity::Force,
+            Size::Energy => PhysicalQuantity::Energy,
+            Size::Damping => PhysicalQuantity::One,
         }
     }
 
@@ -164,7 +164,7 @@ impl Frequency {
 
 /// A friction in the contact, as friction ratio β and as force.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Friction {
+pub struct FrictionSetting {
     /// Friction ratio β = F/P (F/(k₁Y) for base motion).
     pub beta: f64,
     /// Friction force in N, if the load is known.
@@ -173,7 +173,7 @@ pub struct Friction {
     is_force: bool,
 }
 
-impl Friction {
+impl FrictionSetting {
     /// Returns the friction with the friction ratio β. `scale` gives the unit of force under a load.
     #[must_use]
     pub fn of_ratio(beta: f64, scale: Option<LoadScale>) -> Self {
@@ -238,22 +238,22 @@ pub struct Setting<'a> {
     /// True if the user gave the frictions as forces.
     pub forces: bool,
     /// The contact and masses whose motions the table contains.
-    pub parts: &'a [Part],
+    pub parts: &'a [MovingPart],
 }
 
 /// A row of a table that belongs to one frequency.
-pub trait AtFrequency: Row {
+pub trait AtFrequency: TableRow {
     /// Returns the frequency of the row.
     fn frequency(&self) -> Frequency;
 }
 
 /// A row of a table that belongs to one friction.
-pub trait AtFriction: Row {
+pub trait AtFriction: TableRow {
     /// Returns the friction of the row.
-    fn friction(&self) -> Friction;
+    fn friction(&self) -> FrictionSetting;
 }
 
-impl Row for Frequency {
+impl TableRow for Frequency {
     fn omega(&self) -> f64 {
         self.omega
     }
@@ -265,10 +265,10 @@ impl AtFrequency for Frequency {
     }
 }
 
-impl Row for Friction {}
+impl TableRow for FrictionSetting {}
 
-impl AtFriction for Friction {
-    fn friction(&self) -> Friction {
+impl AtFriction for FrictionSetting {
+    fn friction(&self) -> FrictionSetting {
         *self
     }
 }
@@ -276,7 +276,7 @@ impl AtFriction for Friction {
 impl<'a> Setting<'a> {
     /// Returns the operating point at a frequency and a friction.
     #[must_use]
-    pub fn point(&self, frequency: Frequency, friction: Friction) -> OperatingPoint {
+    pub fn point(&self, frequency: Frequency, friction: FrictionSetting) -> OperatingPoint {
         match self.measure.load() {
             Some(load) => OperatingPoint::Physical {
                 hertz: frequency.hertz,
@@ -300,7 +300,7 @@ impl<'a> Setting<'a> {
 
     /// Returns the columns of the friction as a table of its own.
     #[must_use]
-    pub fn friction_columns(&self) -> Vec<Column<'a, Friction>> {
+    pub fn friction_columns(&self) -> Vec<Column<'a, FrictionSetting>> {
         let mut columns = Columns::new(&self.measure);
         self.friction(&mut columns);
         columns.done()
@@ -314,15 +314,15 @@ impl<'a> Setting<'a> {
             let is_given = self.frequency == unit || ratios(self.frequency) && ratios(unit);
             if is_given { self.frequencies } else { &[] }
         };
-        columns.along(Axis::Frequency);
+        columns.along(ColumnAxis::Frequency);
         if self.frequency.has_hertz() {
-            let head = Head::of("frequency", Dimension::Hertz);
+            let head = Head::of("frequency", PhysicalQuantity::Hertz);
             columns.given(head, given(FrequencyUnit::Hertz), |row: &R| {
                 Some(row.frequency().hertz)
             });
         }
         if self.frequency == FrequencyUnit::AngularFrequency {
-            let head = Head::of("omega", Dimension::AngularFrequency);
+            let head = Head::of("omega", PhysicalQuantity::AngularFrequency);
             columns.given(head, given(FrequencyUnit::AngularFrequency), |row: &R| {
                 Some(row.frequency().given_omega)
             });
@@ -330,7 +330,7 @@ impl<'a> Setting<'a> {
         columns.given("r", given(FrequencyUnit::Ratio), |row: &R| {
             Some(row.frequency().r)
         });
-        columns.along(Axis::Row);
+        columns.along(ColumnAxis::Row);
     }
 
     /// Adds the columns of the friction to a table. If the amplitude of the load depends on frequency, β depends on the
@@ -343,15 +343,15 @@ impl<'a> Setting<'a> {
                 &[]
             }
         };
-        columns.along(Axis::Friction);
+        columns.along(ColumnAxis::Friction);
         if self.measure.scale().is_some() {
-            let head = Head::of("friction", Dimension::Force);
+            let head = Head::of("friction", PhysicalQuantity::Force);
             columns.given(head, given(true), |row: &R| row.friction().force);
         }
         if self.measure.fall() != 0 {
-            columns.along(Axis::Row);
+            columns.along(ColumnAxis::Row);
         }
         columns.given("beta", given(false), |row: &R| Some(row.friction().beta));
-        columns.along(Axis::Row);
+        columns.along(ColumnAxis::Row);
     }
 }

@@ -7,7 +7,7 @@ pub use orbit::{OrbitRow, OrbitTable};
 pub use response::{ResponseRow, ResponseTable};
 
 use super::motion::PartMotion;
-use super::setting::Part;
+use super::setting::MovingPart;
 use crate::Complex;
 use crate::study::units::{fundamental_phase, reversed_phase};
 use crate::study::{
@@ -32,7 +32,7 @@ struct MotionGroups {
 
 impl MotionGroups {
     /// Reads the motion from a response in any regime.
-    fn of_response(response: &SystemResponse<'_>, part: &Part, orders: &[u32]) -> Self {
+    fn of_response(response: &SystemResponse<'_>, part: &MovingPart, orders: &[u32]) -> Self {
         let of = part.of;
         let rates = || {
             let velocity = response.largest(of, Size::Velocity)?;

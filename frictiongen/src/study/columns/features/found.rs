@@ -1,7 +1,7 @@
 //! Computes all features of a system's response: resonances, limits, invariant points, ranges and peaks.
 
-use crate::study::columns::column::Row;
-use crate::study::columns::setting::Part;
+use crate::study::columns::column::TableRow;
+use crate::study::columns::setting::MovingPart;
 use crate::study::features::{
     Antiresonance, Certainty, Crossing, FeatureError, Features, HeldResonance, InvariantPoint,
     Inversion, LimitsAtEnd, Measured, RegimeRange, Resonance, ResonantPeak, Sensed, SlidingRange,
@@ -50,11 +50,11 @@ pub struct FeatureLists {
     pub(super) crossings: Vec<FeatureAt<Named<(f64, Crossing)>>>,
 }
 
-impl<T> Row for Named<T> {}
+impl<T> TableRow for Named<T> {}
 
-impl<T> Row for FeatureAt<T> {}
+impl<T> TableRow for FeatureAt<T> {}
 
-impl Row for HeldResonance {}
+impl TableRow for HeldResonance {}
 
 /// A resonance of the chain, with the number of its mode, counted from 1.
 pub(super) struct NumberedResonance {
@@ -62,7 +62,7 @@ pub(super) struct NumberedResonance {
     pub(super) it: Resonance,
 }
 
-impl Row for NumberedResonance {}
+impl TableRow for NumberedResonance {}
 
 /// The limits β_lim and β*_lim for r → 0 or for r → ∞.
 pub(super) struct EndRow {
@@ -70,7 +70,7 @@ pub(super) struct EndRow {
     pub(super) limits: LimitsAtEnd,
 }
 
-impl Row for EndRow {}
+impl TableRow for EndRow {}
 
 impl FeatureLists {
     /// Computes all features of a response in a range of frequency ratios.
@@ -79,7 +79,7 @@ impl FeatureLists {
     /// Same errors as the calls of [`Features`].
     pub fn of(
         features: &Features<'_>,
-        parts: &[Part],
+        parts: &[MovingPart],
         frictions: &[f64],
         range: [f64; 2],
     ) -> Result<Self, FeatureError> {
@@ -138,10 +138,10 @@ impl FeatureLists {
     fn undamped(
         &mut self,
         features: &Features<'_>,
-        part: &Part,
+        part: &MovingPart,
         range: [f64; 2],
     ) -> Result<(), FeatureError> {
-        fn named<T>(part: &Part, it: T) -> Named<T> {
+        fn named<T>(part: &MovingPart, it: T) -> Named<T> {
             let of = part.name.clone();
             Named { of, it }
         }
@@ -162,7 +162,7 @@ impl FeatureLists {
     fn with_friction(
         &mut self,
         features: &Features<'_>,
-        parts: &[Part],
+        parts: &[MovingPart],
         beta: f64,
         range: [f64; 2],
     ) -> Result<(), FeatureError> {

@@ -1,8 +1,8 @@
 //! Collects the features of a response as lines, one for each feature.
 
 use crate::Regime;
-use crate::study::columns::column::Row;
-use crate::study::columns::setting::{Part, Setting};
+use crate::study::columns::column::TableRow;
+use crate::study::columns::setting::{MovingPart, Setting};
 use crate::study::response::SystemResponse;
 use crate::study::{
     features::{Certainty, FeatureError, Features, Measured, RegimeEnd, Sensed},
@@ -111,7 +111,7 @@ impl FeatureLine {
     }
 }
 
-impl Row for FeatureLine {}
+impl TableRow for FeatureLine {}
 
 /// A request for features: the friction ratios and the range of frequency ratios.
 #[derive(Clone, Copy, Debug)]
@@ -244,7 +244,7 @@ fn ends(features: &Features<'_>, lines: &mut Vec<FeatureLine>) {
 
 fn undamped(
     features: &Features<'_>,
-    part: &Part,
+    part: &MovingPart,
     range: [f64; 2],
     lines: &mut Vec<FeatureLine>,
 ) -> Result<(), FeatureError> {
@@ -309,7 +309,11 @@ impl AtOneFriction<'_, '_> {
         line
     }
 
-    fn lines(&self, parts: &[Part], lines: &mut Vec<FeatureLine>) -> Result<(), FeatureError> {
+    fn lines(
+        &self,
+        parts: &[MovingPart],
+        lines: &mut Vec<FeatureLine>,
+    ) -> Result<(), FeatureError> {
         let scene = self.features.system().scene();
         let (masses, elastic) = (&scene.masses, scene.stiffness.is_some());
         match self.features.quasi_static_start(self.beta)? {

@@ -2,7 +2,7 @@
 
 use super::found::{EndRow, FeatureAt, FeatureLists, Named, NumberedResonance};
 use super::sheet::Sheet;
-use crate::study::columns::column::{Column, Row};
+use crate::study::columns::column::{Column, TableRow};
 use crate::study::columns::setting::Setting;
 use crate::study::{
     features::{
@@ -21,7 +21,7 @@ pub trait FeatureVisitor {
     ///
     /// # Errors
     /// Any error of the receiver ends the visit.
-    fn list<R: Row>(
+    fn list<R: TableRow>(
         &mut self,
         name: &'static str,
         columns: &[Column<'_, R>],

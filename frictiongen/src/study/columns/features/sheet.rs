@@ -1,8 +1,8 @@
 //! Adds columns that several lists of features have in common.
 
 use crate::study::columns::builder::Columns;
-use crate::study::columns::column::{Head, Row};
-use crate::study::columns::measure::Dimension;
+use crate::study::columns::column::{Head, TableRow};
+use crate::study::columns::measure::PhysicalQuantity;
 use crate::study::columns::setting::Setting;
 use crate::study::features::Sensed;
 
@@ -12,7 +12,7 @@ pub(super) struct Sheet<'a, R> {
     pub(super) columns: Columns<'a, R>,
 }
 
-impl<'a, R: Row + 'a> Sheet<'a, R> {
+impl<'a, R: TableRow + 'a> Sheet<'a, R> {
     /// Returns a list without columns.
     pub(super) fn new(setting: &Setting<'a>) -> Self {
         Self {
@@ -28,20 +28,21 @@ impl<'a, R: Row + 'a> Sheet<'a, R> {
 
     /// Adds a column of forces, in N under a load and otherwise as friction ratios.
     pub(super) fn force(&mut self, name: &'static str, of: impl Fn(&R) -> Option<f64> + 'a) {
-        self.columns.converted(Head::of(name, Dimension::Force), of);
+        self.columns
+            .converted(Head::of(name, PhysicalQuantity::Force), of);
     }
 
     /// Adds a column of lengths. They are in m under a load. Otherwise they are divided by P/k₁, or by Y for base
     /// motion.
     pub(super) fn length(&mut self, name: &'static str, of: impl Fn(&R) -> Option<f64> + 'a) {
         self.columns
-            .converted(Head::of(name, Dimension::Length), of);
+            .converted(Head::of(name, PhysicalQuantity::Length), of);
     }
 
     /// Adds a column of the requested friction ratio β. Under a load, also adds a column of the friction force in N.
     pub(super) fn friction(&mut self, beta: impl Fn(&R) -> f64 + Copy + 'a) {
         if self.setting.measure.scale().is_some() {
-            let head = Head::of("friction", Dimension::Force);
+            let head = Head::of("friction", PhysicalQuantity::Force);
             self.columns.number(head, move |row| Some(beta(row)));
         }
         self.columns.number("beta", move |row| Some(beta(row)));
@@ -49,7 +50,7 @@ impl<'a, R: Row + 'a> Sheet<'a, R> {
 
     /// Adds a column of the friction with which the feature compares the requested friction.
     pub(super) fn other_friction(&mut self, beta: impl Fn(&R) -> f64 + 'a) {
-        let head = Head::of("other_beta", Dimension::Force).under_load("other_friction");
+        let head = Head::of("other_beta", PhysicalQuantity::Force).under_load("other_friction");
         self.columns.number(head, move |row| Some(beta(row)));
     }
 
@@ -61,7 +62,7 @@ impl<'a, R: Row + 'a> Sheet<'a, R> {
     ) {
         if self.setting.frequency.has_hertz() {
             let system = self.setting.system;
-            let head = Head::of(format!("{before}frequency"), Dimension::Hertz);
+            let head = Head::of(format!("{before}frequency"), PhysicalQuantity::Hertz);
             self.columns
                 .converted(head, move |row| of(row).map(|r| system.hertz(r)));
         }

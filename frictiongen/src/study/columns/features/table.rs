@@ -2,8 +2,8 @@
 
 use super::lines::{FeatureLine, FeaturesAsked, lines};
 use crate::study::columns::builder::Columns;
-use crate::study::columns::column::{Column, Head, Kind, Shown};
-use crate::study::columns::measure::Dimension;
+use crate::study::columns::column::{Column, ColumnKind, Head, Shown};
+use crate::study::columns::measure::PhysicalQuantity;
 use crate::study::columns::setting::Setting;
 use crate::study::{
     features::{FeatureError, Features},
@@ -75,9 +75,9 @@ impl<'a> FeatureTable<'a> {
         } else {
             "beta"
         };
-        let head = Head::of("beta", Dimension::Force).under_load("friction");
+        let head = Head::of("beta", PhysicalQuantity::Force).under_load("friction");
         columns.converted(head.titled(&["friction", unit]), |row| row.friction);
-        columns.converted(Head::of("amplitude", Dimension::Length), |row| {
+        columns.converted(Head::of("amplitude", PhysicalQuantity::Length), |row| {
             row.amplitude
         });
         let width = widest(&|row| row.ground.name().to_owned());
@@ -86,7 +86,7 @@ impl<'a> FeatureTable<'a> {
         let head = Head::new("per_cent_for_one").titled(&["% for", "1 % of"]);
         columns.number(head, |row| Some(row.strongest()?.2));
         let symbol = move |row: &FeatureLine| Some(table.symbol(row.strongest()?.1));
-        let kind = Kind::Word(
+        let kind = ColumnKind::Word(
             widest(&|row| symbol(row).unwrap_or_default())
                 .chars()
                 .count(),
@@ -108,7 +108,7 @@ impl<'a> FeatureTable<'a> {
     ) {
         let system = self.setting.system;
         if self.setting.frequency.has_hertz() {
-            let head = Head::of(hertz, Dimension::Hertz).titled(&[at, "(Hz)"]);
+            let head = Head::of(hertz, PhysicalQuantity::Hertz).titled(&[at, "(Hz)"]);
             columns.converted(head, move |row| of(row).map(|r| system.hertz(r)));
         }
         columns.number(Head::new(ratio).titled(&[title, ""]), of);

@@ -3,9 +3,9 @@
 use super::OptimumTable;
 use crate::study::columns::builder::Columns;
 use crate::study::columns::cell::Cell;
-use crate::study::columns::column::{Column, Head, Kind, Row, Shown};
-use crate::study::columns::measure::Dimension;
-use crate::study::columns::setting::Part;
+use crate::study::columns::column::{Column, ColumnKind, Head, Shown, TableRow};
+use crate::study::columns::measure::PhysicalQuantity;
+use crate::study::columns::setting::MovingPart;
 use crate::study::optimum::{Optimum, Tunable, TunedOptimum, TunedPoint};
 
 /// A row of the result about the best friction: one value with its label and its key.
@@ -30,7 +30,7 @@ pub struct OptimumLine {
     pub excess: Option<f64>,
 }
 
-impl Row for OptimumLine {}
+impl TableRow for OptimumLine {}
 
 /// The number of the description that the search has optimised together with the friction, and its result.
 #[derive(Clone, Debug)]
@@ -48,9 +48,9 @@ pub enum Further<'a> {
     /// No further quantities.
     None,
     /// Quantities with their upper bounds, which the search has kept.
-    Kept(&'a [(Part, f64, f64)]),
+    Kept(&'a [(MovingPart, f64, f64)]),
     /// Quantities with their divisors. The search has minimised the largest quotient.
-    Weighted(&'a [(Part, f64, f64)]),
+    Weighted(&'a [(MovingPart, f64, f64)]),
 }
 
 /// Collects the result lines of one entry of a list.
@@ -187,7 +187,7 @@ impl<'a> OptimumTable<'a> {
     fn peak_lines(&self, optimum: &Optimum, lines: &mut Vec<OptimumLine>) {
         let mut columns = Columns::new(&self.setting.measure);
         if self.setting.frequency.has_hertz() {
-            let head = Head::of("frequency", Dimension::Hertz).titled(&["{}"]);
+            let head = Head::of("frequency", PhysicalQuantity::Hertz).titled(&["{}"]);
             columns.number(head, |row: &super::PeakRow| Some(row.frequency.hertz));
         }
         columns.number(Head::new("r").titled(&["{} r"]), |row: &super::PeakRow| {
@@ -196,8 +196,8 @@ impl<'a> OptimumTable<'a> {
         let mut columns = columns.done();
         let all = self.peak_columns().into_iter();
         columns.extend(all.filter_map(|mut column| {
-            let is_frequency = column.axis != super::super::Axis::Row;
-            let is_flag = column.kind == Kind::Flag;
+            let is_frequency = column.axis != super::super::ColumnAxis::Row;
+            let is_flag = column.kind == ColumnKind::Flag;
             column.title = vec![format!("  {}", column.title.first()?)];
             (!is_frequency && !is_flag).then_some(column)
         }));
@@ -255,11 +255,11 @@ impl<'a> OptimumTable<'a> {
 
     fn scan_lines(&self, tuned: &Tuned<'_>, lines: &mut Vec<OptimumLine>) {
         let mut columns = Columns::new(&self.setting.measure);
-        let head = Head::of("beta", Dimension::Force).under_load("friction");
+        let head = Head::of("beta", PhysicalQuantity::Force).under_load("friction");
         columns.number(head.titled(&["  best friction"]), |row: &TunedPoint| {
             Some(row.beta)
         });
-        let head = Head::of("amplitude", Dimension::Length).titled(&["  largest amplitude"]);
+        let head = Head::of("amplitude", PhysicalQuantity::Length).titled(&["  largest amplitude"]);
         columns.number(head, |row| Some(row.amplitude));
         let columns = columns.done();
         let name = tuned.of.symbol(self.setting.system.scene());
@@ -295,7 +295,7 @@ impl<'a> OptimumTable<'a> {
         columns.word("quantity", widest.unwrap_or_default(), |line| {
             Some(&line.label)
         });
-        columns.cell("value", Kind::Number, |line| line.value.borrowed());
+        columns.cell("value", ColumnKind::Number, |line| line.value.borrowed());
         columns.word("unit", "P/k1", |line| Some(line.unit));
         columns.show(Shown::Json);
         columns.word("per", "", |line| line.per);

@@ -2,10 +2,12 @@
 
 use super::MotionGroups;
 use crate::study::columns::builder::Columns;
-use crate::study::columns::column::{Column, Head, Kind, Row, Shown};
-use crate::study::columns::measure::Dimension;
-use crate::study::columns::motion::{Extent, Moving, PartMotion, motions};
-use crate::study::columns::setting::{AtFrequency, AtFriction, Frequency, Friction, Setting};
+use crate::study::columns::column::{Column, ColumnKind, Head, Shown, TableRow};
+use crate::study::columns::measure::PhysicalQuantity;
+use crate::study::columns::motion::{MotionColumns, MotionRow, PartMotion, motions};
+use crate::study::columns::setting::{
+    AtFrequency, AtFriction, Frequency, FrictionSetting, Setting,
+};
 use crate::study::response::{Size, equivalent_damping};
 use crate::study::{SystemAt, orbit::SystemOrbit, words};
 use crate::{Complex, NoOrbit, OutOfDomain};
@@ -16,7 +18,7 @@ pub struct OrbitRow {
     /// Frequency of the excitation, as ratio r, in Hz and in rad/s.
     pub frequency: Frequency,
     /// Friction in the contact, as ratio β and, under a load, as force in N.
-    pub friction: Friction,
+    pub friction: FrictionSetting,
     /// Regime of the contact: continuous, stick-slip, stuck or unbounded.
     pub regime: &'static str,
     /// Word for the steady state: stable, marginal or unsettled. If there is no steady state, the text is the reason.
@@ -58,7 +60,7 @@ pub struct OrbitTable<'a> {
     pub orders: &'a [u32],
 }
 
-impl Row for OrbitRow {
+impl TableRow for OrbitRow {
     fn omega(&self) -> f64 {
         self.frequency.omega
     }
@@ -71,12 +73,12 @@ impl AtFrequency for OrbitRow {
 }
 
 impl AtFriction for OrbitRow {
-    fn friction(&self) -> Friction {
+    fn friction(&self) -> FrictionSetting {
         self.friction
     }
 }
 
-impl Moving for OrbitRow {
+impl MotionRow for OrbitRow {
     fn motion(&self, part: usize) -> Option<PartMotion<'_>> {
         let motions = &self.steady.as_ref()?.motions;
         motions.get(part).map(MotionGroups::view)
@@ -126,7 +128,7 @@ impl<'a> OrbitTable<'a> {
         &self,
         at: &SystemAt<'_>,
         frequency: Frequency,
-        friction: Friction,
+        friction: FrictionSetting,
     ) -> Result<OrbitRow, OutOfDomain> {
         let friction = friction.at(&self.setting.measure, frequency);
         let beta = friction.beta;
@@ -161,7 +163,7 @@ impl<'a> OrbitTable<'a> {
         &self,
         at: &SystemAt<'_>,
         frequency: Frequency,
-        friction: Friction,
+        friction: FrictionSetting,
     ) -> Result<Vec<OrbitRow>, OutOfDomain> {
         let friction = friction.at(&self.setting.measure, frequency);
         let states = at.states(friction.beta)?;
@@ -172,7 +174,7 @@ impl<'a> OrbitTable<'a> {
     fn found(
         &self,
         at: &SystemAt<'_>,
-        (frequency, friction): (Frequency, Friction),
+        (frequency, friction): (Frequency, FrictionSetting),
         orbit: &SystemOrbit<'_>,
     ) -> OrbitRow {
         OrbitRow {
@@ -240,7 +242,8 @@ impl<'a> OrbitTable<'a> {
         columns.number(head, |row| Some(row.steady.as_ref()?.stuck_fraction));
         let in_seconds = self.setting.frequency.has_hertz();
         if in_seconds {
-            let head = Head::of("longest_stop", Dimension::Time).titled(&["longest", "stop (s)"]);
+            let head =
+                Head::of("longest_stop", PhysicalQuantity::Time).titled(&["longest", "stop (s)"]);
             columns.number(head, |row| {
                 let longest = row.steady.as_ref()?.longest_stop()?;
                 Some(row.seconds(longest))
@@ -248,7 +251,7 @@ impl<'a> OrbitTable<'a> {
         }
         let head = Head::new("largest_multiplier").titled(&["multiplier", "(largest)"]);
         columns.number(head, |row| row.steady.as_ref()?.largest_multiplier());
-        columns.number(Head::of("offset", Dimension::Length), |row| {
+        columns.number(Head::of("offset", PhysicalQuantity::Length), |row| {
             Some(row.steady.as_ref()?.offset)
         });
         columns.show(Shown::Files);
@@ -256,7 +259,7 @@ impl<'a> OrbitTable<'a> {
         columns.flag("from_rest", |row| Some(row.steady.as_ref()?.from_rest));
         self.lists(&mut columns, in_seconds);
         columns.show(Shown::Everywhere);
-        let extent = Extent {
+        let extent = MotionColumns {
             monoharmonic: false,
             rates: false,
             orders: self.orders,
@@ -269,16 +272,16 @@ impl<'a> OrbitTable<'a> {
     /// Adds the columns with the list of Floquet multipliers and the list of stops.
     fn lists(&self, columns: &mut Columns<'a, OrbitRow>, in_seconds: bool) {
         columns.show(Shown::Objects);
-        columns.list("multipliers", Kind::Complex, |row| {
+        columns.list("multipliers", ColumnKind::Complex, |row| {
             let all = row.steady.as_ref()?.multipliers.iter();
             Some(all.map(|value| [value.re, value.im]).collect())
         });
-        columns.list("sticking_intervals", Kind::Intervals, |row| {
+        columns.list("sticking_intervals", ColumnKind::Intervals, |row| {
             Some(row.steady.as_ref()?.sticking.clone())
         });
         if in_seconds {
-            let head = Head::of("sticking_intervals", Dimension::Time);
-            columns.list(head, Kind::Intervals, |row| {
+            let head = Head::of("sticking_intervals", PhysicalQuantity::Time);
+            columns.list(head, ColumnKind::Intervals, |row| {
                 let all = row.steady.as_ref()?.sticking.iter();
                 Some(
                     all.map(|ends| ends.map(|angle| row.seconds(angle)))

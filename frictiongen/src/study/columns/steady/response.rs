@@ -2,10 +2,12 @@
 
 use super::{MotionGroups, is_stuck};
 use crate::study::columns::builder::Columns;
-use crate::study::columns::column::{Column, Head, Row, Shown};
-use crate::study::columns::measure::Dimension;
-use crate::study::columns::motion::{Extent, Moving, PartMotion, motions};
-use crate::study::columns::setting::{AtFrequency, AtFriction, Frequency, Friction, Setting};
+use crate::study::columns::column::{Column, Head, Shown, TableRow};
+use crate::study::columns::measure::PhysicalQuantity;
+use crate::study::columns::motion::{MotionColumns, MotionRow, PartMotion, motions};
+use crate::study::columns::setting::{
+    AtFrequency, AtFriction, Frequency, FrictionSetting, Setting,
+};
 use crate::study::{SystemAt, words};
 use crate::{Limits, OutOfDomain};
 
@@ -15,7 +17,7 @@ pub struct ResponseRow {
     /// Frequency of the excitation, as ratio r, in Hz and in rad/s.
     pub frequency: Frequency,
     /// Friction in the contact, as ratio β and, under a load, as force in N.
-    pub friction: Friction,
+    pub friction: FrictionSetting,
     /// Regime of the contact: continuous, stick-slip, stuck or unbounded.
     pub regime: &'static str,
     /// Margin β/min(β_lim, β*_lim) − 1. If it is negative, the contact slides all the time, and no stuck state exists.
@@ -40,7 +42,7 @@ pub struct ResponseTable<'a> {
     pub stuck: bool,
 }
 
-impl Row for ResponseRow {
+impl TableRow for ResponseRow {
     fn omega(&self) -> f64 {
         self.frequency.omega
     }
@@ -53,12 +55,12 @@ impl AtFrequency for ResponseRow {
 }
 
 impl AtFriction for ResponseRow {
-    fn friction(&self) -> Friction {
+    fn friction(&self) -> FrictionSetting {
         self.friction
     }
 }
 
-impl Moving for ResponseRow {
+impl MotionRow for ResponseRow {
     fn motion(&self, part: usize) -> Option<PartMotion<'_>> {
         self.motions.get(part).map(MotionGroups::view)
     }
@@ -72,7 +74,7 @@ impl<'a> ResponseTable<'a> {
     pub fn rows(
         &self,
         frequency: Frequency,
-        frictions: impl Iterator<Item = Friction>,
+        frictions: impl Iterator<Item = FrictionSetting>,
     ) -> Result<Vec<ResponseRow>, OutOfDomain> {
         let at = self.setting.system.at(frequency.r)?;
         // The limits do not depend on β, so that one search suffices.
@@ -88,7 +90,7 @@ impl<'a> ResponseTable<'a> {
         at: &SystemAt<'_>,
         limits: &Limits<f64>,
         frequency: Frequency,
-        friction: Friction,
+        friction: FrictionSetting,
     ) -> Result<ResponseRow, OutOfDomain> {
         let margin = limits.margin(friction.beta)?;
         let response = at.response(friction.beta);
@@ -139,14 +141,14 @@ impl<'a> ResponseTable<'a> {
         columns.word("regime", "continuous", |row: &ResponseRow| Some(row.regime));
         columns.number("margin", |row| Some(row.margin));
         columns.word("answer", "orbit: marginal", |row| Some(row.answer));
-        columns.number(Head::of("offset", Dimension::Length), |row| {
+        columns.number(Head::of("offset", PhysicalQuantity::Length), |row| {
             Some(row.known?.0)
         });
         columns.show(Shown::Files);
         columns.flag("marginal", |row| Some(row.known?.1));
         columns.flag("from_rest", |row| Some(row.known?.2));
         columns.show(Shown::Everywhere);
-        let extent = Extent {
+        let extent = MotionColumns {
             monoharmonic: true,
             rates: false,
             orders: self.orders,
