@@ -7,7 +7,7 @@ use crate::measure::Measure;
 use crate::number::computed;
 use frictiongen::System;
 use frictiongen::study::columns::{Further, OptimumLine, OptimumTable};
-use frictiongen::study::optimum::{Kept, OptimumError, OptimumRequest};
+use frictiongen::study::optimum::{KeptQuantity, OptimumError, OptimumRequest};
 
 /// Parses the bounds of `--keep`.
 pub fn parsed(
@@ -39,9 +39,9 @@ pub fn lines(
     watch: &(dyn Fn() -> bool + Sync),
 ) -> Result<Vec<OptimumLine>, Failure> {
     let (system, measure) = (table.setting.system, &table.setting.measure);
-    let kept: Vec<Kept> = bounds
+    let kept: Vec<KeptQuantity> = bounds
         .iter()
-        .map(|bound| Kept {
+        .map(|bound| KeptQuantity {
             of: bound.part.of,
             size: bound.part.size,
             most: bound.value,

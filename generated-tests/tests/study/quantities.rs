@@ -5,8 +5,8 @@ use frictiongen::Of;
 use frictiongen::study::{
     System,
     optimum::{
-        FrequencyBand, Kept, Optimum, OptimumEnd, OptimumError, OptimumKind, OptimumRequest,
-        Tuning, Weighted,
+        FrequencyBand, KeptQuantity, Optimum, OptimumEnd, OptimumError, OptimumKind,
+        OptimumRequest, Tuning, Weighted,
     },
     response::Size,
     units::Load,
@@ -242,7 +242,7 @@ fn bounds_hold_on_a_map() {
         "{free_drift} {}",
         least.amplitude
     );
-    let kept = [Kept {
+    let kept = [KeptQuantity {
         of: drift.of,
         size: drift.size,
         most,
@@ -269,7 +269,7 @@ fn bounds_hold_on_a_map() {
         assert!(!holds || value <= at(&own, other) * (1.0 + 1e-5), "{share}");
     }
     // A bound that holds already changes nothing.
-    let wide = [Kept {
+    let wide = [KeptQuantity {
         most: 1.01 * free_drift,
         ..kept[0]
     }];
@@ -281,7 +281,7 @@ fn bounds_hold_on_a_map() {
         (free.beta, free.kind)
     );
     // Below the best drift no friction holds the bound.
-    let narrow = [Kept {
+    let narrow = [KeptQuantity {
         most: 0.99 * least.amplitude,
         ..kept[0]
     }];
@@ -300,11 +300,11 @@ fn bounds_hold_on_a_map() {
     assert!((beta / least.beta - 1.0).abs() < 1e-6, "{beta}");
     // Each of two bounds may hold alone, but not both.
     let two = [
-        Kept {
+        KeptQuantity {
             most: 1.0001 * least.amplitude,
             ..kept[0]
         },
-        Kept {
+        KeptQuantity {
             of: own.of,
             size: own.size,
             most: 1.0001 * free.amplitude,
@@ -381,7 +381,7 @@ fn a_stopped_search_keeps_its_best() {
 
     // The bound does not hold with the best friction, so that the search for the bounded one begins.
     let bound = |most: f64| {
-        [Kept {
+        [KeptQuantity {
             of: request.of,
             size: Size::Velocity,
             most,

@@ -2,7 +2,7 @@
 
 use super::error::UnknownContact;
 use super::scene::Joined;
-use super::units::Units;
+use super::units::AnswerUnits;
 use crate::Complex;
 use crate::study::error::UnknownMass;
 use crate::study::joints::StuckResponse;
@@ -12,11 +12,15 @@ use crate::study::joints::StuckResponse;
 pub struct LinearResponse<'a> {
     joined: Joined<'a>,
     displacements: Vec<Complex<f64>>,
-    units: Units,
+    units: AnswerUnits,
 }
 
 impl<'a> LinearResponse<'a> {
-    pub(super) fn new(joined: Joined<'a>, displacements: Vec<Complex<f64>>, units: Units) -> Self {
+    pub(super) fn new(
+        joined: Joined<'a>,
+        displacements: Vec<Complex<f64>>,
+        units: AnswerUnits,
+    ) -> Self {
         Self {
             joined,
             displacements,
@@ -54,7 +58,7 @@ pub struct StuckState<'a> {
 }
 
 impl<'a> StuckState<'a> {
-    pub(super) fn new(joined: Joined<'a>, response: StuckResponse, units: Units) -> Self {
+    pub(super) fn new(joined: Joined<'a>, response: StuckResponse, units: AnswerUnits) -> Self {
         let (limit, first) = response.limit.unwrap_or((0.0, 0));
         let names = joined.contact_names();
         Self {

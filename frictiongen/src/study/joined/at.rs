@@ -5,7 +5,7 @@ use super::error::JoinedError;
 use super::orbit::JoinedOrbit;
 use super::scene::Joined;
 use super::simulation::JoinedSimulation;
-use super::units::Units;
+use super::units::AnswerUnits;
 use crate::study::joints::{
     Chain, JointError, Motion, Watch, Wave, steady_state_of, stuck_response,
 };
@@ -18,7 +18,7 @@ const SKIPPED: usize = 512;
 const KEPT: usize = 64;
 
 /// Displacements and velocities of all masses, in the units of the answers.
-type Start<'s> = (&'s [f64], &'s [f64]);
+type GivenState<'s> = (&'s [f64], &'s [f64]);
 
 /// A scene with several contacts at one frequency.
 #[derive(Clone, Debug)]
@@ -27,7 +27,7 @@ pub struct JoinedAt<'a> {
     /// The chain with its load. The friction force of each contact in it is the contact's share of the common friction.
     chain: Chain,
     omega: f64,
-    units: Units,
+    units: AnswerUnits,
 }
 
 impl<'a> Joined<'a> {
@@ -59,7 +59,7 @@ impl<'a> Joined<'a> {
             Excitation::Force(_) => stiffness,
             Excitation::Base => 1.0,
         };
-        let units = Units {
+        let units = AnswerUnits {
             force: stiffness,
             length: 1.0,
             speed: omega,
@@ -79,7 +79,7 @@ impl<'a> Joined<'a> {
         if !(amplitude > 0.0 && amplitude.is_finite()) {
             return Err(JoinedError::Amplitude(Given::of(amplitude)));
         }
-        let units = Units {
+        let units = AnswerUnits {
             force: 1.0,
             length: 1.0,
             speed: 1.0,
@@ -87,7 +87,7 @@ impl<'a> Joined<'a> {
         Ok(self.loaded(omega, amplitude, units))
     }
 
-    fn loaded(&self, omega: f64, amplitude: f64, units: Units) -> JoinedAt<'a> {
+    fn loaded(&self, omega: f64, amplitude: f64, units: AnswerUnits) -> JoinedAt<'a> {
         let mut chain = self.chain().clone();
         let wave = Wave::harmonic(amplitude, omega);
         match self.scene().excitation {
@@ -99,7 +99,7 @@ impl<'a> Joined<'a> {
 }
 
 impl<'a> JoinedAt<'a> {
-    pub(super) fn new(joined: Joined<'a>, chain: Chain, omega: f64, units: Units) -> Self {
+    pub(super) fn new(joined: Joined<'a>, chain: Chain, omega: f64, units: AnswerUnits) -> Self {
         Self {
             joined,
             chain,
@@ -116,7 +116,7 @@ impl<'a> JoinedAt<'a> {
 
     /// Returns the units of the answers.
     #[must_use]
-    pub fn units(&self) -> Units {
+    pub fn units(&self) -> AnswerUnits {
         self.units
     }
 
@@ -158,7 +158,7 @@ impl<'a> JoinedAt<'a> {
     pub fn orbit_from(
         &self,
         friction: f64,
-        state: Start<'_>,
+        state: GivenState<'_>,
     ) -> Result<JoinedOrbit<'a>, JoinedError> {
         let chain = self.chain(friction)?;
         let motion = self.started(&chain, Some(state))?;
@@ -200,7 +200,7 @@ impl<'a> JoinedAt<'a> {
     }
 
     /// Starts a motion from a given state, or from rest if no state is given.
-    fn started(&self, chain: &Chain, state: Option<Start<'_>>) -> Result<Motion, JoinedError> {
+    fn started(&self, chain: &Chain, state: Option<GivenState<'_>>) -> Result<Motion, JoinedError> {
         let Some((x, v)) = state else {
             return Ok(Motion::from_rest(chain)?);
         };
@@ -233,7 +233,7 @@ impl<'a> JoinedAt<'a> {
     pub fn simulation_from(
         &self,
         friction: f64,
-        state: Start<'_>,
+        state: GivenState<'_>,
     ) -> Result<JoinedSimulation<'a>, JoinedError> {
         let chain = self.chain(friction)?;
         let motion = self.started(&chain, Some(state))?;

@@ -62,4 +62,4 @@ pub use sensitivity::{JoinedSensitivities, JoinedSensitivity};
 pub use shares::{JoinedDistribution, ShareRange};
 pub use simulation::{JoinedContactNow, JoinedEvent, JoinedSimulation};
 pub use stepper::{JoinedInput, JoinedStepper};
-pub use units::Units;
+pub use units::AnswerUnits;

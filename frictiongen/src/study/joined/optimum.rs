@@ -78,7 +78,7 @@ impl Joined<'_> {
         band: (f64, f64),
         watch: &dyn Fn() -> bool,
     ) -> Result<JoinedOptimum, JoinedError> {
-        let mut search = Search::new(self, mass, band, watch)?;
+        let mut search = FrictionSearch::new(self, mass, band, watch)?;
         match search.run() {
             Ok(()) => search.found(true),
             Err(Early::Stopped) => search.found(false),
@@ -89,7 +89,7 @@ impl Joined<'_> {
 
 /// Accuracy with which the search computes the largest amplitude over the band.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
-pub(super) enum Closely {
+pub(super) enum BandAccuracy {
     /// Evaluates every second frequency of the grid.
     Roughly,
     /// Evaluates every frequency of the grid.
@@ -99,7 +99,7 @@ pub(super) enum Closely {
 }
 
 /// A search for the best common friction.
-pub(super) struct Search<'j, 'a> {
+pub(super) struct FrictionSearch<'j, 'a> {
     joined: Joined<'a>,
     mass: usize,
     /// Frequency ratios of the first grid.
@@ -107,19 +107,19 @@ pub(super) struct Search<'j, 'a> {
     evaluations: usize,
     watch: &'j dyn Fn() -> bool,
     /// The smallest peak so far, of those with the highest accuracy.
-    best: Option<Peak>,
+    best: Option<FrictionPeak>,
 }
 
 /// The largest amplitude over the band with one friction.
 #[derive(Clone, Copy, Debug)]
-struct Peak {
-    closely: Closely,
+struct FrictionPeak {
+    closely: BandAccuracy,
     friction: f64,
     amplitude: f64,
     r: f64,
 }
 
-impl<'j, 'a> Search<'j, 'a> {
+impl<'j, 'a> FrictionSearch<'j, 'a> {
     /// Prepares a search.
     pub(super) fn new(
         joined: &Joined<'a>,
@@ -177,7 +177,7 @@ impl<'j, 'a> Search<'j, 'a> {
         let tried: Vec<f64> = tried.collect();
         let mut best = (f64::INFINITY, 0);
         for (place, friction) in tried.iter().enumerate() {
-            let (amplitude, _) = self.peak(*friction, Closely::Roughly)?;
+            let (amplitude, _) = self.peak(*friction, BandAccuracy::Roughly)?;
             if amplitude < best.0 {
                 best = (amplitude, place);
             }
@@ -187,10 +187,10 @@ impl<'j, 'a> Search<'j, 'a> {
         let low = tried.get(best.1 + 1).copied();
         let ends = (low.unwrap_or(LEAST * most), high.unwrap_or(most));
         let (friction, _) = smallest(ends, (STEPS, 0.0), |friction| {
-            let peak = self.peak(friction, Closely::OnGrid);
+            let peak = self.peak(friction, BandAccuracy::OnGrid);
             peak.map(|(amplitude, _)| amplitude)
         })?;
-        self.peak(friction, Closely::Refined).map(|_| ())
+        self.peak(friction, BandAccuracy::Refined).map(|_| ())
     }
 
     /// Returns the largest limit of the stuck state over the frequencies of the grid.
@@ -225,13 +225,13 @@ impl<'j, 'a> Search<'j, 'a> {
     }
 
     /// Returns the largest amplitude over the band, and its frequency. Keeps them if they are the best so far.
-    fn peak(&mut self, friction: f64, closely: Closely) -> Result<(f64, f64), Early> {
+    fn peak(&mut self, friction: f64, closely: BandAccuracy) -> Result<(f64, f64), Early> {
         let (amplitude, r) = self.largest(friction, closely)?;
         let is_better = self.best.is_none_or(|best| {
             best.closely < closely || (best.closely == closely && amplitude < best.amplitude)
         });
         if is_better {
-            self.best = Some(Peak {
+            self.best = Some(FrictionPeak {
                 closely,
                 friction,
                 amplitude,
@@ -242,10 +242,18 @@ impl<'j, 'a> Search<'j, 'a> {
     }
 
     /// Returns the largest amplitude over the band, and its frequency.
-    pub(super) fn largest(&mut self, friction: f64, closely: Closely) -> Result<(f64, f64), Early> {
+    pub(super) fn largest(
+        &mut self,
+        friction: f64,
+        closely: BandAccuracy,
+    ) -> Result<(f64, f64), Early> {
         let mut best = (0.0, 0);
         let grid = self.grid.clone();
-        let stride = if closely == Closely::Roughly { 2 } else { 1 };
+        let stride = if closely == BandAccuracy::Roughly {
+            2
+        } else {
+            1
+        };
         for (place, r) in grid.iter().enumerate().step_by(stride) {
             let amplitude = self.amplitude(*r, friction)?;
             if amplitude > best.0 {
@@ -257,7 +265,7 @@ impl<'j, 'a> Search<'j, 'a> {
         let (Some(low), Some(high), Some(r)) = (around.0, around.1, near(best.1)) else {
             return Ok((best.0, f64::NAN));
         };
-        if closely != Closely::Refined {
+        if closely != BandAccuracy::Refined {
             return Ok((best.0, r));
         }
         let (place, value) = smallest((low, high), (STEPS, 0.0), |r| {

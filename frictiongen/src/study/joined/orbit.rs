@@ -2,7 +2,7 @@
 
 use super::error::{JoinedError, UnknownContact};
 use super::scene::Joined;
-use super::units::Units;
+use super::units::AnswerUnits;
 use crate::study::error::UnknownMass;
 use crate::study::joints::{Chain, ContactCycle, Motion, Steady};
 use crate::{Complex, Regime};
@@ -15,7 +15,7 @@ pub struct JoinedOrbit<'a> {
     joined: Joined<'a>,
     chain: Chain,
     omega: f64,
-    units: Units,
+    units: AnswerUnits,
     steady: Steady,
 }
 
@@ -23,7 +23,7 @@ pub struct JoinedOrbit<'a> {
 #[derive(Clone, Copy, Debug)]
 pub struct ContactOrbit<'o> {
     cycle: &'o ContactCycle,
-    units: Units,
+    units: AnswerUnits,
 }
 
 impl ContactOrbit<'_> {
@@ -81,7 +81,7 @@ impl<'a> JoinedOrbit<'a> {
     pub(super) fn new(
         joined: Joined<'a>,
         chain: Chain,
-        (omega, units): (f64, Units),
+        (omega, units): (f64, AnswerUnits),
         steady: Steady,
     ) -> Self {
         Self {
@@ -233,7 +233,7 @@ impl<'a> JoinedOrbit<'a> {
     }
 
     /// Returns the angular frequency of the load and the units of the answers.
-    pub(super) fn setting(&self) -> (&Joined<'a>, f64, Units) {
+    pub(super) fn setting(&self) -> (&Joined<'a>, f64, AnswerUnits) {
         (&self.joined, self.omega, self.units)
     }
 }

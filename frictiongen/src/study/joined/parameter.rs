@@ -27,12 +27,12 @@ pub enum JoinedParameter {
 
 /// A scene at an operating point, with all its numbers.
 #[derive(Clone, Debug)]
-pub(super) struct Setting {
+pub(super) struct JoinedPoint {
     pub(super) scene: Scene,
     pub(super) point: OperatingPoint,
 }
 
-impl Setting {
+impl JoinedPoint {
     /// Creates the setting. Each mode gets a damping ratio of its own, so that each ratio can vary alone.
     pub(super) fn new(scene: &Scene, point: OperatingPoint) -> Self {
         let mut scene = scene.clone();

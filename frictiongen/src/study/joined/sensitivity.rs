@@ -6,9 +6,9 @@
 //! valid only if the contacts have the same numbers of stops and reversals on both sides.
 
 use super::error::JoinedError;
-use super::parameter::{JoinedParameter, Setting};
+use super::parameter::{JoinedParameter, JoinedPoint};
 use super::scene::Joined;
-use super::units::Units;
+use super::units::AnswerUnits;
 use crate::study::joints::{Chain, JointError, Steady, steady_state, steady_state_near};
 use crate::study::parameter::Slope;
 use crate::study::sensitivity::{NoDerivative, OperatingPoint};
@@ -55,11 +55,11 @@ pub struct JoinedSensitivities {
 struct Prepared {
     chain: Chain,
     omega: f64,
-    units: Units,
+    units: AnswerUnits,
 }
 
 /// Amplitudes and energies of a steady state, and the number of stops and reversals of each contact.
-struct Found {
+struct SteadyAmplitudes {
     numbers: Vec<f64>,
     events: Vec<(usize, usize)>,
 }
@@ -99,14 +99,14 @@ impl Joined<'_> {
     /// [`JoinedError::Engine`] if the motion does not settle. Other [`JoinedError`]s for an operating point outside the
     /// domain.
     pub fn sensitivities(&self, point: OperatingPoint) -> Result<JoinedSensitivities, JoinedError> {
-        let setting = Setting::new(self.scene(), point);
+        let setting = JoinedPoint::new(self.scene(), point);
         let prepared = prepare(&setting)?;
         let steady = steady_state(&prepared.chain, prepared.omega)?;
         if !steady.marginal.is_empty() || steady.neutral > 0 {
             return Err(NoDerivative::Marginal.into());
         }
-        let search = Search {
-            found: Found::of(&steady, prepared.units),
+        let search = NeighbourSearch {
+            found: SteadyAmplitudes::of(&steady, prepared.units),
             masses: prepared.chain.masses.len(),
             setting,
             steady,
@@ -125,7 +125,7 @@ impl Joined<'_> {
 }
 
 /// Returns the chain of a scene at an operating point, with its load and its friction forces.
-fn prepare(setting: &Setting) -> Result<Prepared, JoinedError> {
+fn prepare(setting: &JoinedPoint) -> Result<Prepared, JoinedError> {
     let system = system(&setting.scene)?;
     let joined = system.joined()?;
     let (at, friction) = match setting.point {
@@ -155,8 +155,8 @@ fn system(scene: &Scene) -> Result<System, JoinedError> {
     system.map_err(|_| JoinedError::OutOfDomain(OutOfDomain::State))
 }
 
-impl Found {
-    fn of(steady: &Steady, units: Units) -> Self {
+impl SteadyAmplitudes {
+    fn of(steady: &Steady, units: AnswerUnits) -> Self {
         let cycle = &steady.cycle;
         let amplitudes = cycle.amplitudes.iter().map(|x| x / units.length);
         let energies = cycle.contacts.iter().map(|c| c.energy / units.energy());
@@ -169,15 +169,15 @@ impl Found {
 }
 
 /// The known steady state of a scene, from which the search for neighbouring states starts.
-struct Search {
-    setting: Setting,
+struct NeighbourSearch {
+    setting: JoinedPoint,
     steady: Steady,
-    found: Found,
+    found: SteadyAmplitudes,
     /// Number of masses.
     masses: usize,
 }
 
-impl Search {
+impl NeighbourSearch {
     /// Returns the derivatives with respect to one parameter. Returns `None` if no central difference exists, because the
     /// parameter is 0 or a μ of 1.
     fn sensitivity(
@@ -258,7 +258,11 @@ impl Search {
 
     /// Returns the steady state for another value of a parameter. Returns `None` if it does not have the events of the
     /// known state.
-    fn moved(&self, parameter: JoinedParameter, value: f64) -> Result<Option<Found>, JoinedError> {
+    fn moved(
+        &self,
+        parameter: JoinedParameter,
+        value: f64,
+    ) -> Result<Option<SteadyAmplitudes>, JoinedError> {
         let mut setting = self.setting.clone();
         if let Some(number) = setting.number(parameter) {
             *number = value;
@@ -269,7 +273,7 @@ impl Search {
             units,
         } = prepare(&setting)?;
         let found = match steady_state_near(&chain, omega, &self.steady) {
-            Ok(steady) => Found::of(&steady, units),
+            Ok(steady) => SteadyAmplitudes::of(&steady, units),
             Err(JointError::NotSteady) => return Ok(None),
             Err(error) => return Err(error.into()),
         };

@@ -1,7 +1,7 @@
 //! Finds the best common friction together with the best shares of the contacts.
 
 use super::error::JoinedError;
-use super::optimum::{Closely, Early, JoinedOptimum, Search};
+use super::optimum::{BandAccuracy, Early, FrictionSearch, JoinedOptimum};
 use super::scene::Joined;
 use frictiongen_model::scene::Scene;
 
@@ -73,10 +73,10 @@ impl<'a> Joined<'a> {
         }
         let before = self.optimum_watched(mass, band, watch)?;
         let mut descent = Descent {
-            search: Search::new(self, mass, band, watch)?,
+            search: FrictionSearch::new(self, mass, band, watch)?,
             ranges,
             compared: 0,
-            closely: Closely::OnGrid,
+            closely: BandAccuracy::OnGrid,
             best: Distribution {
                 shares: given,
                 friction: before.friction,
@@ -128,11 +128,11 @@ struct Distribution {
 
 /// A search along one number after the other.
 struct Descent<'j, 'a> {
-    search: Search<'j, 'a>,
+    search: FrictionSearch<'j, 'a>,
     ranges: &'j [ShareRange],
     compared: usize,
     /// Accuracy of the peaks that the search compares.
-    closely: Closely,
+    closely: BandAccuracy,
     best: Distribution,
 }
 
@@ -148,7 +148,7 @@ impl Descent<'_, '_> {
         // The shares of the description may be outside the intervals.
         self.best = start;
         self.descend(FIRST)?;
-        self.closely = Closely::Refined;
+        self.closely = BandAccuracy::Refined;
         let grid = self.best.clone();
         self.best.peak = self.peak(&grid)?;
         self.descend(REFINED)

@@ -3,7 +3,7 @@
 use super::error::{JoinedError, UnknownContact};
 use super::scene::Joined;
 use super::slides::Slides;
-use super::units::Units;
+use super::units::AnswerUnits;
 use crate::answer::Event;
 use crate::study::error::UnknownMass;
 use crate::study::joints::{Motion, Transition};
@@ -46,13 +46,17 @@ pub struct JoinedSimulation<'a> {
     joined: Joined<'a>,
     motion: Motion,
     omega: f64,
-    units: Units,
+    units: AnswerUnits,
     /// Distance that each slider has travelled, and the energy that it has dissipated.
     slides: Slides,
 }
 
 impl<'a> JoinedSimulation<'a> {
-    pub(super) fn new(joined: Joined<'a>, motion: Motion, (omega, units): (f64, Units)) -> Self {
+    pub(super) fn new(
+        joined: Joined<'a>,
+        motion: Motion,
+        (omega, units): (f64, AnswerUnits),
+    ) -> Self {
         let slides = Slides::new(motion.model());
         Self {
             joined,

@@ -2,7 +2,7 @@
 
 /// Units of the answers, expressed in the units of the description.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Units {
+pub struct AnswerUnits {
     /// The unit of forces and frictions.
     pub force: f64,
     /// The unit of displacements.
@@ -11,7 +11,7 @@ pub struct Units {
     pub speed: f64,
 }
 
-impl Units {
+impl AnswerUnits {
     /// Returns the unit of energies.
     #[must_use]
     pub fn energy(&self) -> f64 {

@@ -25,7 +25,7 @@ pub(in crate::study) enum FrictionAmount {
 }
 
 /// A function that a search calls after each evaluation. It returns false to stop the search.
-pub(in crate::study) type Watch<'s> = &'s (dyn Fn() -> bool + Sync);
+pub(in crate::study) type KeepGoing<'s> = &'s (dyn Fn() -> bool + Sync);
 
 /// The requested quantity of a system, called its amplitude, as a function of frequency and friction. The struct counts
 /// the evaluations and their work.
@@ -42,7 +42,7 @@ pub(in crate::study) struct Amplitude<'s> {
     /// Bound on the work of all evaluations, in units of about 10 µs.
     most: Cell<usize>,
     /// The caller's function that can stop the search.
-    watch: Cell<Option<Watch<'s>>>,
+    watch: Cell<Option<KeepGoing<'s>>>,
     /// True if the caller has stopped the search.
     stopped: Cell<bool>,
     /// Number of evaluations without a result, because the solvers found no amplitude.
@@ -95,7 +95,7 @@ impl<'s> Amplitude<'s> {
     }
 
     /// Lets the caller's function stop the search.
-    pub(super) fn watched_by(&self, watch: Option<Watch<'s>>) {
+    pub(super) fn watched_by(&self, watch: Option<KeepGoing<'s>>) {
         self.watch.set(watch);
     }
 

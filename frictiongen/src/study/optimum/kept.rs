@@ -3,7 +3,7 @@
 //! The scan over friction shows which friction ratios satisfy all bounds. Bisection finds the limit between a ratio that
 //! satisfies them and one that violates a bound. The result satisfies every bound over the whole band.
 
-use super::amplitude::Watch;
+use super::amplitude::KeepGoing;
 use super::answer::{Optimum, OptimumEnd, OptimumKind};
 use super::peaks::AmplitudeBand;
 use super::problem::OptimumProblem;
@@ -30,7 +30,7 @@ const MOST_POINTS: usize = 6;
 
 /// A quantity whose largest value over the band must not exceed a bound.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Kept {
+pub struct KeptQuantity {
     /// The motion whose quantity has a bound.
     pub of: Of,
     /// The quantity of the motion: displacement, velocity, acceleration, or a quantity of the contact.
@@ -60,7 +60,7 @@ impl System {
     pub fn kept_optimum(
         &self,
         request: &OptimumRequest,
-        kept: &[Kept],
+        kept: &[KeptQuantity],
         watch: &(dyn Fn() -> bool + Sync),
     ) -> Result<KeptOptimum, OptimumError> {
         let own = OptimumProblem::new(self, request)?.watched_by(Some(watch));
@@ -117,7 +117,7 @@ struct KeptSearch<'s> {
     band: AmplitudeBand<'s>,
     others: Vec<AmplitudeBand<'s>>,
     most: Vec<f64>,
-    watch: Watch<'s>,
+    watch: KeepGoing<'s>,
     /// Work that the checks of the whole band may still take.
     left: &'s Cell<usize>,
 }

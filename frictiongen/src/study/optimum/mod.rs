@@ -27,7 +27,7 @@ use super::system::System;
 pub(in crate::study) use amplitude::FrictionAmount;
 pub use answer::{Optimum, OptimumEnd, OptimumKind, OptimumPeak, Tolerance};
 #[doc(hidden)]
-pub use kept::{Kept, KeptOptimum};
+pub use kept::{KeptOptimum, KeptQuantity};
 pub(in crate::study) use objective::Objective;
 use problem::OptimumProblem;
 pub use request::{FrequencyBand, OptimumError, OptimumRequest};

@@ -1,6 +1,6 @@
 //! A checked request for the best friction, and the full result for a friction.
 
-use super::amplitude::{FrictionAmount, Watch};
+use super::amplitude::{FrictionAmount, KeepGoing};
 use super::answer::{Optimum, OptimumEnd, OptimumKind, OptimumPeak};
 use super::flat;
 use super::objective::Objective;
@@ -29,7 +29,7 @@ pub(super) struct OptimumProblem<'s> {
     pub load: Option<Load>,
     /// Ends of the band, as frequency ratios r.
     pub ends: [f64; 2],
-    watch: Option<Watch<'s>>,
+    watch: Option<KeepGoing<'s>>,
 }
 
 impl<'s> OptimumProblem<'s> {
@@ -81,7 +81,7 @@ impl<'s> OptimumProblem<'s> {
     }
 
     /// Lets the caller's function stop every search of this problem.
-    pub(super) fn watched_by(self, watch: Option<Watch<'s>>) -> Self {
+    pub(super) fn watched_by(self, watch: Option<KeepGoing<'s>>) -> Self {
         Self { watch, ..self }
     }
 

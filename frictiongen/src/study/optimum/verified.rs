@@ -36,7 +36,7 @@ struct Bounded {
 }
 
 /// The friction ratios that a search compares, and the lowest amplitude that was checked on the grid.
-struct Checks<'b, 's> {
+struct VerifiedFrictions<'b, 's> {
     band: &'b AmplitudeBand<'s>,
     open: Vec<Bounded>,
     best: Option<Scanned>,
@@ -44,7 +44,7 @@ struct Checks<'b, 's> {
     better: f64,
 }
 
-impl Checks<'_, '_> {
+impl VerifiedFrictions<'_, '_> {
     fn add(&mut self, at: Scanned, bracket: Option<[f64; 2]>) {
         let known = self.band.learned();
         self.open.push(Bounded { at, known, bracket });
@@ -174,7 +174,7 @@ pub(super) fn verified(
     band: &AmplitudeBand<'_>,
     scan: &mut Vec<Scanned>,
 ) -> Option<FrictionCandidate> {
-    let mut checks = Checks {
+    let mut checks = VerifiedFrictions {
         band,
         open: Vec::new(),
         best: None,

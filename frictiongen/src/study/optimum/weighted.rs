@@ -1,7 +1,7 @@
 //! Finds the best friction for several quantities: each quantity is divided by a value, and the largest of these
 //! quotients is smallest.
 
-use super::amplitude::Watch;
+use super::amplitude::KeepGoing;
 use super::answer::{Optimum, OptimumEnd, OptimumKind};
 use super::peaks::AmplitudeBand;
 use super::problem::OptimumProblem;
@@ -111,7 +111,7 @@ struct WeightedSearch<'s> {
     bands: Vec<AmplitudeBand<'s>>,
     /// The value by which each quantity is divided.
     over: Vec<f64>,
-    watch: Watch<'s>,
+    watch: KeepGoing<'s>,
     /// Work that the checks of the whole band may still take.
     left: &'s Cell<usize>,
 }

@@ -2,7 +2,7 @@
 
 use super::error::PeriodicError;
 use super::load::Sampled;
-use super::search::Fixed;
+use super::search::FixedPoint;
 use super::walk::Walk;
 use crate::{Complex, Of};
 use frictiongen_kernel::motion::Contact;
@@ -82,7 +82,7 @@ impl PeriodicState {
     pub(super) fn of(
         walk: &mut Walk<'_>,
         load: &Sampled,
-        fixed: &Fixed,
+        fixed: &FixedPoint,
         of: &[Of],
     ) -> Result<Self, PeriodicError> {
         walk.stepper.restart_work();

@@ -46,10 +46,10 @@ pub enum BaseTable {
 
 /// A load over one period, in the units of the scene.
 #[derive(Clone, Debug, PartialEq)]
-pub struct PeriodicLoad(Kind);
+pub struct PeriodicLoad(LoadKind);
 
 #[derive(Clone, Debug, PartialEq)]
-enum Kind {
+enum LoadKind {
     /// Time between samples, and the forces. The list omits the last sample, which repeats the first one.
     Forces(f64, Vec<f64>),
     /// Time between samples, and displacement and velocity of the base.
@@ -60,7 +60,7 @@ enum Kind {
 
 /// Load at one step: displacement and velocity of the base, force, and time derivative of the force.
 #[derive(Clone, Copy, Debug, Default)]
-pub(super) struct Point {
+pub(super) struct LoadPoint {
     pub base: [f64; 2],
     pub force: f64,
     pub slope: f64,
@@ -70,7 +70,7 @@ pub(super) struct Point {
 #[derive(Clone, Debug)]
 pub(super) struct Sampled {
     pub step: f64,
-    pub points: Vec<Point>,
+    pub points: Vec<LoadPoint>,
     /// True if forces are cubic in time between the steps.
     pub cubic: bool,
     /// True if the load is constant in each step.
@@ -79,7 +79,7 @@ pub(super) struct Sampled {
 
 impl Sampled {
     /// Returns the load at a step. The step may lie beyond the first period.
-    pub fn at(&self, step: usize) -> Point {
+    pub fn at(&self, step: usize) -> LoadPoint {
         let place = step.checked_rem(self.points.len()).unwrap_or(0);
         self.points.get(place).copied().unwrap_or_default()
     }
@@ -93,7 +93,10 @@ impl PeriodicLoad {
     /// [`PeriodicError`] for fewer than three samples, for numbers that are not finite, and if the last sample differs
     /// from the first one.
     pub fn forces(step: f64, samples: &[f64]) -> Result<Self, PeriodicError> {
-        Ok(Self(Kind::Forces(step, closed(step, samples)?.to_vec())))
+        Ok(Self(LoadKind::Forces(
+            step,
+            closed(step, samples)?.to_vec(),
+        )))
     }
 
     /// Creates a motion of the base from samples with the time step `step`, in s. The last sample repeats the first
@@ -135,7 +138,7 @@ impl PeriodicLoad {
         for [place, _] in &mut motion {
             *place -= centre;
         }
-        Ok(Self(Kind::Base(step, motion)))
+        Ok(Self(LoadKind::Base(step, motion)))
     }
 
     /// Creates a load as a sum of harmonics of the frequency 1/`period`. The load is the force on the excited mass, or
@@ -155,7 +158,7 @@ impl PeriodicLoad {
         if !(sound && 0.0 < period && period.is_finite()) {
             return Err(PeriodicError::Number);
         }
-        Ok(Self(Kind::Harmonics(period, harmonics.to_vec())))
+        Ok(Self(LoadKind::Harmonics(period, harmonics.to_vec())))
     }
 
     /// Returns the load at the steps of the search, for this system.
@@ -164,9 +167,9 @@ impl PeriodicLoad {
         let moving = scene.excitation == Excitation::Base;
         let hold = scene.stepping.input == StepInput::Hold;
         match &self.0 {
-            Kind::Forces(..) if moving => return Err(PeriodicError::BaseMoves),
-            Kind::Base(..) if !moving => return Err(PeriodicError::BaseAtRest),
-            Kind::Forces(..) => {}
+            LoadKind::Forces(..) if moving => return Err(PeriodicError::BaseMoves),
+            LoadKind::Base(..) if !moving => return Err(PeriodicError::BaseAtRest),
+            LoadKind::Forces(..) => {}
             _ if hold => return Err(PeriodicError::Held),
             _ => {}
         }
@@ -179,43 +182,43 @@ impl PeriodicLoad {
                 .ok_or(PeriodicError::Long)
         };
         let (step, points) = match &self.0 {
-            Kind::Forces(step, forces) => {
+            LoadKind::Forces(step, forces) => {
                 let parts = parts(*step, forces.len())?;
                 let rise = |k: usize| at(forces, (k + 1) % forces.len().max(1)) - at(forces, k);
-                let point = |k: usize, share: f64| Point {
+                let point = |k: usize, share: f64| LoadPoint {
                     force: at(forces, k) + if hold { 0.0 } else { share * rise(k) },
-                    ..Point::default()
+                    ..LoadPoint::default()
                 };
                 (step / parts as f64, divided(forces.len(), parts, point))
             }
-            Kind::Base(step, motion) => {
+            LoadKind::Base(step, motion) => {
                 let parts = parts(*step, motion.len())?;
                 let ends = |k: usize| [k, (k + 1) % motion.len().max(1)];
-                let point = |k: usize, share: f64| Point {
+                let point = |k: usize, share: f64| LoadPoint {
                     base: hermite(
                         ends(k).map(|k| motion.get(k).copied().unwrap_or_default()),
                         *step,
                         share,
                     ),
-                    ..Point::default()
+                    ..LoadPoint::default()
                 };
                 (step / parts as f64, divided(motion.len(), parts, point))
             }
-            Kind::Harmonics(period, harmonics) => {
+            LoadKind::Harmonics(period, harmonics) => {
                 let highest = harmonics.iter().map(|one| one.order).max().unwrap_or(1);
                 let count = IN_A_CYCLE * highest.max(1) as usize;
                 let count = count * parts(period / count as f64, count)?;
                 let points = (0..count).map(|k| {
                     let [value, rate] = summed(harmonics, *period, k as f64 / count as f64);
                     match moving {
-                        true => Point {
+                        true => LoadPoint {
                             base: [value, rate],
-                            ..Point::default()
+                            ..LoadPoint::default()
                         },
-                        false => Point {
+                        false => LoadPoint {
                             force: value,
                             slope: rate,
-                            ..Point::default()
+                            ..LoadPoint::default()
                         },
                     }
                 });
@@ -225,7 +228,7 @@ impl PeriodicLoad {
         Ok(Sampled {
             step,
             points,
-            cubic: matches!(self.0, Kind::Harmonics(..)) && !moving,
+            cubic: matches!(self.0, LoadKind::Harmonics(..)) && !moving,
             hold,
         })
     }
@@ -302,7 +305,7 @@ fn spline(step: f64, places: &[f64]) -> Vec<f64> {
 }
 
 /// Returns the load at the steps of a table in which every time step is divided into equal parts.
-fn divided(count: usize, parts: usize, point: impl Fn(usize, f64) -> Point) -> Vec<Point> {
+fn divided(count: usize, parts: usize, point: impl Fn(usize, f64) -> LoadPoint) -> Vec<LoadPoint> {
     let steps = (0..count).flat_map(|k| (0..parts).map(move |part| (k, part)));
     steps
         .map(|(k, part)| point(k, part as f64 / parts as f64))

@@ -3,7 +3,7 @@
 use super::PeriodicRequest;
 use super::answer::PeriodicState;
 use super::error::PeriodicError;
-use super::walk::{Numbers, Place, Walk};
+use super::walk::{StateNumbers, StepState, Walk};
 use crate::study::System;
 use nalgebra::{Complex, DMatrix, DVector};
 
@@ -46,16 +46,16 @@ const REACHED: f64 = 1e-7;
 const SETTLED: f64 = 1e-10;
 
 /// A state that repeats, with the multipliers of its period.
-pub(super) struct Fixed {
-    pub place: Place,
-    pub numbers: Numbers,
+pub(super) struct FixedPoint {
+    pub place: StepState,
+    pub numbers: StateNumbers,
     pub period: usize,
     pub multipliers: Vec<Complex<f64>>,
     /// Relative difference of the state after a period.
     pub residual: f64,
 }
 
-impl Fixed {
+impl FixedPoint {
     /// Returns the largest modulus of the multipliers.
     pub fn largest(&self) -> f64 {
         self.multipliers
@@ -73,7 +73,7 @@ pub(super) fn steady(
         return Err(PeriodicError::NoSuchMotion(*of));
     }
     let load = request.load.sampled(system)?;
-    let mut search = Search {
+    let mut search = PeriodicSearch {
         walk: Walk::new(system, &load, request.friction)?,
         size: 0.0,
     };
@@ -95,13 +95,13 @@ pub(super) fn steady(
     Err(PeriodicError::NotSteady)
 }
 
-struct Search<'a> {
+struct PeriodicSearch<'a> {
     walk: Walk<'a>,
     /// Size of the motion, which is its largest number at the start of a period.
     size: f64,
 }
 
-impl Search<'_> {
+impl PeriodicSearch<'_> {
     /// Returns numbers of periods after which the motion may repeat: 1, and the number after which the motion is close
     /// to its present state. The function restores the present state.
     fn periods(&mut self, most: usize) -> Result<Vec<usize>, PeriodicError> {
@@ -129,7 +129,7 @@ impl Search<'_> {
 
     /// Searches near the present state for a state that repeats after `period` periods of the load. The function
     /// restores the present state.
-    fn newton(&mut self, period: usize) -> Result<Option<Fixed>, PeriodicError> {
+    fn newton(&mut self, period: usize) -> Result<Option<FixedPoint>, PeriodicError> {
         let here = self.walk.place();
         let found = self.newton_from(here.clone(), period);
         self.walk.go(&here)?;
@@ -138,9 +138,9 @@ impl Search<'_> {
 
     fn newton_from(
         &mut self,
-        mut start: Place,
+        mut start: StepState,
         period: usize,
-    ) -> Result<Option<Fixed>, PeriodicError> {
+    ) -> Result<Option<FixedPoint>, PeriodicError> {
         let mut before = f64::INFINITY;
         for _ in 0..NEWTON {
             self.walk.go(&start)?;
@@ -160,7 +160,7 @@ impl Search<'_> {
                 let mut multipliers: Vec<Complex<f64>> =
                     matrix.complex_eigenvalues().iter().copied().collect();
                 multipliers.sort_by(|a, b| b.norm().total_cmp(&a.norm()));
-                return Ok(Some(Fixed {
+                return Ok(Some(FixedPoint {
                     place: start,
                     numbers: from,
                     period,
@@ -191,8 +191,8 @@ impl Search<'_> {
     /// differences. Returns `None` if a change of the initial state changes the contact state at the end.
     fn differences(
         &mut self,
-        start: &Place,
-        from: &Numbers,
+        start: &StepState,
+        from: &StateNumbers,
         period: usize,
     ) -> Result<Option<DMatrix<f64>>, PeriodicError> {
         let count = from.values.len();
@@ -207,10 +207,10 @@ impl Search<'_> {
                 }
                 self.walk.add(&changes);
                 self.walk.periods(period)?;
-                Ok::<Numbers, PeriodicError>(self.walk.numbers())
+                Ok::<StateNumbers, PeriodicError>(self.walk.numbers())
             };
             let (above, below) = (after(1.0)?, after(-1.0)?);
-            let alike = |numbers: &Numbers| numbers.contact == from.contact;
+            let alike = |numbers: &StateNumbers| numbers.contact == from.contact;
             if !(alike(&above) && alike(&below)) {
                 return Ok(None);
             }
@@ -223,7 +223,7 @@ impl Search<'_> {
 
     /// Returns true if the motion approaches a state as fast as its multipliers predict. The function advances the
     /// motion.
-    fn approaches(&mut self, fixed: &Fixed) -> Result<bool, PeriodicError> {
+    fn approaches(&mut self, fixed: &FixedPoint) -> Result<bool, PeriodicError> {
         let rate = fixed.largest();
         if 1.0 - ON_CIRCLE <= rate {
             let away = self.walk.numbers().away(&fixed.numbers);

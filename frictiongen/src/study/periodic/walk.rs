@@ -22,19 +22,19 @@ pub(super) struct Walk<'a> {
 
 /// State of the motion, and the index of the next step in the period.
 #[derive(Clone)]
-pub(super) struct Place {
+pub(super) struct StepState {
     saved: SystemStepSaved,
     at: usize,
 }
 
 /// Numbers that describe a state. Two states can be compared number by number only if their contact state is the same.
 #[derive(Clone, Debug, PartialEq)]
-pub(super) struct Numbers {
+pub(super) struct StateNumbers {
     pub contact: Contact,
     pub values: Vec<f64>,
 }
 
-impl Numbers {
+impl StateNumbers {
     /// Returns the largest difference between the numbers of two states. It is infinite if the contact slides in one
     /// state and sticks in the other.
     pub fn away(&self, other: &Self) -> f64 {
@@ -141,24 +141,24 @@ impl<'a> Walk<'a> {
     }
 
     /// Returns the present state.
-    pub fn place(&self) -> Place {
-        Place {
+    pub fn place(&self) -> StepState {
+        StepState {
             saved: self.stepper.save(),
             at: self.at,
         }
     }
 
     /// Restores an earlier state.
-    pub fn go(&mut self, place: &Place) -> Result<(), PeriodicError> {
+    pub fn go(&mut self, place: &StepState) -> Result<(), PeriodicError> {
         self.at = place.at;
         Ok(self.stepper.restore(&place.saved)?)
     }
 
     /// Returns the numbers of the present state.
-    pub fn numbers(&mut self) -> Numbers {
+    pub fn numbers(&mut self) -> StateNumbers {
         let mut values = Vec::new();
         self.stepper.visit_state(|value| values.push(*value));
-        Numbers {
+        StateNumbers {
             contact: self.stepper.contact().contact(),
             values,
         }

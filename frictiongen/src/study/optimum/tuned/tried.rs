@@ -2,7 +2,7 @@
 //! respect to that number.
 
 use super::answer::Tuning;
-use crate::study::optimum::amplitude::{FrictionAmount, Watch};
+use crate::study::optimum::amplitude::{FrictionAmount, KeepGoing};
 use crate::study::optimum::peaks::AmplitudeBand;
 use crate::study::optimum::problem::{OptimumProblem, equal_peaks, slope, weights};
 use crate::study::optimum::search::{self, Least, MinimumKind};
@@ -29,7 +29,7 @@ pub(super) struct TunedSearch<'s> {
     pub(super) request: &'s OptimumRequest,
     pub(super) tuning: Tuning,
     pub(super) asked: AtomicUsize,
-    pub(super) watch: Option<Watch<'s>>,
+    pub(super) watch: Option<KeepGoing<'s>>,
 }
 
 /// The best friction at one value of the varied number.
@@ -135,7 +135,7 @@ impl<'s> TunedSearch<'s> {
     }
 
     /// Lets the caller's function stop the search.
-    pub(super) fn watched_by(self, watch: Watch<'s>) -> Self {
+    pub(super) fn watched_by(self, watch: KeepGoing<'s>) -> Self {
         let watch = Some(watch);
         Self { watch, ..self }
     }
