@@ -4,7 +4,7 @@ use crate::failure::Failure;
 use crate::hint;
 use frictiongen::study::UnknownMass;
 pub use frictiongen::study::columns::{CONTACT, MovingPart};
-use frictiongen::study::response::Size;
+use frictiongen::study::response::MotionQuantity;
 use frictiongen::{Of, System};
 use std::ops::RangeInclusive;
 
@@ -24,7 +24,7 @@ impl From<RequestedMass> for MovingPart {
     fn from(mass: RequestedMass) -> Self {
         Self {
             of: Of::Mass(mass.index),
-            size: Size::Displacement,
+            size: MotionQuantity::Displacement,
             name: mass.name,
         }
     }

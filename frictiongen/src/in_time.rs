@@ -96,10 +96,10 @@ pub trait SteadyState {
 }
 
 /// Methods of the kernel's type of a steady state. [`SteadyState`] is implemented for every type that derefs to a type
-/// with `Kept`. The methods need this separate trait. Without it, a later implementation of `Deref` for the kernel's
+/// with `KernelSteady`. The methods need this separate trait. Without it, a later implementation of `Deref` for the kernel's
 /// type would cause two conflicting implementations of [`SteadyState`].
 #[doc(hidden)]
-pub trait Kept {
+pub trait KernelSteady {
     type Scalar: Float;
 
     fn period(&self) -> u32;
@@ -118,7 +118,7 @@ pub trait Kept {
     ) -> Option<T>;
 }
 
-impl<S, P, V, C, K> Kept for Orbit<'_, S, P, V, C, K>
+impl<S, P, V, C, K> KernelSteady for Orbit<'_, S, P, V, C, K>
 where
     K: ContactChain<S>,
     S: Float,
@@ -167,42 +167,42 @@ where
 
 /// Implements [`SteadyState`] for the steady states of emitted scenes and of a `System`. The types of these states
 /// deref to the kernel's steady state.
-impl<O: Deref<Target: Kept>> SteadyState for O {
-    type Scalar = <O::Target as Kept>::Scalar;
+impl<O: Deref<Target: KernelSteady>> SteadyState for O {
+    type Scalar = <O::Target as KernelSteady>::Scalar;
 
     fn period(&self) -> u32 {
-        Kept::period(&**self)
+        KernelSteady::period(&**self)
     }
     fn is_settled(&self) -> bool {
-        Kept::is_settled(&**self)
+        KernelSteady::is_settled(&**self)
     }
     fn stops(&self) -> usize {
-        Kept::stops(&**self)
+        KernelSteady::stops(&**self)
     }
     fn reversals(&self) -> usize {
-        Kept::reversals(&**self)
+        KernelSteady::reversals(&**self)
     }
     fn stuck_fraction(&self) -> Self::Scalar {
-        Kept::stuck_fraction(&**self)
+        KernelSteady::stuck_fraction(&**self)
     }
     fn is_symmetric(&self) -> bool {
-        Kept::is_symmetric(&**self)
+        KernelSteady::is_symmetric(&**self)
     }
     fn is_stable(&self) -> bool {
-        Kept::is_stable(&**self)
+        KernelSteady::is_stable(&**self)
     }
     fn is_marginal(&self) -> bool {
-        Kept::is_marginal(&**self)
+        KernelSteady::is_marginal(&**self)
     }
     fn multipliers(&self) -> &[Complex<Self::Scalar>] {
-        Kept::multipliers(&**self)
+        KernelSteady::multipliers(&**self)
     }
     fn ask<T>(
         &self,
         of: Of,
         question: impl FnOnce(&dyn Periodic<Scalar = Self::Scalar>) -> T,
     ) -> Option<T> {
-        Kept::ask(&**self, of, question)
+        KernelSteady::ask(&**self, of, question)
     }
 }
 

@@ -2,7 +2,7 @@
 
 use crate::question::Question;
 use frictiongen::study::optimum::{FrequencyBand, OptimumEnd, OptimumKind, OptimumRequest};
-use frictiongen::study::response::Size;
+use frictiongen::study::response::MotionQuantity;
 use serde_json::{Value, json};
 
 /// Returns the best friction and the largest amplitude with it.
@@ -10,7 +10,7 @@ pub fn answer(question: &Question) -> Result<Value, String> {
     let system = question.system()?;
     let request = OptimumRequest {
         of: question.motion(),
-        size: Size::Displacement,
+        size: MotionQuantity::Displacement,
         band: FrequencyBand::Ratio(question.from, question.to),
         load: None,
     };

@@ -3,7 +3,7 @@
 use crate::map::{REGIMES, class};
 use crate::question::{Question, picture};
 use frictiongen::study::history::History;
-use frictiongen::study::response::{Size, SystemResponse};
+use frictiongen::study::response::{MotionQuantity, SystemResponse};
 use frictiongen::study::scene::Excitation;
 use frictiongen::{Of, Regime, System};
 use frictiongen_plot::{Axis, Colour, Line, Panel, Point, Stroke};
@@ -81,7 +81,7 @@ fn numbers(system: &System, response: &SystemResponse<'_>) -> Value {
         "masses": masses.collect::<Vec<_>>(),
         "contact": drawn(response, Of::Contact),
         "force": response.contact_force(),
-        "work": response.largest(Of::Contact, Size::Energy),
+        "work": response.largest(Of::Contact, MotionQuantity::Energy),
     })
 }
 

@@ -10,7 +10,7 @@ use crate::work::without_lock;
 use frictiongen::System;
 use frictiongen::study::columns::{Cell, Column, Further, OptimumLine, OptimumTable};
 use frictiongen::study::optimum::{FrequencyBand, Optimum, OptimumRequest, Tuning, Weighted};
-use frictiongen::study::response::Size;
+use frictiongen::study::response::MotionQuantity;
 use pyo3::prelude::*;
 use pyo3::types::{PyDict, PyString};
 
@@ -112,7 +112,7 @@ fn valued(system: &System, measure: &Measure, given: &Bound<'_, PyDict>) -> PyRe
             wrong_type("of: the names of quantities are needed, as in {\"accel(roof)\": 5.0}")
         })?;
         let part = quantity(system, "of", &name)?;
-        if part.size == Size::Damping {
+        if part.size == MotionQuantity::Damping {
             return Err(domain(format_args!(
                 "of: `{name}`: an equivalent damping ratio has no upper bound; leave it out"
             )));

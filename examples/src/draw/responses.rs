@@ -4,7 +4,9 @@ use super::colours::beta_colour;
 use super::limit::at_limit;
 use super::simulated::simulated;
 use super::stuck::stuck;
-use frictiongen::study::curve::{Curve, CurveError, CurvePoint, CurveRequest, End, Piece};
+use frictiongen::study::curve::{
+    Curve, CurveError, CurvePiece, CurvePoint, CurveRequest, PieceEnd,
+};
 use frictiongen::{Of, Regime, System};
 use frictiongen_plot::desk::{self, Drawn, Reading, Scales};
 use frictiongen_plot::{Colour, Layer, Line, Marker, Markers, Panel, Point};
@@ -86,7 +88,7 @@ impl<'a> Responses<'a> {
     pub fn continuous(mut self) -> Self {
         for curve in &mut self.curves {
             let continuous =
-                |piece: &frictiongen::study::curve::Piece| piece.regime == Regime::Continuous;
+                |piece: &frictiongen::study::curve::CurvePiece| piece.regime == Regime::Continuous;
             curve.pieces.retain(continuous);
         }
         self.continuous = true;
@@ -226,7 +228,7 @@ impl<'a> Responses<'a> {
 
 /// Centres a stuck motion. A stuck contact remains where motion from rest has brought the contact, but the thesis
 /// draws the motion about its middle.
-fn centre(piece: &mut Piece) {
+fn centre(piece: &mut CurvePiece) {
     let movements = piece
         .points
         .iter_mut()
@@ -237,22 +239,22 @@ fn centre(piece: &mut Piece) {
 }
 
 /// Splits a piece into runs of steady states. Motions that have not settled are not drawn.
-fn settled(piece: &Piece) -> Vec<Piece> {
+fn settled(piece: &CurvePiece) -> Vec<CurvePiece> {
     let runs = piece.points.split(|point| !point.settled);
     let runs: Vec<_> = runs.filter(|run| !run.is_empty()).collect();
     let last = runs.len().saturating_sub(1);
-    let part = |(index, run): (usize, &&[CurvePoint])| Piece {
+    let part = |(index, run): (usize, &&[CurvePoint])| CurvePiece {
         regime: piece.regime,
         points: run.to_vec(),
         start: if index == 0 {
             piece.start
         } else {
-            End::NoAnswer
+            PieceEnd::NoAnswer
         },
         end: if index == last {
             piece.end
         } else {
-            End::NoAnswer
+            PieceEnd::NoAnswer
         },
     };
     runs.iter().enumerate().map(part).collect()

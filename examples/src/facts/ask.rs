@@ -6,7 +6,7 @@
 pub use crate::draw::chain;
 use frictiongen::study::{
     System,
-    features::{Features, Measured, RegimeRange},
+    features::{Features, InvariantQuantity, RegimeRange},
     orbit::SystemOrbit,
     response::SystemMotion,
 };
@@ -105,7 +105,12 @@ fn features(system: &System) -> Option<Features<'_>> {
 
 /// Finds the invariant points of a motion in a range of r, where `measured` does not depend on friction.
 #[must_use]
-pub fn invariant_points(system: &System, of: Of, measured: Measured, range: [f64; 2]) -> Vec<f64> {
+pub fn invariant_points(
+    system: &System,
+    of: Of,
+    measured: InvariantQuantity,
+    range: [f64; 2],
+) -> Vec<f64> {
     let found = features(system).and_then(|all| all.invariant_points(of, measured, range).ok());
     let found = found.unwrap_or_default();
     found.into_iter().map(|point| point.r).collect()
@@ -113,7 +118,12 @@ pub fn invariant_points(system: &System, of: Of, measured: Measured, range: [f64
 
 /// Finds the bounds of all intervals within a range of r in which friction enlarges a motion.
 #[must_use]
-pub fn inversions(system: &System, of: Of, measured: Measured, range: [f64; 2]) -> Vec<f64> {
+pub fn inversions(
+    system: &System,
+    of: Of,
+    measured: InvariantQuantity,
+    range: [f64; 2],
+) -> Vec<f64> {
     let found = features(system).and_then(|all| all.inversions(of, measured, range).ok());
     let found = found.unwrap_or_default().into_iter();
     found.flat_map(|found| [found.from, found.to]).collect()

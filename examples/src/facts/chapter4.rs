@@ -5,7 +5,7 @@ use super::ask::{
 };
 use super::row::{ROUNDING, Row, formula, number, words};
 use frictiongen::Of;
-use frictiongen::study::features::Measured;
+use frictiongen::study::features::InvariantQuantity;
 use std::f64::consts::TAU;
 
 pub(super) fn rows() -> Vec<Row> {
@@ -14,7 +14,12 @@ pub(super) fn rows() -> Vec<Row> {
 
 fn moving() -> Row {
     let system = base(1.0);
-    let points = invariant_points(&system, Of::Mass(0), Measured::Fundamental, [1.2, 2.0]);
+    let points = invariant_points(
+        &system,
+        Of::Mass(0),
+        InvariantQuantity::Fundamental,
+        [1.2, 2.0],
+    );
     Row {
         id: "F07",
         claim: "one mass on its base: fundamental transmissibility independent of β at r",
@@ -27,7 +32,12 @@ fn moving() -> Row {
 fn fixed() -> Row {
     let system = wall("");
     let growth = |r: f64| growth(&system, |r, beta| fundamental(&system, "m1", r, beta), r);
-    let ends = inversions(&system, Of::Contact, Measured::Fundamental, [0.31, 3.0]);
+    let ends = inversions(
+        &system,
+        Of::Contact,
+        InvariantQuantity::Fundamental,
+        [0.31, 3.0],
+    );
     let (begin, end) = (one_of(&ends, 2, 0), one_of(&ends, 2, 1));
     let grows = (1..100).all(|i| growth(begin + 0.01 * f64::from(i) * (end - begin)) > 0.0);
     let falls = growth(begin - 1e-3) < 0.0 && growth(end + 0.01) < 0.0 && growth(0.7) < 0.0;

@@ -6,7 +6,7 @@ use super::row::{Row, added, claim, formula, number, words};
 use super::walls::thresholds;
 use crate::rig::STOREYS;
 use frictiongen::Of;
-use frictiongen::study::{System, features::Measured};
+use frictiongen::study::{System, features::InvariantQuantity};
 use std::f64::consts::TAU;
 
 /// Mass ratio γ = m₂/m₁ of the two-storey rig, as printed.
@@ -37,7 +37,12 @@ fn limits(system: &System) -> Row {
 }
 
 fn invariants(system: &System) -> Row {
-    let points = invariant_points(system, Of::Mass(0), Measured::Amplitude, [0.71, 4.0]);
+    let points = invariant_points(
+        system,
+        Of::Mass(0),
+        InvariantQuantity::Amplitude,
+        [0.71, 4.0],
+    );
     let mut entries = vec![
         number("estimate, first", "0.778", one_of(&points, 2, 0), 6),
         number("second", "1.213", one_of(&points, 2, 1), 6),
@@ -127,7 +132,12 @@ fn relative() -> Row {
             motion.contact().harmonic(1).norm()
         })
     };
-    let points = invariant_points(&system, Of::Contact, Measured::Fundamental, [1.04, 1.1]);
+    let points = invariant_points(
+        &system,
+        Of::Contact,
+        InvariantQuantity::Fundamental,
+        [1.04, 1.1],
+    );
     let place = one_of(&points, 1, 0);
     let free = (KAPPA / GAMMA).sqrt();
     Row {

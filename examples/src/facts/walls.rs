@@ -9,7 +9,7 @@ use crate::rig::STOREYS;
 use frictiongen::Of;
 use frictiongen::study::{
     System,
-    features::{Condition, Measured},
+    features::{Condition, InvariantQuantity},
 };
 use std::f64::consts::SQRT_2;
 
@@ -96,8 +96,13 @@ fn three() -> Vec<Row> {
 /// Returns the rows F17 to F20: two equal masses, contact and force on m₁.
 fn lower() -> Vec<Row> {
     let system = unit(2, "m1 - wall", "m1");
-    let points = invariant_points(&system, CONTACT, Measured::Amplitude, [0.5, 4.0]);
-    let grows = inversions(&system, Of::Mass(1), Measured::Amplitude, [0.5, 4.0]);
+    let points = invariant_points(&system, CONTACT, InvariantQuantity::Amplitude, [0.5, 4.0]);
+    let grows = inversions(
+        &system,
+        Of::Mass(1),
+        InvariantQuantity::Amplitude,
+        [0.5, 4.0],
+    );
     let without = |r: f64| {
         let at = system.at(r);
         at.map_or(f64::NAN, |at| at.continuous_limit_without_search()) - 0.2
@@ -170,7 +175,7 @@ fn lower() -> Vec<Row> {
 fn receptance(system: &System) -> Vec<f64> {
     let features = system.features(None).ok();
     let points = features.and_then(|all| {
-        all.invariant_points(CONTACT, Measured::Fundamental, [1.0, 4.0])
+        all.invariant_points(CONTACT, InvariantQuantity::Fundamental, [1.0, 4.0])
             .ok()
     });
     let points = points.unwrap_or_default().into_iter();
@@ -183,8 +188,13 @@ fn receptance(system: &System) -> Vec<f64> {
 /// Returns the rows F21 to F25: two equal masses, contact on m₂, force on m₁.
 fn upper() -> Vec<Row> {
     let system = unit(2, "m2 - wall", "m1");
-    let points = invariant_points(&system, CONTACT, Measured::Amplitude, [0.65, 4.0]);
-    let of_m1 = invariant_points(&system, Of::Mass(0), Measured::Amplitude, [0.65, 4.0]);
+    let points = invariant_points(&system, CONTACT, InvariantQuantity::Amplitude, [0.65, 4.0]);
+    let of_m1 = invariant_points(
+        &system,
+        Of::Mass(0),
+        InvariantQuantity::Amplitude,
+        [0.65, 4.0],
+    );
     let meet = |beta: f64, low: f64, high: f64| {
         let difference = |r| amplitude(&system, "m2", r, beta) - amplitude(&system, "m2", r, 0.0);
         // The curves touch at this r and do not cross, because friction lowers the contact's amplitude on both sides.

@@ -6,7 +6,7 @@ use crate::failure::Failure;
 use crate::picture;
 use frictiongen::Of;
 use frictiongen::study::curve::CurveStart;
-use frictiongen::study::response::Size;
+use frictiongen::study::response::MotionQuantity;
 use frictiongen_plot::desk::{Drawn, curve_figure};
 use frictiongen_plot::{Colour, Label};
 use std::io::Write;
@@ -27,7 +27,7 @@ pub fn draw(report: &CurveReport, form: OutputFormat, out: &mut dyn Write) -> Re
         })
         .collect();
     let parts = report.parts.iter();
-    let parts: Vec<(Of, Size, Label)> = parts
+    let parts: Vec<(Of, MotionQuantity, Label)> = parts
         .map(|part| (part.of, part.size, picture::part_name(part)))
         .collect();
     let title = Label::verbatim(&report.system.scene().name);

@@ -6,7 +6,7 @@ use crate::failure::Failure;
 use crate::measure::Measure;
 use frictiongen::System;
 use frictiongen::study::columns::bound;
-use frictiongen::study::response::Size;
+use frictiongen::study::response::MotionQuantity;
 use std::fmt::Display;
 
 /// A quantity and its value, as the command line gives them.
@@ -29,7 +29,7 @@ impl QuantityArgument {
         wrong: &dyn Fn(&dyn Display) -> Failure,
     ) -> Result<Self, Failure> {
         let part = MovingPart::named(system, name).map_err(|error| wrong(&error))?;
-        if part.size == Size::Damping {
+        if part.size == MotionQuantity::Damping {
             return Err(wrong(
                 &"an equivalent damping ratio has no upper bound; leave it out",
             ));

@@ -4,7 +4,9 @@ use crate::args::{FileArgument, RecordingArguments};
 use crate::asked::number_that;
 use crate::failure::{Failure, reason};
 use frictiongen::System;
-use frictiongen::measure::{Column, CsvRequest, Inputs, MeasureError, Measured, Recording, Unit};
+use frictiongen::measure::{
+    CsvColumn, CsvRequest, Inputs, MeasureError, Measured, Recording, Unit,
+};
 use frictiongen_codegen::SizeLimits;
 use std::fs;
 use std::path::Path;
@@ -111,7 +113,7 @@ impl RecordingArguments {
 }
 
 /// Parses a channel `NAME=COLUMN:UNIT`.
-fn column(text: &str) -> Result<Column, Failure> {
+fn column(text: &str) -> Result<CsvColumn, Failure> {
     let wrong = || {
         Failure::new(format_args!(
             "--channel `{text}`: NAME=COLUMN:UNIT is needed, as in lower=AI1:mm"
@@ -126,7 +128,7 @@ fn column(text: &str) -> Result<Column, Failure> {
         return Err(wrong());
     }
     let unit = unit.map(str::parse::<Unit>).transpose();
-    Ok(Column {
+    Ok(CsvColumn {
         name: name.trim().to_owned(),
         column: column.trim().to_owned(),
         unit: unit.map_err(|error| Failure::new(format_args!("--channel `{text}`: {error}")))?,

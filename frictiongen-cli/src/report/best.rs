@@ -8,7 +8,7 @@ use crate::measure::PhysicalQuantity;
 use frictiongen::Of;
 use frictiongen::study::{
     optimum::{FrequencyBand, Optimum, OptimumEnd, OptimumKind, OptimumRequest},
-    response::Size,
+    response::MotionQuantity,
     words,
 };
 use maud::{Markup, html};
@@ -107,7 +107,7 @@ pub fn worst(best: &Result<Vec<Best>, String>) -> Option<(&Best, &Optimum)> {
 fn damping(optimum: &Optimum, asked: &ReportRequest) -> Option<f64> {
     let peak = optimum.peaks.first()?;
     let response = asked.system.at(peak.r).ok()?.response(optimum.beta).ok()?;
-    response.largest(Of::Contact, Size::Damping)
+    response.largest(Of::Contact, MotionQuantity::Damping)
 }
 
 /// Returns words for the reason why every other friction gives a higher amplitude.

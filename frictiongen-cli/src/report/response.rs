@@ -10,7 +10,7 @@ use crate::features::draw::marks;
 use crate::measure::PhysicalQuantity;
 use frictiongen::study::columns::FeatureLine;
 use frictiongen::study::{
-    curve::{Curve, CurveRequest, End},
+    curve::{Curve, CurveRequest, PieceEnd},
     words,
 };
 use frictiongen::{Of, Regime};
@@ -222,7 +222,7 @@ impl Responses {
         };
         let unbounded = |level: &FrictionCurve| {
             let mut pieces = level.curve.pieces.iter();
-            pieces.any(|piece| piece.start == End::Pole || piece.end == End::Pole)
+            pieces.any(|piece| piece.start == PieceEnd::Pole || piece.end == PieceEnd::Pole)
         };
         let on_grid = |index: usize| {
             let cells = self
@@ -289,7 +289,7 @@ impl Responses {
 
     fn pole(level: &FrictionCurve) -> bool {
         let mut pieces = level.curve.pieces.iter();
-        pieces.any(|piece| piece.start == End::Pole || piece.end == End::Pole)
+        pieces.any(|piece| piece.start == PieceEnd::Pole || piece.end == PieceEnd::Pole)
     }
 
     fn peaks(&self, asked: &ReportRequest) -> Markup {

@@ -8,7 +8,7 @@
 )]
 
 use crate::common::{BLOCK, FRAME, failure, output};
-use frictiongen::study::response::Size;
+use frictiongen::study::response::MotionQuantity;
 use frictiongen::{Of, System};
 
 /// The load and the friction of the frame.
@@ -138,7 +138,7 @@ fn equivalent_damping_is_that_of_its_formula() {
     let size = response.swing(Of::Contact).unwrap().amplitude;
     for name in ["zeta_eq", "zeta_eq(base-block)"] {
         let (of, size_of) = system.quantity_named(name).unwrap();
-        assert_eq!(size_of, Size::Damping);
+        assert_eq!(size_of, MotionQuantity::Damping);
         let ratio = response.largest(of, size_of).unwrap();
         let want = 2.0 * 0.3 / (std::f64::consts::PI * size);
         assert!((ratio / want - 1.0).abs() < 1e-13, "{ratio} {want}");
@@ -148,7 +148,7 @@ fn equivalent_damping_is_that_of_its_formula() {
     let frame: System = std::fs::read_to_string(FRAME).unwrap().parse().unwrap();
     for (system, ratio) in [(&system, None), (&frame, Some(0.0))] {
         let stuck = system.at(0.6).unwrap().response(9.0).unwrap();
-        assert_eq!(stuck.largest(Of::Contact, Size::Damping), ratio);
+        assert_eq!(stuck.largest(Of::Contact, MotionQuantity::Damping), ratio);
     }
     let message = failure(
         "",
@@ -363,7 +363,12 @@ fn every_point_of_a_curve_under_a_load_over_frequency() {
             let by_hand = [
                 beta,
                 length * response.swing(upper).unwrap().amplitude,
-                length * omega * omega * response.largest(upper, Size::Acceleration).unwrap(),
+                length
+                    * omega
+                    * omega
+                    * response
+                        .largest(upper, MotionQuantity::Acceleration)
+                        .unwrap(),
                 stiffness * length * response.contact_force(),
                 stiffness * length * length * response.friction_work(),
             ];

@@ -9,7 +9,7 @@
 use crate::common::{BLOCK, FRAME, failure, json, output};
 use frictiongen::System;
 use frictiongen::study::optimum::{FrequencyBand, OptimumRequest};
-use frictiongen::study::response::Size;
+use frictiongen::study::response::MotionQuantity;
 use frictiongen::{Of, Regime};
 use serde_json::Value;
 
@@ -130,7 +130,7 @@ fn the_numbers_are_the_librarys() {
     }
     let request = OptimumRequest {
         of: Of::Mass(0),
-        size: Size::Displacement,
+        size: MotionQuantity::Displacement,
         band: FrequencyBand::Ratio(0.5, 2.0),
         load: None,
     };
@@ -238,7 +238,7 @@ fn the_best_friction_is_the_optimum() {
     let optimum = system
         .optimum(&OptimumRequest {
             of: Of::Mass(2),
-            size: Size::Displacement,
+            size: MotionQuantity::Displacement,
             band: FrequencyBand::Ratio(0.15, 1.2),
             load: None,
         })

@@ -5,8 +5,8 @@ use super::scales::Scales;
 use crate::{
     Axis, Colour, Figure, Key, Label, LegendSample, Line, Marker, Markers, Panel, Point, Stroke,
 };
-use frictiongen::study::curve::{Curve, CurvePoint, End, Piece};
-use frictiongen::study::response::Size;
+use frictiongen::study::curve::{Curve, CurvePiece, CurvePoint, PieceEnd};
+use frictiongen::study::response::MotionQuantity;
 use frictiongen::study::units::polar;
 use frictiongen::{Of, Regime};
 
@@ -19,7 +19,7 @@ pub enum Reading {
     /// The phase of the motion in degrees.
     Phase,
     /// The largest velocity or acceleration of the motion. The curve must contain it.
-    Rate(Size),
+    Rate(MotionQuantity),
     /// The amplitude of a harmonic, by its index among the requested harmonics.
     Harmonic(usize),
     /// The phase of a harmonic in degrees, by its index among the requested harmonics.
@@ -82,7 +82,13 @@ impl Reading {
     }
 
     /// Returns the amplitude to draw at a point of a piece, in the unit of the axis.
-    fn size(self, piece: &Piece, point: &CurvePoint, part: usize, scales: &Scales) -> Option<f64> {
+    fn size(
+        self,
+        piece: &CurvePiece,
+        point: &CurvePoint,
+        part: usize,
+        scales: &Scales,
+    ) -> Option<f64> {
         if self == Self::Amplitude && piece.regime == Regime::Stuck {
             let centred = point.movements.get(part)?.centred;
             return Some(scales.length_at(point.r, centred));
@@ -103,12 +109,12 @@ impl Reading {
             Self::Rate(size) => {
                 let (velocity, acceleration) = movement.rates?;
                 let rate = match size {
-                    Size::Displacement => movement.swing.amplitude,
-                    Size::Velocity => velocity,
-                    Size::Acceleration => acceleration,
-                    Size::Force => point.contact_force,
-                    Size::Energy => point.friction_work,
-                    Size::Damping => movement.damping?,
+                    MotionQuantity::Displacement => movement.swing.amplitude,
+                    MotionQuantity::Velocity => velocity,
+                    MotionQuantity::Acceleration => acceleration,
+                    MotionQuantity::Force => point.contact_force,
+                    MotionQuantity::Energy => point.friction_work,
+                    MotionQuantity::Damping => movement.damping?,
                 };
                 (rate, None)
             }
@@ -144,7 +150,7 @@ fn traced(
 }
 
 /// Returns the phases of a piece in degrees, in (−180, 180], as runs of neighbouring points.
-fn phases(piece: &Piece, part: usize, reading: Reading, scales: &Scales) -> Vec<Vec<Point>> {
+fn phases(piece: &CurvePiece, part: usize, reading: Reading, scales: &Scales) -> Vec<Vec<Point>> {
     let sizes = piece.points.iter();
     let sizes: Vec<Point> = sizes
         .filter_map(|point| Some((point.r, reading.polar(point, part)?.0)))
@@ -290,7 +296,7 @@ fn top(drawn: &[Drawn<'_>], part: usize, reading: Reading, scales: &Scales) -> f
         let pieces = &drawn.curve.pieces;
         let pole = pieces
             .iter()
-            .any(|piece| piece.start == End::Pole || piece.end == End::Pole);
+            .any(|piece| piece.start == PieceEnd::Pole || piece.end == PieceEnd::Pole);
         let points = || {
             pieces.iter().flat_map(|piece| {
                 let read =
@@ -337,13 +343,13 @@ fn exceeded(points: &[Point], share: f64) -> f64 {
 pub fn curve_figure(
     title: impl Into<Label>,
     drawn: &[Drawn<'_>],
-    parts: &[(Of, Size, Label)],
+    parts: &[(Of, MotionQuantity, Label)],
     scales: &Scales,
 ) -> Figure {
     let mut panels = Vec::new();
     for (index, (of, size, part)) in parts.iter().enumerate() {
         let scales = &scales.showing(*of);
-        if *size != Size::Displacement {
+        if *size != MotionQuantity::Displacement {
             let reading = Reading::Rate(*size);
             panels.push(panel(part.clone(), drawn, index, reading, scales));
             continue;
@@ -366,7 +372,7 @@ mod tests {
     use super::{Drawn, Reading, Scales, curve_figure, traced};
     use crate::Colour;
     use frictiongen::study::curve::CurveRequest;
-    use frictiongen::study::response::Size;
+    use frictiongen::study::response::MotionQuantity;
     use frictiongen::{Of, System};
 
     /// Checks that the figure shows a phase wherever it has significant digits. The test uses the last mass of a long
@@ -420,7 +426,7 @@ mod tests {
                 curve_figure(
                     "",
                     &drawn,
-                    &[(Of::Mass(4), Size::Displacement, "e".into())],
+                    &[(Of::Mass(4), MotionQuantity::Displacement, "e".into())],
                     &scales,
                 )
                 .svg(),

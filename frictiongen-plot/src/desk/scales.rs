@@ -1,7 +1,7 @@
 //! Units of the axes of a figure: non-dimensional groups or physical units.
 
 use crate::{Axis, Label};
-use frictiongen::study::{response::Size, scene::Excitation, units::LoadScale};
+use frictiongen::study::{response::MotionQuantity, scene::Excitation, units::LoadScale};
 use frictiongen::{Of, System};
 
 /// Smallest value on a logarithmic axis, as a fraction of the largest value.
@@ -288,7 +288,7 @@ impl Scales {
 
     /// Converts the largest velocity or acceleration at the frequency ratio r to the unit of its axis.
     #[must_use]
-    pub fn rate_at(&self, size: Size, r: f64, ratio: f64) -> f64 {
+    pub fn rate_at(&self, size: MotionQuantity, r: f64, ratio: f64) -> f64 {
         let Some(load) = self.load else {
             return ratio;
         };
@@ -296,31 +296,35 @@ impl Scales {
         let value = ratio * self.unit_at(r);
         let displacement = load.displacement(value);
         match size {
-            Size::Displacement => displacement * 1e3,
-            Size::Velocity => displacement * omega * 1e3,
-            Size::Acceleration => displacement * omega * omega,
-            Size::Force => load.friction(value),
-            Size::Energy => load.displacement(load.friction(value)) * self.unit_at(r),
-            Size::Damping => ratio,
+            MotionQuantity::Displacement => displacement * 1e3,
+            MotionQuantity::Velocity => displacement * omega * 1e3,
+            MotionQuantity::Acceleration => displacement * omega * omega,
+            MotionQuantity::Force => load.friction(value),
+            MotionQuantity::Energy => load.displacement(load.friction(value)) * self.unit_at(r),
+            MotionQuantity::Damping => ratio,
         }
     }
 
     /// Returns the label of an axis of largest displacements, velocities or accelerations.
     #[must_use]
-    pub fn size_label(&self, size: Size) -> Label {
+    pub fn size_label(&self, size: MotionQuantity) -> Label {
         match (size, self.load) {
-            (Size::Displacement, _) => self.length_label(),
-            (Size::Velocity, Some(_)) => "velocity amplitude (mm/s)".into(),
-            (Size::Velocity, None) => "amplitude of d*x̄*/d*τ*".into(),
-            (Size::Acceleration, Some(_)) => "acceleration amplitude (m/s²)".into(),
-            (Size::Acceleration, None) => "amplitude of d²*x̄*/d*τ*²".into(),
-            (Size::Force, Some(_)) => "force of the contact (N)".into(),
-            (Size::Force, None) if self.base_motion => "force of the contact over *k*_1*Y*".into(),
-            (Size::Force, None) => "force of the contact over *P*".into(),
-            (Size::Damping, _) => "equivalent damping ratio *ζ*_eq".into(),
-            (Size::Energy, Some(_)) => "energy in a cycle (J)".into(),
-            (Size::Energy, None) if self.base_motion => "energy in a cycle over *k*_1*Y*²".into(),
-            (Size::Energy, None) => "energy in a cycle over *P*²/*k*_1".into(),
+            (MotionQuantity::Displacement, _) => self.length_label(),
+            (MotionQuantity::Velocity, Some(_)) => "velocity amplitude (mm/s)".into(),
+            (MotionQuantity::Velocity, None) => "amplitude of d*x̄*/d*τ*".into(),
+            (MotionQuantity::Acceleration, Some(_)) => "acceleration amplitude (m/s²)".into(),
+            (MotionQuantity::Acceleration, None) => "amplitude of d²*x̄*/d*τ*²".into(),
+            (MotionQuantity::Force, Some(_)) => "force of the contact (N)".into(),
+            (MotionQuantity::Force, None) if self.base_motion => {
+                "force of the contact over *k*_1*Y*".into()
+            }
+            (MotionQuantity::Force, None) => "force of the contact over *P*".into(),
+            (MotionQuantity::Damping, _) => "equivalent damping ratio *ζ*_eq".into(),
+            (MotionQuantity::Energy, Some(_)) => "energy in a cycle (J)".into(),
+            (MotionQuantity::Energy, None) if self.base_motion => {
+                "energy in a cycle over *k*_1*Y*²".into()
+            }
+            (MotionQuantity::Energy, None) => "energy in a cycle over *P*²/*k*_1".into(),
         }
     }
 

@@ -31,7 +31,7 @@ pub(super) struct Linearised {
 
 /// Result of a fit: parameters, sum of squares, and the directions that the data determine.
 #[derive(Debug)]
-pub(super) struct Fit {
+pub(super) struct FitResult {
     pub(super) parameters: Vec<f64>,
     /// True if the steps converged.
     pub(super) settled: bool,
@@ -50,7 +50,7 @@ pub(super) struct Fit {
     directions: Vec<(DVector<f64>, f64)>,
 }
 
-impl Fit {
+impl FitResult {
     /// Returns the variance of a quantity, if the residuals have the standard deviation 1. `gradient` contains the
     /// derivatives of the quantity with respect to the parameters. The variance is infinite if the data do not
     /// determine the quantity.
@@ -114,7 +114,7 @@ pub(super) fn minimise(
     bounds: &[(f64, f64)],
     residuals: impl Fn(&[f64]) -> Option<DVector<f64>>,
     linearise: impl Fn(&[f64]) -> Option<Linearised>,
-) -> Option<Fit> {
+) -> Option<FitResult> {
     let mut at = start.to_vec();
     let mut lines = linearise(&at)?;
     let mut squares = lines.residuals.norm_squared();
@@ -177,7 +177,7 @@ pub(super) fn minimise(
 }
 
 /// Returns the result of a fit. A singular value decomposition gives the directions that the data determine.
-fn judged(parameters: Vec<f64>, squares: f64, jacobian: &DMatrix<f64>) -> Fit {
+fn judged(parameters: Vec<f64>, squares: f64, jacobian: &DMatrix<f64>) -> FitResult {
     let mut scaled = jacobian.clone();
     let sizes = sizes(&parameters, jacobian);
     for (index, size) in sizes.iter().enumerate() {
@@ -198,7 +198,7 @@ fn judged(parameters: Vec<f64>, squares: f64, jacobian: &DMatrix<f64>) -> Fit {
         });
         direction.collect()
     });
-    Fit {
+    FitResult {
         parameters,
         sizes,
         settled: false,

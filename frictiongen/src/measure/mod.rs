@@ -39,7 +39,7 @@ pub use identify::{
     Datum, Estimate, Explained, Identified, IdentifyRequest, Observation, Unknown, Using, Verdict,
 };
 pub use measured::{Measured, Transmissibility};
-pub use recording::{Channel, Column, CsvRequest, Dimension, Recording, Unit};
+pub use recording::{Channel, CsvColumn, CsvRequest, Dimension, Recording, Unit};
 pub use regression::Regression;
 #[doc(hidden)]
 pub use spectrum::{PeakResponse, periods, response_spectrum};

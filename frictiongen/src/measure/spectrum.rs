@@ -77,12 +77,12 @@ struct Oscillator {
 /// One time step of an oscillator, as a linear map. The state [u, u′] at the end of the step is a sum of two products:
 /// `state` times the state at the start, and `load` times the accelerations of the base at start and end.
 #[derive(Clone, Copy, Debug)]
-struct Step {
+struct OscillatorStep {
     state: [[f64; 2]; 2],
     load: [[f64; 2]; 2],
 }
 
-impl Step {
+impl OscillatorStep {
     fn of(&self, [u, v]: [f64; 2], [a, b]: [f64; 2]) -> [f64; 2] {
         let [su, sv] = self.state;
         let [la, lb] = self.load;
@@ -119,8 +119,8 @@ impl Oscillator {
         [line(t) + free, slope + turned - decay * free]
     }
 
-    fn step(&self, h: f64) -> Step {
-        Step {
+    fn step(&self, h: f64) -> OscillatorStep {
+        OscillatorStep {
             state: [[1.0, 0.0], [0.0, 1.0]].map(|state| self.moved(state, 0.0, 0.0, h)),
             load: [
                 self.moved([0.0; 2], 1.0, -1.0 / h, h),

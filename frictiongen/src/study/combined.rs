@@ -19,7 +19,7 @@ use frictiongen_model::scene::{Excitation, Node, Spring};
 
 /// A weighted sum of the displacements of masses and of the moving base.
 #[derive(Clone, Debug)]
-struct Terms {
+struct WeightedSum {
     masses: Vec<(usize, Dd)>,
     base: Dd,
 }
@@ -66,7 +66,7 @@ impl<S: Copy> Combined<S> {
     }
 }
 
-impl Terms {
+impl WeightedSum {
     fn none() -> Self {
         Self {
             masses: Vec::new(),
@@ -184,9 +184,9 @@ impl<S: Float> System<S> {
         alone || self.simplest(of) == Of::Contact || self.is_reversed_contact(of)
     }
 
-    fn terms(&self, of: Of) -> Terms {
+    fn terms(&self, of: Of) -> WeightedSum {
         let one = Dd::constant(1.0);
-        let mut terms = Terms::none();
+        let mut terms = WeightedSum::none();
         match of {
             Of::Contact => {}
             Of::Mass(index) => terms.add(Node::Mass(index), one),
@@ -241,7 +241,7 @@ impl<S: Float> System<S> {
     /// components to about 30 digits. With these digits, the difference of two nearly equal motions stays accurate.
     fn combined<'e>(
         &self,
-        terms: &Terms,
+        terms: &WeightedSum,
         own: &[S],
         modes: usize,
         exact: impl FnOnce() -> &'e [Dd],

@@ -1,7 +1,7 @@
 //! Names of motions: `roof`, `roof-base`, `roof-first`, `spring(first-roof)`, `shear`, `contact`.
 
 use super::error::UnknownMass;
-use super::response::Size;
+use super::response::MotionQuantity;
 use super::system::System;
 use crate::Of;
 use frictiongen_kernel::Float;
@@ -157,11 +157,11 @@ impl<S: Float> System<S> {
     /// Returns the motion with this name, and the quantity (displacement, velocity or acceleration). `vel(roof)` is the
     /// velocity and `accel(roof)` the acceleration of the motion `roof`. `slip(contact)` is the relative displacement
     /// in the contact, `force(contact)` its largest force, and `energy(contact)` the energy that it takes in a cycle.
-    /// `zeta_eq` is the equivalent viscous damping ratio of the contact ([`Size::Damping`]), and `zeta_eq(first-roof)` the
+    /// `zeta_eq` is the equivalent viscous damping ratio of the contact ([`MotionQuantity::Damping`]), and `zeta_eq(first-roof)` the
     /// ratio relative to the spring between `first` and `roof`. Any other name means a displacement or a force.
     ///
     /// ```
-    /// use frictiongen::study::response::Size;
+    /// use frictiongen::study::response::MotionQuantity;
     /// use frictiongen::{Of, System};
     ///
     /// # fn main() -> Result<(), Box<dyn std::error::Error>> {
@@ -173,25 +173,25 @@ impl<S: Float> System<S> {
     ///     damping: modal(0.01),
     /// }"
     /// .parse()?;
-    /// assert_eq!(frame.quantity_named("accel(roof)")?, (Of::Mass(1), Size::Acceleration));
-    /// assert_eq!(frame.quantity_named("vel(roof-base)")?, (Of::FromBase(1), Size::Velocity));
+    /// assert_eq!(frame.quantity_named("accel(roof)")?, (Of::Mass(1), MotionQuantity::Acceleration));
+    /// assert_eq!(frame.quantity_named("vel(roof-base)")?, (Of::FromBase(1), MotionQuantity::Velocity));
     /// # Ok(())
     /// # }
     /// ```
     ///
     /// # Errors
     /// Same errors as [`motion_named`](Self::motion_named), and [`UnknownMotion::Rate`] for the velocity of a force.
-    pub fn quantity_named(&self, name: &str) -> Result<(Of, Size), UnknownMotion> {
+    pub fn quantity_named(&self, name: &str) -> Result<(Of, MotionQuantity), UnknownMotion> {
         let name = name.trim();
         if let Some(of) = self.damping_named(name)? {
-            return Ok((of, Size::Damping));
+            return Ok((of, MotionQuantity::Damping));
         }
         let functions = [
-            ("slip(", Size::Displacement),
-            ("vel(", Size::Velocity),
-            ("accel(", Size::Acceleration),
-            ("force(", Size::Force),
-            ("energy(", Size::Energy),
+            ("slip(", MotionQuantity::Displacement),
+            ("vel(", MotionQuantity::Velocity),
+            ("accel(", MotionQuantity::Acceleration),
+            ("force(", MotionQuantity::Force),
+            ("energy(", MotionQuantity::Energy),
         ];
         for (function, size) in functions {
             let Some(inside) = name.strip_prefix(function) else {
@@ -200,17 +200,25 @@ impl<S: Float> System<S> {
             let inside = inside.strip_suffix(')');
             let inside = inside.ok_or_else(|| UnknownMotion::Brackets(name.to_owned()))?;
             let of = self.motion_named(inside)?;
-            if of.is_force() && matches!(size, Size::Velocity | Size::Acceleration) {
+            if of.is_force()
+                && matches!(
+                    size,
+                    MotionQuantity::Velocity | MotionQuantity::Acceleration
+                )
+            {
                 return Err(UnknownMotion::Rate(inside.trim().to_owned()));
             }
-            let of_contact = matches!(size, Size::Displacement | Size::Force | Size::Energy);
+            let of_contact = matches!(
+                size,
+                MotionQuantity::Displacement | MotionQuantity::Force | MotionQuantity::Energy
+            );
             if of_contact && of != Of::Contact {
                 let function = function.trim_end_matches('(').to_owned();
                 return Err(UnknownMotion::Slip(function, inside.trim().to_owned()));
             }
             return Ok((of, size));
         }
-        Ok((self.motion_named(name)?, Size::Displacement))
+        Ok((self.motion_named(name)?, MotionQuantity::Displacement))
     }
 
     /// Returns the name of a motion in the form that [`motion_named`](Self::motion_named) reads. A question mark

@@ -6,7 +6,7 @@
 
 use super::golden::smallest;
 use super::motion::SystemMotion;
-use super::response::Size;
+use super::response::MotionQuantity;
 use crate::Of;
 use std::convert::Infallible;
 use std::f64::consts::PI;
@@ -26,10 +26,10 @@ const LAST: f64 = 1.0 - f64::EPSILON;
 /// Returns the largest |dx̄/dτ| or |d²x̄/dτ²| of a continuous motion. Returns `None` if the scene has no such motion.
 ///
 /// The function searches one half period, because the motion repeats with the opposite sign afterwards.
-pub(super) fn largest_rate(motion: &SystemMotion<'_>, of: Of, size: Size) -> Option<f64> {
+pub(super) fn largest_rate(motion: &SystemMotion<'_>, of: Of, size: MotionQuantity) -> Option<f64> {
     let steady = motion.motion_of(of)?;
     let at = |tau: f64| match size {
-        Size::Acceleration => steady.acceleration(tau).abs(),
+        MotionQuantity::Acceleration => steady.acceleration(tau).abs(),
         _ => steady.velocity(tau).abs(),
     };
     let fastest = motion.at().scene().resonances().last().copied();

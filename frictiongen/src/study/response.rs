@@ -72,7 +72,7 @@ impl Swing {
 /// Selects a quantity of a motion: displacement, velocity, acceleration, or a quantity of the contact. The largest
 /// displacement, velocity or acceleration is in units of P/k₁ (of Y for base motion).
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-pub enum Size {
+pub enum MotionQuantity {
     /// The largest displacement |x̄|.
     Displacement,
     /// The largest velocity |dx̄/dτ|. Multiply by ω for the velocity in time.
@@ -224,16 +224,16 @@ impl SystemResponse<'_> {
     ///
     /// An acceleration jumps when the friction force jumps. The result includes the values on both sides of a jump.
     #[must_use]
-    pub fn largest(&self, of: Of, size: Size) -> Option<f64> {
+    pub fn largest(&self, of: Of, size: MotionQuantity) -> Option<f64> {
         match size {
-            Size::Displacement => return Some(self.swing(of)?.amplitude),
-            Size::Force => return (of == Of::Contact).then(|| self.contact_force()),
-            Size::Energy => return (of == Of::Contact).then(|| self.friction_work()),
-            Size::Damping => {
+            MotionQuantity::Displacement => return Some(self.swing(of)?.amplitude),
+            MotionQuantity::Force => return (of == Of::Contact).then(|| self.contact_force()),
+            MotionQuantity::Energy => return (of == Of::Contact).then(|| self.friction_work()),
+            MotionQuantity::Damping => {
                 let centred = |of| self.centred_amplitude(of);
                 return equivalent_damping(self.system(), of, self.friction_work(), centred);
             }
-            Size::Velocity | Size::Acceleration => {}
+            MotionQuantity::Velocity | MotionQuantity::Acceleration => {}
         }
         match self {
             Self::Continuous(motion) => largest_rate(motion, of, size),
@@ -326,10 +326,10 @@ pub(super) fn equivalent_damping(
 }
 
 /// Returns the largest velocity or acceleration in a steady state. For displacement, returns the amplitude.
-fn fastest(orbit: &SystemOrbit<'_>, of: Of, size: Size) -> Option<f64> {
+fn fastest(orbit: &SystemOrbit<'_>, of: Of, size: MotionQuantity) -> Option<f64> {
     orbit.ask_of(of, |motion| match size {
-        Size::Velocity => motion.largest_velocity(),
-        Size::Acceleration => motion.largest_acceleration(),
+        MotionQuantity::Velocity => motion.largest_velocity(),
+        MotionQuantity::Acceleration => motion.largest_acceleration(),
         _ => motion.amplitude(),
     })
 }

@@ -2,7 +2,7 @@
 
 use super::{
     StudyError, SystemAt,
-    features::{Certainty, Condition, Edge, InvariantPoint, Measured},
+    features::{Certainty, Condition, Edge, InvariantPoint, InvariantQuantity},
     optimum::{OptimumEnd, OptimumKind},
     orbit::SystemOrbit,
     response::SystemResponse,
@@ -246,10 +246,10 @@ pub fn no_derivative(error: &StudyError) -> Option<&'static str> {
 
 /// Returns the word for the quantity that is independent of friction at an invariant point.
 #[must_use]
-pub fn measured(measured: Measured) -> &'static str {
+pub fn measured(measured: InvariantQuantity) -> &'static str {
     match measured {
-        Measured::Amplitude => "amplitude",
-        Measured::Fundamental => "fundamental",
+        InvariantQuantity::Amplitude => "amplitude",
+        InvariantQuantity::Fundamental => "fundamental",
     }
 }
 

@@ -1,7 +1,7 @@
 //! Features of a response with an elastic contact: resonances of the stuck chain, ranges in which the contact slides, and
 //! peaks.
 
-use frictiongen::study::features::Measured;
+use frictiongen::study::features::InvariantQuantity;
 use frictiongen::study::sensitivity::{Parameter, Quantity};
 use frictiongen::study::{System, features::Certainty};
 use frictiongen::{Of, Regime};
@@ -162,7 +162,7 @@ fn peaks_are_the_largest_amplitudes() {
             "{largest}"
         );
     }
-    for measured in [Measured::Amplitude, Measured::Fundamental] {
+    for measured in [InvariantQuantity::Amplitude, InvariantQuantity::Fundamental] {
         let undamped: System = SCENES[2].replace(": K,", ": 150.0,").parse().unwrap();
         let features = undamped.features(None).unwrap();
         assert!(

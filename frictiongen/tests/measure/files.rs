@@ -1,7 +1,7 @@
 //! CSV and UFF58 files, written and read again.
 
 use crate::made::Noise;
-use frictiongen::measure::{Channel, Column, CsvRequest, MeasureError, Recording, Unit};
+use frictiongen::measure::{Channel, CsvColumn, CsvRequest, MeasureError, Recording, Unit};
 
 fn some() -> Recording {
     let mut noise = Noise::new(9);
@@ -60,7 +60,7 @@ fn other_programs_write_it_otherwise() {
         );
     }
     // The header does not name the columns, so the request does.
-    let column = |name: &str, column: &str| Column {
+    let column = |name: &str, column: &str| CsvColumn {
         name: name.into(),
         column: column.into(),
         unit: Some(Unit::MILLIMETRE),

@@ -1,7 +1,7 @@
 //! Relative displacements, spring forces and the base shear, against the motions of the masses and Newton's law.
 
 use crate::answers::frames::frame;
-use frictiongen::study::response::{Size, SystemResponse};
+use frictiongen::study::response::{MotionQuantity, SystemResponse};
 use frictiongen::study::scene::{Node, Spring};
 use frictiongen::{Of, System};
 use std::f64::consts::TAU;
@@ -122,7 +122,9 @@ fn compare(
         largest = largest.max(x.abs());
     }
     let swing = response.swing(of).expect("a motion");
-    let accelerations = response.largest(of, Size::Acceleration).expect("a motion");
+    let accelerations = response
+        .largest(of, MotionQuantity::Acceleration)
+        .expect("a motion");
     // Between two samples a motion exceeds them by at most a parabola of half a step. A stuck chain's acceleration is
     // that of its centred motion.
     let step = 0.5 * TAU / f64::from(SAMPLES);

@@ -5,7 +5,7 @@
 //! ```
 
 use frictiongen::Of;
-use frictiongen::study::response::Size;
+use frictiongen::study::response::MotionQuantity;
 use frictiongen::study::{
     System,
     optimum::{FrequencyBand, Optimum, OptimumEnd, OptimumError, OptimumKind, OptimumRequest},
@@ -33,7 +33,7 @@ fn asked(text: &str, name: &str, from: f64, to: f64) -> (System, OptimumRequest)
     let system: System = text.parse().expect("a valid scene");
     let request = OptimumRequest {
         of: system.motion_named(name).expect("a motion"),
-        size: Size::Displacement,
+        size: MotionQuantity::Displacement,
         band: FrequencyBand::Ratio(from, to),
         load: None,
     };

@@ -1,7 +1,7 @@
 //! Tests the best friction against maps near it, and the counts in its result.
 
 use frictiongen::Of;
-use frictiongen::study::response::Size;
+use frictiongen::study::response::MotionQuantity;
 use frictiongen::study::{
     System,
     optimum::{FrequencyBand, Optimum, OptimumKind, OptimumRequest},
@@ -14,7 +14,7 @@ fn optimum(text: &str, name: &str, band: [f64; 2]) -> (System, Of, Optimum) {
     let of = system.motion_named(name).expect("a motion");
     let request = OptimumRequest {
         of,
-        size: Size::Displacement,
+        size: MotionQuantity::Displacement,
         band: FrequencyBand::Ratio(band[0], band[1]),
         load: None,
     };
@@ -133,7 +133,7 @@ fn sensitivities_of_two_equal_peaks() {
         let system: System = text.parse().expect("a valid scene");
         let request = OptimumRequest {
             of: Of::Mass(0),
-            size: Size::Displacement,
+            size: MotionQuantity::Displacement,
             band: FrequencyBand::Ratio(0.75, 1.25),
             load: Some(Load::Force(2.0)),
         };

@@ -8,7 +8,7 @@ use frictiongen::study::{
         FrequencyBand, KeptQuantity, Optimum, OptimumEnd, OptimumError, OptimumKind,
         OptimumRequest, Tuning, Weighted,
     },
-    response::Size,
+    response::MotionQuantity,
     units::Load,
 };
 use std::sync::atomic::{AtomicUsize, Ordering};
@@ -40,7 +40,13 @@ fn amplitude(load: Load, hertz: f64) -> f64 {
 
 /// Returns a quantity in SI units at a frequency in Hz and a friction force in N. The load is computed by hand, and the
 /// steady state is followed from rest.
-fn quantity(system: &System, (of, size): (Of, Size), load: Load, hertz: f64, newtons: f64) -> f64 {
+fn quantity(
+    system: &System,
+    (of, size): (Of, MotionQuantity),
+    load: Load,
+    hertz: f64,
+    newtons: f64,
+) -> f64 {
     let omega = 2.0 * std::f64::consts::PI * hertz;
     let scene = system.scene();
     let (mass, stiffness) = (scene.masses[0].value, scene.springs[0].stiffness);
@@ -58,13 +64,13 @@ fn quantity(system: &System, (of, size): (Of, Size), load: Load, hertz: f64, new
     };
     let value = response.largest(of, size).expect("a quantity");
     match size {
-        Size::Displacement if of.is_force() => value * force,
-        Size::Displacement => value * length,
-        Size::Velocity => value * length * omega,
-        Size::Acceleration => value * length * omega * omega,
-        Size::Force => value * force,
-        Size::Energy => value * force * length,
-        Size::Damping => value,
+        MotionQuantity::Displacement if of.is_force() => value * force,
+        MotionQuantity::Displacement => value * length,
+        MotionQuantity::Velocity => value * length * omega,
+        MotionQuantity::Acceleration => value * length * omega * omega,
+        MotionQuantity::Force => value * force,
+        MotionQuantity::Energy => value * force * length,
+        MotionQuantity::Damping => value,
     }
 }
 
@@ -106,13 +112,13 @@ fn physical(system: &System, request: &OptimumRequest, optimum: &Optimum) -> (f6
         .expect("a scale");
     let omega = system.angular_frequency(1.0);
     let unit = match request.size {
-        Size::Displacement if request.of.is_force() => scale.force(),
-        Size::Displacement => scale.length(),
-        Size::Velocity => scale.length() * omega,
-        Size::Acceleration => scale.length() * omega * omega,
-        Size::Force => scale.force(),
-        Size::Energy => scale.force() * scale.length(),
-        Size::Damping => 1.0,
+        MotionQuantity::Displacement if request.of.is_force() => scale.force(),
+        MotionQuantity::Displacement => scale.length(),
+        MotionQuantity::Velocity => scale.length() * omega,
+        MotionQuantity::Acceleration => scale.length() * omega * omega,
+        MotionQuantity::Force => scale.force(),
+        MotionQuantity::Energy => scale.force() * scale.length(),
+        MotionQuantity::Damping => 1.0,
     };
     (scale.friction(optimum.beta), unit * optimum.amplitude)
 }
@@ -196,7 +202,7 @@ fn trivial_answers_are_named() {
         assert_eq!(optimum.kind, OptimumKind::Trivial, "{of}: {optimum:?}");
     }
     let wrong = OptimumRequest {
-        size: Size::Force,
+        size: MotionQuantity::Force,
         ..request(&system, "f2", load, [2.5, 9.0])
     };
     assert_eq!(
@@ -329,7 +335,7 @@ fn a_stopped_search_keeps_its_best() {
     let system: System = block.parse().expect("a description");
     let request = OptimumRequest {
         of: system.motion_named("block").expect("a motion"),
-        size: Size::Displacement,
+        size: MotionQuantity::Displacement,
         band: FrequencyBand::Ratio(0.2, 1.2),
         load: None,
     };
@@ -383,7 +389,7 @@ fn a_stopped_search_keeps_its_best() {
     let bound = |most: f64| {
         [KeptQuantity {
             of: request.of,
-            size: Size::Velocity,
+            size: MotionQuantity::Velocity,
             most,
         }]
     };

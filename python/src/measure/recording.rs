@@ -2,7 +2,7 @@
 
 use crate::asked::{Optional, numbers, one};
 use crate::errors::{domain, measurement, wrong_type};
-use frictiongen::measure::{Channel, Column, CsvRequest, MeasureError, Recording, Unit};
+use frictiongen::measure::{Channel, CsvColumn, CsvRequest, MeasureError, Recording, Unit};
 use numpy::PyArray1;
 use pyo3::prelude::*;
 
@@ -117,7 +117,7 @@ impl NativeRecording {
         let mut columns = Vec::new();
         for (name, column, unit) in channels {
             let unit = unit.map(|unit| unit_of(&name, &unit)).transpose()?;
-            columns.push(Column { name, column, unit });
+            columns.push(CsvColumn { name, column, unit });
         }
         let request = CsvRequest {
             rate: rate_of(rate.as_ref())?,

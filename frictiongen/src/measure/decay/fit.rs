@@ -9,17 +9,17 @@ use std::f64::consts::PI;
 
 /// Step of the finite difference for a derivative, divided by the scale of the parameter.
 const DIFFERENCE: f64 = 1e-6;
-/// Index of the parameter “number of samples in a half cycle” in [`Shape`].
+/// Index of the parameter “number of samples in a half cycle” in [`DecayShape`].
 const HALF: usize = 3;
-/// Index of the parameter “decrement of a half cycle” in [`Shape`].
+/// Index of the parameter “decrement of a half cycle” in [`DecayShape`].
 const DECREMENT: usize = 4;
-/// Index of the parameter F/k in [`Shape`]: friction force F divided by stiffness k.
+/// Index of the parameter F/k in [`DecayShape`]: friction force F divided by stiffness k.
 const LENGTH: usize = 5;
 
 /// Parameters of a decaying vibration, in this order: instant of the first extreme (in samples), its displacement (m),
 /// the middle of the vibration (m), the duration of a half cycle (in samples), the decrement of a half cycle, and F/k
 /// (m).
-type Shape = [f64; 6];
+type DecayShape = [f64; 6];
 
 /// Computes the displacement at each sample from the first extreme to the last, for the parameters `shape`.
 fn wave(shape: &[f64], from: usize, count: usize) -> Option<Vec<f64>> {
@@ -50,9 +50,9 @@ pub(super) struct DecayFit<'s> {
     from: usize,
     /// The samples from the first extreme to the last.
     window: &'s [f64],
-    start: Shape,
+    start: DecayShape,
     /// Natural scale of each parameter.
-    scales: Shape,
+    scales: DecayShape,
     /// Indices of the parameters to fit.
     free: Vec<usize>,
 }
@@ -146,7 +146,7 @@ impl<'s> DecayFit<'s> {
 
     /// Returns all parameters of the decay. `free` gives the fitted parameters. The other parameters keep the values of
     /// the first guess.
-    fn shape(&self, free: &[f64]) -> Option<Shape> {
+    fn shape(&self, free: &[f64]) -> Option<DecayShape> {
         let mut shape = self.start;
         for (part, value) in self.free.iter().zip(free) {
             *shape.get_mut(*part)? = *value;

@@ -7,7 +7,7 @@ use super::model::{self, Along, Direction};
 use super::request::Unknown;
 use crate::Complex;
 use crate::measure::MeasureError;
-use crate::measure::least_squares::{Fit, Linearised, minimise};
+use crate::measure::least_squares::{FitResult, Linearised, minimise};
 use crate::measure::statistics::{NORMAL, excess, is_chance};
 use crate::study::{System, sensitivity::Quantity};
 use nalgebra::{DMatrix, DVector};
@@ -189,7 +189,7 @@ pub(super) fn fit(
         true => &[1.0, 0.2, 5.0],
         false => &[1.0],
     };
-    let mut best: Option<Fit> = None;
+    let mut best: Option<FitResult> = None;
     let mut several = SeveralFit {
         problem,
         unknowns,
@@ -239,7 +239,11 @@ pub(super) fn fit(
     answer(&several, fit, data)
 }
 
-fn answer(several: &SeveralFit<'_, '_>, fit: Fit, data: usize) -> Result<Identified, MeasureError> {
+fn answer(
+    several: &SeveralFit<'_, '_>,
+    fit: FitResult,
+    data: usize,
+) -> Result<Identified, MeasureError> {
     let (problem, unknowns) = (several.problem, several.unknowns);
     let freedom = data - fit.rank;
     let misfit = (freedom > 0).then(|| fit.squares / freedom as f64);

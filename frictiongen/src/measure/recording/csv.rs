@@ -14,12 +14,12 @@ pub struct CsvRequest {
     /// Sampling rate, in samples per second. It is necessary if no column contains the time.
     pub rate: Option<f64>,
     /// The columns to read, with their meaning. An empty list selects every column, under its own name.
-    pub columns: Vec<Column>,
+    pub columns: Vec<CsvColumn>,
 }
 
 /// A column to read, and the signal that the column contains.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Column {
+pub struct CsvColumn {
     /// Name of the signal: `base`, `force`, the name of a mass, or `time`.
     pub name: String,
     /// Name of the column in the file, or its number from 1.

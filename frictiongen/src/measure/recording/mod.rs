@@ -12,7 +12,7 @@ mod unit;
 
 pub use channel::Channel;
 pub(super) use csv::CsvTable;
-pub use csv::{Column, CsvRequest};
+pub use csv::{CsvColumn, CsvRequest};
 pub use series::Recording;
 pub use unit::{Dimension, Unit};
 

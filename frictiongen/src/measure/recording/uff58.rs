@@ -5,7 +5,7 @@
 //! The writer writes evenly spaced data in double precision. A file contains 13 digits of each sample and 6 digits of
 //! the time step.
 
-use super::{Channel, Column, CsvRequest, Dimension, Recording, Unit};
+use super::{Channel, CsvColumn, CsvRequest, Dimension, Recording, Unit};
 use crate::measure::MeasureError;
 use std::fmt::Write as _;
 
@@ -301,7 +301,7 @@ fn cells(line: &str) -> impl Iterator<Item = &str> {
     })
 }
 
-fn unit(name: &str, label: &str, asked: Option<&Column>) -> Result<Unit, MeasureError> {
+fn unit(name: &str, label: &str, asked: Option<&CsvColumn>) -> Result<Unit, MeasureError> {
     match asked.and_then(|asked| asked.unit) {
         Some(unit) => Ok(unit),
         None if label.is_empty() || label == "NONE" => Err(MeasureError::NoUnit(name.to_owned())),

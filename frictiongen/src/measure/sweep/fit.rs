@@ -2,7 +2,7 @@
 
 use super::model::{AmplitudeScale, Sweep};
 use crate::measure::MeasureError;
-use crate::measure::least_squares::{Fit, minimise};
+use crate::measure::least_squares::{FitResult, minimise};
 
 /// Smallest and largest factor by which the starting points of a fit multiply the scene's own frequencies.
 const FACTORS: [f64; 2] = [0.5, 2.0];
@@ -83,7 +83,7 @@ impl Sweep<'_> {
             .collect()
     }
 
-    pub(super) fn fit(&self) -> Result<Fit, MeasureError> {
+    pub(super) fn fit(&self) -> Result<FitResult, MeasureError> {
         let bounds = |start: &[f64]| -> Vec<(f64, f64)> {
             let last = start.len() - 1;
             let bound = |(index, value): (usize, &f64)| {
@@ -112,7 +112,7 @@ impl Sweep<'_> {
         let own = from(&self.start());
         let freedom = self.points.len() - self.start().len();
         let weighed = self.points.iter().all(|point| point.deviation.is_some());
-        let good = |fit: &Fit| weighed && 0 < freedom && fit.squares < GOOD * freedom as f64;
+        let good = |fit: &FitResult| weighed && 0 < freedom && fit.squares < GOOD * freedom as f64;
         if own.as_ref().is_some_and(good) {
             return own.ok_or(MeasureError::NoFit);
         }

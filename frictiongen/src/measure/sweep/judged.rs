@@ -4,7 +4,7 @@ use super::answer::SweepFit;
 use super::model::Sweep;
 use crate::Complex;
 use crate::measure::identify::Estimate;
-use crate::measure::least_squares::Fit;
+use crate::measure::least_squares::FitResult;
 use crate::measure::statistics::{NORMAL, excess, student};
 use crate::measure::{MeasureError, SweepPoint};
 use crate::study::units::hertz;
@@ -15,7 +15,7 @@ const GROSS: f64 = 0.5;
 /// Step of the finite difference for a derivative, divided by the parameter that it changes.
 const DIFFERENCE: f64 = 1e-6;
 
-pub(super) fn answer(sweep: &Sweep<'_>, fit: &Fit) -> Result<SweepFit, MeasureError> {
+pub(super) fn answer(sweep: &Sweep<'_>, fit: &FitResult) -> Result<SweepFit, MeasureError> {
     let system = sweep.at(&fit.parameters).ok_or(MeasureError::NoFit)?;
     let values = sweep.values(&system, 1.0).ok_or(MeasureError::NoFit)?;
     let pairs = sweep.points.iter().zip(&values);
@@ -104,7 +104,7 @@ pub(super) fn answer(sweep: &Sweep<'_>, fit: &Fit) -> Result<SweepFit, MeasureEr
 }
 
 /// Returns the derivatives of a natural frequency in Hz with respect to the parameters of the fit.
-fn gradient(sweep: &Sweep<'_>, fit: &Fit, mode: usize, omega: f64) -> Option<DVector<f64>> {
+fn gradient(sweep: &Sweep<'_>, fit: &FitResult, mode: usize, omega: f64) -> Option<DVector<f64>> {
     let slopes = fit.parameters.iter().enumerate().map(|(index, value)| {
         let step = DIFFERENCE * value.abs().max(DIFFERENCE);
         let mut moved = fit.parameters.clone();

@@ -5,7 +5,7 @@ use super::column::{Head, Shown, TableRow};
 use super::measure::PhysicalQuantity;
 use super::setting::MovingPart;
 use crate::Complex;
-use crate::study::response::{Size, Swing};
+use crate::study::response::{MotionQuantity, Swing};
 use crate::study::units::polar;
 
 /// The motion of the contact or of a mass in one row of a table, in non-dimensional groups. A quantity is `None` if the
@@ -64,21 +64,21 @@ pub fn motions<'a, R: MotionRow + 'a>(
         let size = named.dimension();
         let length = columns.measure().title(size);
         columns.begin_part(&named.name);
-        if named.size != Size::Displacement {
+        if named.size != MotionQuantity::Displacement {
             // A largest velocity or acceleration has neither a phase nor harmonics.
             let of = named.size;
             let name = match of {
-                Size::Energy => "cycle",
-                Size::Damping => "ratio",
+                MotionQuantity::Energy => "cycle",
+                MotionQuantity::Damping => "ratio",
                 _ => "amplitude",
             };
             columns.number(Head::of(name, size), move |row: &R| {
                 let motion = row.motion(part)?;
                 Some(match of {
-                    Size::Velocity => motion.rates?.0,
-                    Size::Force => motion.contact?.0,
-                    Size::Energy => motion.contact?.1,
-                    Size::Damping => motion.damping?,
+                    MotionQuantity::Velocity => motion.rates?.0,
+                    MotionQuantity::Force => motion.contact?.0,
+                    MotionQuantity::Energy => motion.contact?.1,
+                    MotionQuantity::Damping => motion.damping?,
                     _ => motion.rates?.1,
                 })
             });

@@ -7,7 +7,7 @@ use crate::Of;
 use crate::study::sensitivity::OperatingPoint;
 use crate::study::{
     System, UnknownMotion,
-    response::Size,
+    response::MotionQuantity,
     scene::Excitation,
     units::{self, LoadScale},
 };
@@ -21,7 +21,7 @@ pub struct MovingPart {
     /// Selects the contact, a mass, or a combination such as the difference of two masses.
     pub of: Of,
     /// The requested quantity of the motion: displacement, velocity or acceleration.
-    pub size: Size,
+    pub size: MotionQuantity,
     /// Name of the contact, of the mass or of the combination, such as `roof-base`.
     pub name: String,
 }
@@ -54,20 +54,20 @@ impl MovingPart {
     /// force, the energy or the equivalent damping of the contact.
     #[must_use]
     pub fn has_rate(&self) -> bool {
-        self.size != Size::Displacement
+        self.size != MotionQuantity::Displacement
     }
 
     /// Returns the dimension of the amplitude: a force for a spring and for the base shear, otherwise a length.
     #[must_use]
     pub fn dimension(&self) -> PhysicalQuantity {
         match self.size {
-            Size::Displacement if self.of.is_force() => PhysicalQuantity::Force,
-            Size::Displacement => PhysicalQuantity::Length,
-            Size::Velocity => PhysicalQuantity::Velocity,
-            Size::Acceleration => PhysicalQuantity::Acceleration,
-            Size::Force => PhysicalQuantity::Force,
-            Size::Energy => PhysicalQuantity::Energy,
-            Size::Damping => PhysicalQuantity::One,
+            MotionQuantity::Displacement if self.of.is_force() => PhysicalQuantity::Force,
+            MotionQuantity::Displacement => PhysicalQuantity::Length,
+            MotionQuantity::Velocity => PhysicalQuantity::Velocity,
+            MotionQuantity::Acceleration => PhysicalQuantity::Acceleration,
+            MotionQuantity::Force => PhysicalQuantity::Force,
+            MotionQuantity::Energy => PhysicalQuantity::Energy,
+            MotionQuantity::Damping => PhysicalQuantity::One,
         }
     }
 
@@ -76,7 +76,7 @@ impl MovingPart {
     pub fn contact() -> Self {
         Self {
             of: Of::Contact,
-            size: Size::Displacement,
+            size: MotionQuantity::Displacement,
             name: CONTACT.to_owned(),
         }
     }

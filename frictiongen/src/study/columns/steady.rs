@@ -12,7 +12,7 @@ use crate::Complex;
 use crate::study::units::{fundamental_phase, reversed_phase};
 use crate::study::{
     orbit::SystemOrbitMotion,
-    response::{Size, Swing, SystemResponse},
+    response::{MotionQuantity, Swing, SystemResponse},
 };
 use crate::{Of, Regime};
 
@@ -35,8 +35,11 @@ impl MotionGroups {
     fn of_response(response: &SystemResponse<'_>, part: &MovingPart, orders: &[u32]) -> Self {
         let of = part.of;
         let rates = || {
-            let velocity = response.largest(of, Size::Velocity)?;
-            Some((velocity, response.largest(of, Size::Acceleration)?))
+            let velocity = response.largest(of, MotionQuantity::Velocity)?;
+            Some((
+                velocity,
+                response.largest(of, MotionQuantity::Acceleration)?,
+            ))
         };
         let harmonics = orders.iter().map(|order| response.harmonic(of, *order));
         Self {
@@ -47,7 +50,7 @@ impl MotionGroups {
             rates: if part.has_rate() { rates() } else { None },
             contact: Some((response.contact_force(), response.friction_work())),
             damping: if part.has_rate() {
-                response.largest(of, Size::Damping)
+                response.largest(of, MotionQuantity::Damping)
             } else {
                 None
             },

@@ -12,7 +12,7 @@ pub struct Curve {
     /// The initial state of the motion at each point.
     pub start: CurveStart,
     /// The pieces of the curve, in ascending order of r. Straight lines may join the points of one piece.
-    pub pieces: Vec<Piece>,
+    pub pieces: Vec<CurvePiece>,
     /// The ranges without a response.
     pub gaps: Vec<Gap>,
     /// True if straight lines between the points have the requested accuracy. False if the curve reached its bound on
@@ -22,21 +22,21 @@ pub struct Curve {
 
 /// An interval of a curve in one regime. Straight lines may join its points.
 #[derive(Clone, Debug)]
-pub struct Piece {
+pub struct CurvePiece {
     /// Regime at all points of the piece.
     pub regime: Regime,
     /// The points, in ascending order of r.
     pub points: Vec<CurvePoint>,
     /// The reason why the piece starts at its first point.
-    pub start: End,
+    pub start: PieceEnd,
     /// The reason why the piece ends at its last point.
-    pub end: End,
+    pub end: PieceEnd,
 }
 
 /// The reason why a piece of a curve ends at one of its points.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[non_exhaustive]
-pub enum End {
+pub enum PieceEnd {
     /// The requested range ends.
     Range,
     /// The regime changes.

@@ -13,7 +13,7 @@ mod request;
 mod straight;
 mod sweep;
 
-pub use answer::{Curve, End, Gap, Piece};
+pub use answer::{Curve, CurvePiece, Gap, PieceEnd};
 pub use point::{CurvePoint, Movement};
 pub use request::{CurveError, CurveRequest, CurveStart};
 
@@ -52,7 +52,7 @@ impl System {
     /// With [`CurveStart::Up`] and [`CurveStart::Down`] the motion at each point starts from the steady state of the
     /// previous point, as in a laboratory sweep. When the frequency changes, displacements and velocities of the masses
     /// stay unchanged. If the steady state ceases to exist and the motion settles in another state, the curve has a cut
-    /// with [`End::Jump`].
+    /// with [`PieceEnd::Jump`].
     ///
     /// ```
     /// use frictiongen::study::curve::{CurveRequest, CurveStart};

@@ -1,6 +1,6 @@
 //! Joins the points of a curve to pieces, and the ranges without a response to gaps.
 
-use super::answer::{Curve, End, Gap, Piece};
+use super::answer::{Curve, CurvePiece, Gap, PieceEnd};
 use super::point::CurvePoint;
 use super::request::CurveStart;
 use crate::Error;
@@ -11,7 +11,7 @@ pub(super) struct CurveNode {
     pub r: f64,
     pub answer: Result<CurvePoint, Error>,
     /// The reason for a cut between this node and the next. `None` without a cut.
-    pub cut: Option<End>,
+    pub cut: Option<PieceEnd>,
     pub work: usize,
 }
 
@@ -31,7 +31,7 @@ pub(super) fn curve(
             builder.end(cut);
         }
     }
-    builder.end(End::Range);
+    builder.end(PieceEnd::Range);
     Curve {
         beta,
         start,
@@ -44,10 +44,10 @@ pub(super) fn curve(
 /// Collects nodes (frequency ratios with their responses) in ascending order into pieces and gaps.
 #[derive(Default)]
 struct PieceBuilder {
-    pieces: Vec<Piece>,
+    pieces: Vec<CurvePiece>,
     gaps: Vec<Gap>,
     open: Vec<CurvePoint>,
-    start: Option<End>,
+    start: Option<PieceEnd>,
     in_gap: bool,
 }
 
@@ -60,13 +60,13 @@ impl PieceBuilder {
             .last()
             .is_some_and(|last| last.regime != point.regime)
         {
-            self.end(End::Boundary);
+            self.end(PieceEnd::Boundary);
         }
         self.open.push(point);
     }
 
     fn missing(&mut self, r: f64, reason: Error) {
-        self.end(End::NoAnswer);
+        self.end(PieceEnd::NoAnswer);
         match self.gaps.last_mut() {
             Some(gap) if self.in_gap && gap.reason == reason => gap.to = r,
             _ => self.gaps.push(Gap {
@@ -78,11 +78,11 @@ impl PieceBuilder {
         self.in_gap = true;
     }
 
-    fn end(&mut self, end: End) {
+    fn end(&mut self, end: PieceEnd) {
         let points = std::mem::take(&mut self.open);
-        let start = self.start.replace(end).unwrap_or(End::Range);
+        let start = self.start.replace(end).unwrap_or(PieceEnd::Range);
         if let Some(first) = points.first() {
-            self.pieces.push(Piece {
+            self.pieces.push(CurvePiece {
                 regime: first.regime,
                 points,
                 start,

@@ -1,7 +1,7 @@
 //! Selects the first frequency ratios of a curve, called *places*. The code cuts the curve at some of them, and later
 //! adds points between them.
 
-use super::answer::End;
+use super::answer::PieceEnd;
 use super::request::CurveRequest;
 use crate::study::system::System;
 use crate::{Of, Regime};
@@ -22,7 +22,7 @@ const STEPS: usize = 60;
 pub(super) struct CurvePlace {
     pub r: f64,
     /// The reason for a cut between this frequency ratio and the next. `None` without a cut.
-    pub cut: Option<End>,
+    pub cut: Option<PieceEnd>,
     /// True for a sub-harmonic of a resonance that is not next to a cut. The curve omits such a point if it reaches its
     /// bound on work.
     pub spare: bool,
@@ -37,7 +37,7 @@ impl CurvePlace {
         }
     }
 
-    fn cut(r: f64, cut: End) -> Self {
+    fn cut(r: f64, cut: PieceEnd) -> Self {
         Self {
             cut: Some(cut),
             ..Self::at(r)
@@ -172,7 +172,7 @@ impl PlaceSearch<'_> {
                 continue;
             };
             if is_pole(left, right) {
-                places.push(CurvePlace::cut(left, End::Pole));
+                places.push(CurvePlace::cut(left, PieceEnd::Pole));
             } else {
                 self.change(left, right, [*first, *second], &mut places);
             }
@@ -197,7 +197,7 @@ impl PlaceSearch<'_> {
         if left < low {
             places.push(CurvePlace::at(left));
         }
-        places.push(CurvePlace::cut(low, End::Boundary));
+        places.push(CurvePlace::cut(low, PieceEnd::Boundary));
         if high < right {
             // Stick-slip may lie between the continuous and the stuck regime, so the search continues above this
             // boundary.

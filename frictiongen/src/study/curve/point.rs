@@ -1,7 +1,7 @@
 //! A point of a curve.
 
 use super::request::CurveRequest;
-use crate::study::response::{Size, Swing, SystemResponse};
+use crate::study::response::{MotionQuantity, Swing, SystemResponse};
 use crate::study::units::reversed_phase;
 use crate::{Complex, Of, Regime};
 
@@ -87,8 +87,11 @@ impl CurvePoint {
 impl Movement {
     fn of(response: &SystemResponse<'_>, of: Of, request: &CurveRequest) -> Option<Self> {
         let both = || {
-            let velocity = response.largest(of, Size::Velocity)?;
-            Some((velocity, response.largest(of, Size::Acceleration)?))
+            let velocity = response.largest(of, MotionQuantity::Velocity)?;
+            Some((
+                velocity,
+                response.largest(of, MotionQuantity::Acceleration)?,
+            ))
         };
         let harmonics = request.harmonics.iter();
         let movement = Self {
@@ -97,7 +100,7 @@ impl Movement {
             fundamental_phase: response.fundamental_phase(of),
             rates: if request.rates { both() } else { None },
             damping: if request.rates {
-                response.largest(of, Size::Damping)
+                response.largest(of, MotionQuantity::Damping)
             } else {
                 None
             },

@@ -4,7 +4,7 @@
 //! open intervals in turn, wide ones before narrow ones. If the bound on work ends the refinement, the points are
 //! equally close over the whole range.
 
-use super::answer::{Curve, End};
+use super::answer::{Curve, PieceEnd};
 use super::pieces::{self, CurveNode};
 use super::places::CurvePlace;
 use super::point::CurvePoint;
@@ -230,7 +230,7 @@ impl<'a> Refine<'a> {
                 _ => false,
             };
             if let Some(left) = nodes.get_mut(interval.left).filter(|_| apart) {
-                left.cut = Some(End::Jump);
+                left.cut = Some(PieceEnd::Jump);
             }
         }
     }

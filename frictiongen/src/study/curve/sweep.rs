@@ -1,7 +1,7 @@
 //! Curves as in a laboratory sweep: each point starts from the steady state of the previous point. A *place* is a
 //! frequency ratio that is always a point of the sweep.
 
-use super::answer::{Curve, End};
+use super::answer::{Curve, PieceEnd};
 use super::pieces;
 use super::pieces::CurveNode;
 use super::places::CurvePlace;
@@ -18,7 +18,7 @@ use crate::{Error, OutOfDomain};
 const MOST_JUMPS: u32 = 4;
 
 /// A point of a sweep, with the state from which the next point starts.
-struct Step {
+struct SweepStep {
     node: CurveNode,
     carried: Option<Carried>,
 }
@@ -38,14 +38,14 @@ impl Refine<'_> {
             .windows(2)
             .map(|pair| {
                 let below = if down { pair.last() } else { pair.first() };
-                below.is_some_and(|place| place.cut == Some(End::Pole))
+                below.is_some_and(|place| place.cut == Some(PieceEnd::Pole))
             })
             .collect();
         let coarse = self.coarse(&places);
         self.straight.scales = self.scales(&coarse);
         let sweep = self;
         let mut left = sweep.request.work.checked_sub(spent(&coarse));
-        let mut steps: Vec<Step> = Vec::new();
+        let mut steps: Vec<SweepStep> = Vec::new();
         if let Some(first) = places.first() {
             steps.push(sweep.step(first.r, None));
         }
@@ -56,7 +56,7 @@ impl Refine<'_> {
         if down {
             nodes.reverse();
             // After the reversal each cut belongs to the lower of its two nodes.
-            let cuts: Vec<Option<End>> = nodes.iter().skip(1).map(|node| node.cut).collect();
+            let cuts: Vec<Option<PieceEnd>> = nodes.iter().skip(1).map(|node| node.cut).collect();
             for (node, cut) in nodes.iter_mut().zip(cuts.into_iter().chain([None])) {
                 node.cut = cut;
             }
@@ -77,7 +77,7 @@ impl Refine<'_> {
     }
 
     /// Returns the response at r of a motion that starts from a state, or from rest.
-    fn step(&self, r: f64, start: Option<&Carried>) -> Step {
+    fn step(&self, r: f64, start: Option<&Carried>) -> SweepStep {
         let found = self.system.at(r).map_err(Error::from).and_then(|at| {
             let beta = self.request.beta_at(self.beta, r);
             let start = start.map(|state| state.under(self.request.fall, r));
@@ -90,7 +90,7 @@ impl Refine<'_> {
             // Without a response at r, the next point starts from the state of the last point.
             Err(error) => (Err(error), start.cloned(), work(self.system, r, Err(error))),
         };
-        Step {
+        SweepStep {
             node: CurveNode {
                 r,
                 answer,
@@ -106,7 +106,7 @@ impl Refine<'_> {
     /// If a step ends in another steady state, the code halves the step until it has located the jump. The length of a
     /// step alone therefore never causes a jump. `left` is the remaining work. If no work remains, each step goes
     /// directly to the next frequency ratio of the first grid.
-    fn reach(&self, r: f64, pole: bool, steps: &mut Vec<Step>, left: &mut Option<usize>) {
+    fn reach(&self, r: f64, pole: bool, steps: &mut Vec<SweepStep>, left: &mut Option<usize>) {
         let mut targets = vec![r];
         let mut jumps = 0;
         while let (Some(target), Some(last)) = (targets.last().copied(), steps.last_mut()) {
@@ -125,7 +125,7 @@ impl Refine<'_> {
             {
                 let step = self.step(target, last.carried.as_ref());
                 last.node.cut = self.cut(&last.node, &step.node, pole);
-                jumps += u32::from(last.node.cut == Some(End::Jump));
+                jumps += u32::from(last.node.cut == Some(PieceEnd::Jump));
                 steps.push(step);
                 targets.pop();
                 continue;
@@ -151,10 +151,10 @@ impl Refine<'_> {
     }
 
     /// Returns the reason for a cut between two neighbouring nodes, if there is one.
-    fn cut(&self, last: &CurveNode, next: &CurveNode, pole: bool) -> Option<End> {
+    fn cut(&self, last: &CurveNode, next: &CurveNode, pole: bool) -> Option<PieceEnd> {
         match (&last.answer, &next.answer) {
-            _ if pole => Some(End::Pole),
-            (Ok(a), Ok(b)) if !self.straight.touch(a, b) => Some(End::Jump),
+            _ if pole => Some(PieceEnd::Pole),
+            (Ok(a), Ok(b)) if !self.straight.touch(a, b) => Some(PieceEnd::Jump),
             _ => None,
         }
     }

@@ -11,7 +11,7 @@ use frictiongen_kernel::number::dd::Dd;
 
 /// The quantity of a motion that does not depend on friction at an invariant point.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-pub enum Measured {
+pub enum InvariantQuantity {
     /// The amplitude. For the contact's motion it is exact (6.9), for another mass it is the monoharmonic estimate
     /// (5.50, 6.10).
     Amplitude,
@@ -97,14 +97,14 @@ const STILL: f64 = 1e-10;
 /// Points of two conditions count as one point if their relative distance is below this value.
 const SAME: f64 = 1e-13;
 
-fn targets(measured: Measured, is_contact: bool) -> &'static [(Condition, Target<Dd>)] {
+fn targets(measured: InvariantQuantity, is_contact: bool) -> &'static [(Condition, Target<Dd>)] {
     match (measured, is_contact) {
-        (Measured::Amplitude, true) => &[(Condition::Quadrature, Target::Quadrature)],
-        (Measured::Amplitude, false) => &[
+        (InvariantQuantity::Amplitude, true) => &[(Condition::Quadrature, Target::Quadrature)],
+        (InvariantQuantity::Amplitude, false) => &[
             (Condition::Quadrature, Target::Quadrature),
             (Condition::Estimate, Target::Estimate),
         ],
-        (Measured::Fundamental, _) => &[
+        (InvariantQuantity::Fundamental, _) => &[
             (Condition::Receptance, Target::Receptance),
             (Condition::Balance, Target::Fundamental),
         ],
@@ -141,7 +141,7 @@ impl Features<'_> {
     pub fn invariant_points(
         &self,
         of: Of,
-        measured: Measured,
+        measured: InvariantQuantity,
         range: [f64; 2],
     ) -> Result<Vec<InvariantPoint>, FeatureError> {
         let mass = self.mass_of(of)?;
@@ -162,7 +162,7 @@ impl Features<'_> {
                     r,
                     frequency: self.variations.of_zero(&function, &zero, None),
                     condition: *condition,
-                    phase_too: mass.is_none() && measured == Measured::Amplitude,
+                    phase_too: mass.is_none() && measured == InvariantQuantity::Amplitude,
                     // The sums of this function leave out the factor 1/r², so that the code divides the amplitude by
                     // r².
                     amplitude: self.variations.length(free.at(r).abs() / (r * r)),
@@ -194,7 +194,7 @@ impl Features<'_> {
     pub fn inversions(
         &self,
         of: Of,
-        measured: Measured,
+        measured: InvariantQuantity,
         range: [f64; 2],
     ) -> Result<Vec<Inversion>, FeatureError> {
         let mass = self.mass_of(of)?;
@@ -247,15 +247,15 @@ impl Features<'_> {
             let second = functions.get(1).map(|function| function.at(r));
             match (measured, second) {
                 // The growth of the amplitude with friction has the sign of −U².
-                (Measured::Amplitude, None) => -1.0,
+                (InvariantQuantity::Amplitude, None) => -1.0,
                 // The growth has the sign of U_k (V U_k − 2 V_k U)/V.
-                (Measured::Amplitude, Some(second)) => first * second / own.at(r),
+                (InvariantQuantity::Amplitude, Some(second)) => first * second / own.at(r),
                 // The growth has the sign of H_k (V_k U + (2/π) H_k V)/V, for the contact of H (U + (2/π) H).
-                (Measured::Fundamental, Some(second)) if mass.is_some() => {
+                (InvariantQuantity::Fundamental, Some(second)) if mass.is_some() => {
                     first * second / own.at(r)
                 }
-                (Measured::Fundamental, Some(second)) => first * second,
-                (Measured::Fundamental, None) => f64::NAN,
+                (InvariantQuantity::Fundamental, Some(second)) => first * second,
+                (InvariantQuantity::Fundamental, None) => f64::NAN,
             }
         };
         let mut found: Vec<Inversion> = Vec::new();

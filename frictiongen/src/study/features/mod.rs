@@ -19,7 +19,7 @@ use super::system::System;
 use super::units::{Load, LoadError};
 use crate::Of;
 use frictiongen_kernel::number::dd::Dd;
-pub use invariant::{Antiresonance, Condition, Edge, InvariantPoint, Inversion, Measured};
+pub use invariant::{Antiresonance, Condition, Edge, InvariantPoint, InvariantQuantity, Inversion};
 pub use peaks::{Crossing, ResonantPeak, TruePeak};
 pub use regimes::{RegimeEnd, RegimeRange};
 use sensed::Variations;
@@ -162,7 +162,7 @@ impl System {
     ///
     /// ```
     /// use frictiongen::Of;
-    /// use frictiongen::study::{System, features::Measured};
+    /// use frictiongen::study::{System, features::InvariantQuantity};
     ///
     /// # fn main() -> Result<(), Box<dyn std::error::Error>> {
     /// let chain: System = "struct Chain {
@@ -174,7 +174,7 @@ impl System {
     /// .parse()?;
     /// let features = chain.features(None)?;
     /// // No friction changes the contact's amplitude at these two frequencies.
-    /// let points = features.invariant_points(Of::Contact, Measured::Amplitude, [0.55, 3.0])?;
+    /// let points = features.invariant_points(Of::Contact, InvariantQuantity::Amplitude, [0.55, 3.0])?;
     /// let places: Vec<f64> = points.iter().map(|point| point.r).collect();
     /// assert!((places[0] - 5_f64.sqrt() / 4.0).abs() < 1e-15);
     /// assert!((places[1] - 5_f64.sqrt() / 2.0).abs() < 1e-15);

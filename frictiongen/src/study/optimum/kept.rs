@@ -12,7 +12,7 @@ use super::scan::{Scanned, scanned_at};
 use super::search::{Least, narrowed};
 use super::whole::{WORK_OF_ALL_CHECKS, whole};
 use crate::Of;
-use crate::study::response::Size;
+use crate::study::response::MotionQuantity;
 use crate::study::system::System;
 use std::cell::Cell;
 
@@ -34,7 +34,7 @@ pub struct KeptQuantity {
     /// The motion whose quantity has a bound.
     pub of: Of,
     /// The quantity of the motion: displacement, velocity, acceleration, or a quantity of the contact.
-    pub size: Size,
+    pub size: MotionQuantity,
     /// The bound, in the same unit as [`Optimum::amplitude`] has for this quantity.
     pub most: f64,
 }

@@ -59,7 +59,7 @@ impl System {
     /// largest peak. A peak between two grid points may be higher.
     ///
     /// ```
-    /// use frictiongen::study::{System, optimum::{FrequencyBand, OptimumKind, OptimumRequest}, response::Size, units::Load};
+    /// use frictiongen::study::{System, optimum::{FrequencyBand, OptimumKind, OptimumRequest}, response::MotionQuantity, units::Load};
     ///
     /// # fn main() -> Result<(), Box<dyn std::error::Error>> {
     /// let frame: System = "struct Frame {
@@ -72,7 +72,7 @@ impl System {
     /// .parse()?;
     /// let request = OptimumRequest {
     ///     of: frame.motion_named("upper")?,
-    ///     size: Size::Displacement,
+    ///     size: MotionQuantity::Displacement,
     ///     band: FrequencyBand::Hertz(1.5, 3.0),
     ///     load: Some(Load::Base(0.003)), // m
     /// };

@@ -3,7 +3,7 @@
 
 use super::places;
 use crate::Of;
-use crate::study::response::{Size, SystemResponse};
+use crate::study::response::{MotionQuantity, SystemResponse};
 use crate::study::system::System;
 
 /// A quantity of a motion under a load whose amplitude may depend on frequency.
@@ -14,7 +14,7 @@ use crate::study::system::System;
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(in crate::study) struct Objective {
     pub of: Of,
-    pub size: Size,
+    pub size: MotionQuantity,
     /// Exponent n of the load, whose amplitude is proportional to r⁻ⁿ. The friction ratio of a constant friction force
     /// is then proportional to rⁿ.
     pub fall: i32,
@@ -25,7 +25,7 @@ impl Objective {
     pub fn displacement(of: Of) -> Self {
         Self {
             of,
-            size: Size::Displacement,
+            size: MotionQuantity::Displacement,
             fall: 0,
         }
     }
@@ -33,17 +33,17 @@ impl Objective {
     /// Returns true if the exact derivatives of the response apply: for displacements under a load of constant
     /// amplitude.
     pub fn has_derivatives(&self) -> bool {
-        self.size == Size::Displacement && self.fall == 0 && !self.of.is_force()
+        self.size == MotionQuantity::Displacement && self.fall == 0 && !self.of.is_force()
     }
 
     /// Returns true if the motion has this quantity.
     pub fn is_sound(&self) -> bool {
         match self.size {
-            Size::Displacement => true,
-            Size::Velocity | Size::Acceleration => !self.of.is_force(),
-            Size::Force | Size::Energy => self.of == Of::Contact,
+            MotionQuantity::Displacement => true,
+            MotionQuantity::Velocity | MotionQuantity::Acceleration => !self.of.is_force(),
+            MotionQuantity::Force | MotionQuantity::Energy => self.of == Of::Contact,
             // The best damping ratio is the largest one, which this search does not seek.
-            Size::Damping => false,
+            MotionQuantity::Damping => false,
         }
     }
 
@@ -62,12 +62,12 @@ impl Objective {
     /// Returns the factor that makes a value at r comparable with values at other frequencies.
     pub fn factor(&self, r: f64) -> f64 {
         let rate = match self.size {
-            Size::Velocity => 1,
-            Size::Acceleration => 2,
+            MotionQuantity::Velocity => 1,
+            MotionQuantity::Acceleration => 2,
             // Energy is a product of a force and a displacement.
-            Size::Energy => -self.fall,
-            Size::Displacement | Size::Force => 0,
-            Size::Damping => return 1.0,
+            MotionQuantity::Energy => -self.fall,
+            MotionQuantity::Displacement | MotionQuantity::Force => 0,
+            MotionQuantity::Damping => return 1.0,
         };
         r.powi(rate - self.fall)
     }
@@ -88,6 +88,6 @@ impl Objective {
     pub fn rests_if_stuck(&self, system: &System) -> bool {
         let own = |of: Of| system.simplest(of) == Of::Contact;
         let turned = matches!(self.of, Of::Relative(of, to) if own(Of::Relative(to, of)));
-        self.size != Size::Force && (own(self.of) || turned)
+        self.size != MotionQuantity::Force && (own(self.of) || turned)
     }
 }

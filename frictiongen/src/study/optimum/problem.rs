@@ -11,7 +11,7 @@ use super::search::{self, Least, MinimumKind, SearchEnd};
 use crate::Regime;
 use crate::study::parameter::{OperatingPoint, Parameter, Slope};
 use crate::study::physical::ResponseSensitivities;
-use crate::study::response::Size;
+use crate::study::response::MotionQuantity;
 use crate::study::system::System;
 use crate::study::units::{Load, angular_frequency};
 
@@ -123,7 +123,7 @@ impl<'s> OptimumProblem<'s> {
             peaks.first().map_or(f64::NAN, |peak| peak.value)
         };
         let without_friction = largest(FrictionAmount::Ratio(0.0));
-        if without_friction == 0.0 && self.objective.size != Size::Force {
+        if without_friction == 0.0 && self.objective.size != MotionQuantity::Force {
             return Err(OptimumError::AtRest);
         }
         let beta = least.at.beta;

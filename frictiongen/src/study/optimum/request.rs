@@ -2,7 +2,7 @@
 
 use crate::Of;
 use crate::study::error::{InvalidScene, UnknownMass};
-use crate::study::response::Size;
+use crate::study::response::MotionQuantity;
 use crate::study::units::{Load, LoadError};
 use crate::study::words;
 
@@ -21,7 +21,7 @@ pub struct OptimumRequest {
     /// The motion whose quantity is minimised.
     pub of: Of,
     /// The quantity of the motion: its displacement, velocity or acceleration, or the force of the contact.
-    pub size: Size,
+    pub size: MotionQuantity,
     /// The band of frequencies, both bounds included, above 0 and finite.
     pub band: FrequencyBand,
     /// The load. Friction in N and amplitudes in m require it.

@@ -10,7 +10,7 @@ use super::scan::{Scanned, scanned_at};
 use super::search::{Least, SearchEnd, narrowed_by};
 use super::whole::{WORK_OF_ALL_CHECKS, whole};
 use crate::Of;
-use crate::study::response::Size;
+use crate::study::response::MotionQuantity;
 use crate::study::system::System;
 use std::cell::Cell;
 
@@ -35,7 +35,7 @@ pub struct Weighted {
     /// The motion to which the quantity belongs.
     pub of: Of,
     /// The quantity of the motion.
-    pub size: Size,
+    pub size: MotionQuantity,
     /// The value by which the quantity is divided, above 0. It has the unit of [`Optimum::amplitude`] for this
     /// quantity.
     pub over: f64,

@@ -5,7 +5,7 @@
 
 use super::energy::{GAUSS, section};
 use frictiongen::study::orbit::SystemOrbit;
-use frictiongen::study::response::Size;
+use frictiongen::study::response::MotionQuantity;
 use frictiongen::study::scene::{Excitation, Node};
 use frictiongen::{Of, Regime, System};
 use nalgebra::{DMatrix, DVector};
@@ -211,7 +211,7 @@ impl Seen {
         let orbit = at.orbit(beta).expect("a steady state");
         let response = at.response(beta).expect("a response");
         let energy = response
-            .largest(Of::Contact, Size::Energy)
+            .largest(Of::Contact, MotionQuantity::Energy)
             .expect("an energy");
         let [load, damping, area] = cycle(&system, (r, beta), &orbit);
         let what = format!("{text}\nr = {r}, β = {beta}: {energy} {area} {load} {damping}");

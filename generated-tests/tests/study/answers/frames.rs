@@ -1,7 +1,7 @@
 //! Generates random frames of one to six masses with μ from 1 to 2, and with all kinds of contact, damping and
 //! excitation.
 
-use frictiongen::study::response::Size;
+use frictiongen::study::response::MotionQuantity;
 use frictiongen::study::{
     System,
     optimum::{FrequencyBand, OptimumRequest},
@@ -28,7 +28,7 @@ impl Frame {
     pub fn request(&self) -> OptimumRequest {
         OptimumRequest {
             of: frictiongen::Of::Mass(self.mass),
-            size: Size::Displacement,
+            size: MotionQuantity::Displacement,
             band: FrequencyBand::Ratio(self.band[0], self.band[1]),
             load: None,
         }

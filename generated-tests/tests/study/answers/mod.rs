@@ -10,7 +10,7 @@ mod map;
 
 use frames::{Frame, frame};
 use frictiongen::Of;
-use frictiongen::study::response::Size;
+use frictiongen::study::response::MotionQuantity;
 use frictiongen::study::{
     System,
     curve::CurveRequest,
@@ -149,7 +149,7 @@ fn a_frame_on_which_the_search_gave_up() {
     let load = Load::Force(100.0);
     let request = OptimumRequest {
         of: Of::Mass(1),
-        size: Size::Displacement,
+        size: MotionQuantity::Displacement,
         band: FrequencyBand::Hertz(4.0, 12.0),
         load: Some(load),
     };
@@ -189,7 +189,7 @@ fn a_narrow_range_of_stick_slip_counts() {
     let of = Of::Mass(2);
     let request = OptimumRequest {
         of,
-        size: Size::Displacement,
+        size: MotionQuantity::Displacement,
         band: FrequencyBand::Hertz(2.0, 2.4),
         load: Some(Load::Base(1e-3)),
     };

@@ -2,7 +2,7 @@
 
 use crate::desk::{SCENES, system};
 use frictiongen::study::{
-    curve::{CurveError, CurveRequest, End},
+    curve::{CurveError, CurveRequest, PieceEnd},
     scene::Damping,
 };
 use frictiongen::{Of, Regime};
@@ -125,7 +125,7 @@ fn regimes_change_at_limits_and_nowhere_else() {
             let curve = system.curve(&request, beta).unwrap();
             for pair in curve.pieces.windows(2) {
                 let (last, first) = (pair[0].points.last().unwrap(), &pair[1].points[0]);
-                if last.regime == first.regime || pair[0].end != End::Boundary {
+                if last.regime == first.regime || pair[0].end != PieceEnd::Boundary {
                     continue;
                 }
                 // Next to a limit there may be no result, because a motion settles ever more slowly.
@@ -176,7 +176,10 @@ fn what_is_steep_is_not_a_jump() {
     let curve = system
         .curve(&CurveRequest::new(0.5, 0.75, &[Of::Mass(0)]), 0.8)
         .unwrap();
-    let jumps = curve.pieces.iter().filter(|piece| piece.end == End::Jump);
+    let jumps = curve
+        .pieces
+        .iter()
+        .filter(|piece| piece.end == PieceEnd::Jump);
     assert_eq!(
         jumps.count(),
         0,
@@ -204,14 +207,14 @@ fn poles_are_cut() {
         let ends = curve
             .pieces
             .iter()
-            .filter(|piece| piece.end == End::Pole)
+            .filter(|piece| piece.end == PieceEnd::Pole)
             .count();
         (
             ends,
             curve
                 .pieces
                 .iter()
-                .filter(|piece| piece.start == End::Pole)
+                .filter(|piece| piece.start == PieceEnd::Pole)
                 .count(),
         )
     };

@@ -1,7 +1,7 @@
 //! Tests energy, rates and forces of a response, against the work of the load and against its own displacements.
 
 use crate::desk::{SCENES, system};
-use frictiongen::study::response::{Size, SystemResponse};
+use frictiongen::study::response::{MotionQuantity, SystemResponse};
 use frictiongen::study::scene::{Damping, Excitation, Node};
 use frictiongen::{Of, System};
 use std::f64::consts::{PI, TAU};
@@ -122,8 +122,8 @@ fn rates_are_those_of_the_displacements() {
                     .windows(3)
                     .map(|x| ((x[2] - x[0]) / (2.0 * h)).abs())
                     .fold(0.0, f64::max);
-                let found = response.largest(of, Size::Velocity).unwrap();
-                let scale = response.largest(of, Size::Acceleration).unwrap();
+                let found = response.largest(of, MotionQuantity::Velocity).unwrap();
+                let scale = response.largest(of, MotionQuantity::Acceleration).unwrap();
                 let what = format!("{name}, {of:?}, r = {r}, β = {beta}");
                 assert!(
                     (found - velocity).abs() < 2.0 * h * scale,

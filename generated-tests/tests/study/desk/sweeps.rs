@@ -1,7 +1,7 @@
 //! Tests the frequency at which a state ends in sweeps up and down. The reference is the closed form of one undamped
 //! mass on a moving base.
 
-use frictiongen::study::curve::{Curve, CurveRequest, CurveStart, End, Piece};
+use frictiongen::study::curve::{Curve, CurvePiece, CurveRequest, CurveStart, PieceEnd};
 use frictiongen::{Of, Regime, System};
 use std::f64::consts::PI;
 
@@ -55,7 +55,7 @@ fn swept(system: &System, (from, to): (f64, f64), beta: f64, start: CurveStart) 
     system.curve(&request, beta).expect("a curve")
 }
 
-fn of(curve: &Curve, regime: Regime) -> Vec<&Piece> {
+fn of(curve: &Curve, regime: Regime) -> Vec<&CurvePiece> {
     let pieces = curve.pieces.iter();
     pieces.filter(|piece| piece.regime == regime).collect()
 }
@@ -92,7 +92,7 @@ fn a_stuck_and_a_sliding_block() {
         let stuck = of(&up, Regime::Stuck);
         let held = stuck[stuck.len() - 1];
         let last = &held.points[held.points.len() - 1];
-        assert!(matches!(held.end, End::Jump | End::Boundary));
+        assert!(matches!(held.end, PieceEnd::Jump | PieceEnd::Boundary));
         // The balance of forces is μβ = r² + |offset|, all over k₁Y.
         let departure = (MU * beta - last.offset.abs()).sqrt();
         assert!(
@@ -178,7 +178,11 @@ fn a_sweep_across_a_pole() {
         let [below, above] = curve.pieces.as_slice() else {
             panic!("{start:?}:\n{told}");
         };
-        assert_eq!((below.end, above.start), (End::Pole, End::Pole), "{told}");
+        assert_eq!(
+            (below.end, above.start),
+            (PieceEnd::Pole, PieceEnd::Pole),
+            "{told}"
+        );
         let sides = [&below.points[below.points.len() - 1], &above.points[0]];
         for (side, expected) in sides.into_iter().zip([1.0 - 1e-5, 1.0 + 1e-5]) {
             assert!((side.r - expected).abs() < 1e-15, "{start:?}:\n{told}");

@@ -3,7 +3,7 @@
 use crate::features::scenes::unit;
 use frictiongen::study::{
     System,
-    features::{Edge, Measured},
+    features::{Edge, InvariantQuantity},
 };
 use frictiongen::{Of, Regime};
 
@@ -38,7 +38,7 @@ fn where_the_contact_is_still() {
     let system = unit(2, "m1 - wall", "m1");
     let features = system.features(None).unwrap();
     let found = features
-        .inversions(Of::Contact, Measured::Fundamental, [0.7, 1.3])
+        .inversions(Of::Contact, InvariantQuantity::Fundamental, [0.7, 1.3])
         .unwrap();
     let edges: Vec<(f64, Edge)> = found
         .iter()

@@ -4,7 +4,7 @@
 use crate::features::scenes::{base, chain, unit, wall};
 use frictiongen::study::{
     System,
-    features::{Certainty, Condition, Edge, InvariantPoint, Measured, RegimeEnd},
+    features::{Certainty, Condition, Edge, InvariantPoint, InvariantQuantity, RegimeEnd},
 };
 use frictiongen::{Of, Regime};
 use std::f64::consts::{FRAC_PI_4, PI, SQRT_2};
@@ -37,12 +37,17 @@ fn thresholds(system: &System) -> Vec<f64> {
         .collect()
 }
 
-fn points(system: &System, of: Of, measured: Measured, range: [f64; 2]) -> Vec<InvariantPoint> {
+fn points(
+    system: &System,
+    of: Of,
+    measured: InvariantQuantity,
+    range: [f64; 2],
+) -> Vec<InvariantPoint> {
     let features = system.features(None).unwrap();
     features.invariant_points(of, measured, range).unwrap()
 }
 
-fn places(system: &System, of: Of, measured: Measured, range: [f64; 2]) -> Vec<f64> {
+fn places(system: &System, of: Of, measured: InvariantQuantity, range: [f64; 2]) -> Vec<f64> {
     let points = points(system, of, measured, range);
     points.iter().map(|point| point.r).collect()
 }
@@ -77,7 +82,7 @@ fn f04_sliding_from() {
 #[test]
 fn f07_moving_base() {
     let system = base(1.0);
-    let found = points(&system, M1, Measured::Fundamental, [0.52, 3.0]);
+    let found = points(&system, M1, InvariantQuantity::Fundamental, [0.52, 3.0]);
     let last = found.last().unwrap();
     close(last.r, 1.506310, DIGITS);
     assert_eq!(last.condition, Condition::Balance);
@@ -139,7 +144,7 @@ fn f13_inversion_of_the_fundamental() {
     let system = wall("");
     let features = system.features(None).unwrap();
     let found = features
-        .inversions(Of::Contact, Measured::Fundamental, [0.3, 2.0])
+        .inversions(Of::Contact, InvariantQuantity::Fundamental, [0.3, 2.0])
         .unwrap();
     assert_eq!(found.len(), 1);
     close(found[0].from, 1.0 / 3.0, ROUNDING);
@@ -186,12 +191,12 @@ fn f17_f18_contact_below() {
     let system = unit(2, "m1 - wall", "m1");
     let root = 5_f64.sqrt();
     for of in [Of::Contact, M1] {
-        let found = places(&system, of, Measured::Amplitude, [0.5, 4.0]);
+        let found = places(&system, of, InvariantQuantity::Amplitude, [0.5, 4.0]);
         all_close(&found, &[0.25 * root, 0.5 * root], ROUNDING);
     }
     let features = system.features(None).unwrap();
     let found = features
-        .inversions(M2, Measured::Amplitude, [0.5, 4.0])
+        .inversions(M2, InvariantQuantity::Amplitude, [0.5, 4.0])
         .unwrap();
     // At r = 1 the contact does not move without friction, so it slides at no friction.
     let ends: Vec<f64> = found
@@ -230,14 +235,14 @@ fn f19_f20_regimes() {
 fn f21_to_f25_contact_above() {
     let system = unit(2, "m2 - wall", "m1");
     all_close(&thresholds(&system), &[0.485403, 1.2708], 5e-6);
-    let found = points(&system, M2, Measured::Amplitude, [0.62, 4.0]);
+    let found = points(&system, M2, InvariantQuantity::Amplitude, [0.62, 4.0]);
     assert_eq!(found.len(), 1);
     close(found[0].r, 1.44981, 5e-6);
     assert!(found[0].phase_too);
-    let found = places(&system, M1, Measured::Amplitude, [0.7, 4.0]);
+    let found = places(&system, M1, InvariantQuantity::Amplitude, [0.7, 4.0]);
     let tail = &found[found.len() - 2..];
     all_close(tail, &[0.828219, 1.54936], 5e-6);
-    let found = points(&system, M2, Measured::Fundamental, [1.0, 4.0]);
+    let found = points(&system, M2, InvariantQuantity::Fundamental, [1.0, 4.0]);
     let own = found
         .iter()
         .find(|point| point.condition == Condition::Receptance);
@@ -260,7 +265,7 @@ fn f27_f28_between_two_masses() {
     let ends = features.limits_at_infinity();
     close(ends.continuous.value, 0.17901, 5e-5);
     close(ends.sliding.value, 1.0 / 3.0, ROUNDING);
-    let found = places(&system, M1, Measured::Amplitude, [0.71, 4.0]);
+    let found = places(&system, M1, InvariantQuantity::Amplitude, [0.71, 4.0]);
     all_close(&found[found.len() - 2..], &[0.777873, 1.21352], 5e-6);
     for (pair, first, second) in [
         ([0.01, 0.02], 0.7776, 1.2143),
@@ -290,7 +295,7 @@ fn f29_peaks() {
         assert_eq!(found.regime, Some(Regime::Continuous));
         close(features.resonances()[0].continuous_limit, limit, 1e-4);
         assert!(matches!(
-            features.invariant_points(M1, Measured::Amplitude, [0.5, 2.0]),
+            features.invariant_points(M1, InvariantQuantity::Amplitude, [0.5, 2.0]),
             Err(frictiongen::study::features::FeatureError::Damped)
         ));
     }
@@ -309,7 +314,12 @@ fn f30_f32_rig() {
     let together = features.antiresonances(Of::Contact, [0.1, 4.0]).unwrap();
     assert_eq!(together.len(), 1);
     close(together[0].r, own * (1.0 + gamma).sqrt(), ROUNDING);
-    let found = points(&system, Of::Contact, Measured::Fundamental, [0.9, 1.3]);
+    let found = points(
+        &system,
+        Of::Contact,
+        InvariantQuantity::Fundamental,
+        [0.9, 1.3],
+    );
     let found = found
         .iter()
         .find(|point| point.condition == Condition::Receptance);

@@ -2,7 +2,7 @@
 
 use frictiongen::study::{
     System,
-    features::{Features, Measured, RegimeEnd, Sensed},
+    features::{Features, InvariantQuantity, RegimeEnd, Sensed},
     sensitivity::{Parameter, Quantity},
     units::Load,
 };
@@ -91,7 +91,7 @@ fn undamped(features: &Features<'_>, range: [f64; 2], found: &mut Vec<Sensed>) {
         for zero in features.antiresonances(of, range).unwrap() {
             found.push(zero.frequency);
         }
-        for measured in [Measured::Amplitude, Measured::Fundamental] {
+        for measured in [InvariantQuantity::Amplitude, InvariantQuantity::Fundamental] {
             for point in features.invariant_points(of, measured, range).unwrap() {
                 found.push(point.frequency);
             }
@@ -213,7 +213,7 @@ fn scaled() {
     let system: System = CHAIN.parse().unwrap();
     let features = system.features(Some(Load::Base(0.7))).unwrap();
     let points = features
-        .invariant_points(Of::Mass(0), Measured::Amplitude, [0.5, 3.0])
+        .invariant_points(Of::Mass(0), InvariantQuantity::Amplitude, [0.5, 3.0])
         .unwrap();
     assert!(!points.is_empty());
     for point in points {

@@ -1,6 +1,6 @@
 //! Defines chains, each with the number that is varied.
 
-use frictiongen::study::response::Size;
+use frictiongen::study::response::MotionQuantity;
 use frictiongen::study::{
     System,
     optimum::{FrequencyBand, OptimumRequest, TunedOptimum, Tuning},
@@ -77,7 +77,7 @@ impl Case {
         let hertz = self.band.map(|omega| omega / std::f64::consts::TAU);
         let request = OptimumRequest {
             of: system.motion_named(self.of).expect("a motion"),
-            size: Size::Displacement,
+            size: MotionQuantity::Displacement,
             band: FrequencyBand::Hertz(hertz[0], hertz[1]),
             load: Some(self.load()),
         };

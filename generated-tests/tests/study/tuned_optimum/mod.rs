@@ -16,7 +16,7 @@ use case::{ABSORBER, BLOCK, FIRST_SPRING, SHARP};
 use frictiongen::study::optimum::{
     FrequencyBand, OptimumError, OptimumKind, OptimumRequest, Tuning,
 };
-use frictiongen::study::response::Size;
+use frictiongen::study::response::MotionQuantity;
 use std::time::Instant;
 
 fn off(a: f64, b: f64) -> f64 {
@@ -159,7 +159,7 @@ fn whatever_is_described() {
     let system = FIRST_SPRING.system(point.value);
     let request = OptimumRequest {
         of: system.motion_named("a").expect("a"),
-        size: Size::Displacement,
+        size: MotionQuantity::Displacement,
         band: FrequencyBand::Ratio(
             FIRST_SPRING.band[0] / point.value.sqrt(),
             FIRST_SPRING.band[1] / point.value.sqrt(),
@@ -182,7 +182,7 @@ fn what_makes_no_sense() {
     let system = ABSORBER.system(0.085);
     let request = OptimumRequest {
         of: system.motion_named("a").expect("a"),
-        size: Size::Displacement,
+        size: MotionQuantity::Displacement,
         band: FrequencyBand::Ratio(0.5, 1.6),
         load: None,
     };

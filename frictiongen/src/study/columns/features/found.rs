@@ -4,7 +4,8 @@ use crate::study::columns::column::TableRow;
 use crate::study::columns::setting::MovingPart;
 use crate::study::features::{
     Antiresonance, Certainty, Crossing, FeatureError, Features, HeldResonance, InvariantPoint,
-    Inversion, LimitsAtEnd, Measured, RegimeRange, Resonance, ResonantPeak, Sensed, SlidingRange,
+    InvariantQuantity, Inversion, LimitsAtEnd, RegimeRange, Resonance, ResonantPeak, Sensed,
+    SlidingRange,
 };
 
 /// A feature of the response that belongs to the motion of the contact or of a mass.
@@ -34,9 +35,9 @@ pub struct FeatureLists {
     /// Antiresonances: frequencies at which a motion vanishes without friction.
     pub(super) antiresonances: Vec<Named<Antiresonance>>,
     /// Invariant points: frequencies at which friction does not change the amplitude of a motion.
-    pub(super) invariant: Vec<Named<(Measured, InvariantPoint)>>,
+    pub(super) invariant: Vec<Named<(InvariantQuantity, InvariantPoint)>>,
     /// Inversions: ranges of frequency in which more friction makes a motion larger.
-    pub(super) inversions: Vec<Named<(Measured, Inversion)>>,
+    pub(super) inversions: Vec<Named<(InvariantQuantity, Inversion)>>,
     /// Displacement of each mass for the frequency ratio r → 0. `None` if the contact is stuck.
     pub(super) starts: Vec<FeatureAt<Named<Option<Sensed>>>>,
     /// Ranges of frequency in which the contact slides.
@@ -148,7 +149,7 @@ impl FeatureLists {
         let zeros = features.antiresonances(part.of, range)?;
         self.antiresonances
             .extend(zeros.into_iter().map(|it| named(part, it)));
-        for measured in [Measured::Amplitude, Measured::Fundamental] {
+        for measured in [InvariantQuantity::Amplitude, InvariantQuantity::Fundamental] {
             let points = features.invariant_points(part.of, measured, range)?;
             self.invariant
                 .extend(points.into_iter().map(|it| named(part, (measured, it))));

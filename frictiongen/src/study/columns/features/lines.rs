@@ -5,7 +5,7 @@ use crate::study::columns::column::TableRow;
 use crate::study::columns::setting::{MovingPart, Setting};
 use crate::study::response::SystemResponse;
 use crate::study::{
-    features::{Certainty, FeatureError, Features, Measured, RegimeEnd, Sensed},
+    features::{Certainty, FeatureError, Features, InvariantQuantity, RegimeEnd, Sensed},
     sensitivity::Parameter,
     words,
 };
@@ -253,7 +253,7 @@ fn undamped(
             FeatureLine::new("antiresonance", &part.name, Ground::All).at(zero.r, zero.frequency),
         );
     }
-    for measured in [Measured::Amplitude, Measured::Fundamental] {
+    for measured in [InvariantQuantity::Amplitude, InvariantQuantity::Fundamental] {
         let name = words::measured(measured);
         for point in features.invariant_points(part.of, measured, range)? {
             let condition = words::condition(&point);

@@ -6,8 +6,8 @@ use crate::study::columns::column::{Column, TableRow};
 use crate::study::columns::setting::Setting;
 use crate::study::{
     features::{
-        Certainty, Crossing, HeldResonance, InvariantPoint, Inversion, Measured, RegimeEnd,
-        RegimeRange, ResonantPeak, Sensed, SlidingRange,
+        Certainty, Crossing, HeldResonance, InvariantPoint, InvariantQuantity, Inversion,
+        RegimeEnd, RegimeRange, ResonantPeak, Sensed, SlidingRange,
     },
     words,
 };
@@ -102,9 +102,11 @@ fn antiresonances<'a>(
     sheet.columns.done()
 }
 
-fn invariant<'a>(setting: &Setting<'a>) -> Vec<Column<'a, Named<(Measured, InvariantPoint)>>> {
+fn invariant<'a>(
+    setting: &Setting<'a>,
+) -> Vec<Column<'a, Named<(InvariantQuantity, InvariantPoint)>>> {
     let mut sheet = Sheet::new(setting);
-    sheet.of(|point: &Named<(Measured, InvariantPoint)>| &point.of);
+    sheet.of(|point: &Named<(InvariantQuantity, InvariantPoint)>| &point.of);
     let columns = &mut sheet.columns;
     columns.word("measured", "", |point| Some(words::measured(point.it.0)));
     columns.word("condition", "", |point| Some(words::condition(&point.it.1)));
@@ -120,9 +122,9 @@ fn invariant<'a>(setting: &Setting<'a>) -> Vec<Column<'a, Named<(Measured, Invar
     sheet.columns.done()
 }
 
-fn inversions<'a>(setting: &Setting<'a>) -> Vec<Column<'a, Named<(Measured, Inversion)>>> {
+fn inversions<'a>(setting: &Setting<'a>) -> Vec<Column<'a, Named<(InvariantQuantity, Inversion)>>> {
     let mut sheet = Sheet::new(setting);
-    sheet.of(|range: &Named<(Measured, Inversion)>| &range.of);
+    sheet.of(|range: &Named<(InvariantQuantity, Inversion)>| &range.of);
     let columns = &mut sheet.columns;
     columns.word("measured", "", |range| Some(words::measured(range.it.0)));
     sheet.places("", |range| Some(range.it.1.from));

@@ -8,7 +8,7 @@ use crate::study::columns::motion::{MotionColumns, MotionRow, PartMotion, motion
 use crate::study::columns::setting::{
     AtFrequency, AtFriction, Frequency, FrictionSetting, Setting,
 };
-use crate::study::response::{Size, equivalent_damping};
+use crate::study::response::{MotionQuantity, equivalent_damping};
 use crate::study::{SystemAt, orbit::SystemOrbit, words};
 use crate::{Complex, NoOrbit, OutOfDomain};
 
@@ -195,7 +195,7 @@ impl<'a> OrbitTable<'a> {
             });
             let mut motion = motion.unwrap_or_default();
             motion.contact = contact;
-            if part.size == Size::Damping
+            if part.size == MotionQuantity::Damping
                 && let Some((_, energy)) = contact
             {
                 let centred = |of| orbit.ask_of(of, |motion| motion.centred_amplitude());

@@ -26,7 +26,7 @@ fn other_calls_name_the_fields() {
     ask(text(frame.features(None)));
     let request = crate::study::optimum::OptimumRequest {
         of: crate::Of::Mass(0),
-        size: crate::study::response::Size::Displacement,
+        size: crate::study::response::MotionQuantity::Displacement,
         band: crate::study::optimum::FrequencyBand::Ratio(0.5, 1.5),
         load: None,
     };

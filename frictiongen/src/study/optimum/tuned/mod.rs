@@ -32,7 +32,7 @@ impl System {
     /// long as [`optimum`](Self::optimum).
     ///
     /// ```no_run
-    /// use frictiongen::study::{System, optimum::{FrequencyBand, OptimumRequest, Tuning}, response::Size};
+    /// use frictiongen::study::{System, optimum::{FrequencyBand, OptimumRequest, Tuning}, response::MotionQuantity};
     ///
     /// # fn main() -> Result<(), Box<dyn std::error::Error>> {
     /// // The base drives the block and is its contact partner. A stiffer spring to the wall reduces the motion.
@@ -46,7 +46,7 @@ impl System {
     /// .parse()?;
     /// let request = OptimumRequest {
     ///     of: block.motion_named("block")?,
-    ///     size: Size::Displacement,
+    ///     size: MotionQuantity::Displacement,
     ///     band: FrequencyBand::Ratio(0.2, 1.2),
     ///     load: None,
     /// };

@@ -8,7 +8,7 @@ use crate::study::optimum::problem::{OptimumProblem, equal_peaks, slope, weights
 use crate::study::optimum::search::{self, Least, MinimumKind};
 use crate::study::optimum::{FrequencyBand, Optimum, OptimumError, OptimumRequest};
 use crate::study::parameter::Parameter;
-use crate::study::response::Size;
+use crate::study::response::MotionQuantity;
 use crate::study::system::System;
 use crate::study::units::{Load, angular_frequency};
 use frictiongen_model::scene::Excitation;
@@ -67,13 +67,13 @@ impl GroupRatios {
         let fall = request.load.map_or(0, |load| load.fall());
         let load = r.powi(-fall);
         let length = match request.size {
-            Size::Displacement if request.of.is_force() => beta,
-            Size::Displacement => length,
-            Size::Velocity => length * r,
-            Size::Acceleration => length * r * r,
-            Size::Force => beta,
-            Size::Energy => beta * length * load,
-            Size::Damping => 1.0,
+            MotionQuantity::Displacement if request.of.is_force() => beta,
+            MotionQuantity::Displacement => length,
+            MotionQuantity::Velocity => length * r,
+            MotionQuantity::Acceleration => length * r * r,
+            MotionQuantity::Force => beta,
+            MotionQuantity::Energy => beta * length * load,
+            MotionQuantity::Damping => 1.0,
         };
         Self {
             r,

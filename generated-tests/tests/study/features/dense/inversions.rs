@@ -2,7 +2,7 @@
 
 use super::dense;
 use crate::features::scenes::{random, shown};
-use frictiongen::study::features::{Edge, Measured};
+use frictiongen::study::features::{Edge, InvariantQuantity};
 use frictiongen::{LimitsAt, Of};
 use fuzzing::Random;
 
@@ -19,7 +19,7 @@ fn inversions() {
         let mass = scene % system.scene().masses.len();
         let (of, what) = (Of::Mass(mass), shown(&system));
         let features = system.features(None).unwrap();
-        for measured in [Measured::Amplitude, Measured::Fundamental] {
+        for measured in [InvariantQuantity::Amplitude, InvariantQuantity::Fundamental] {
             let found = features.inversions(of, measured, range).unwrap();
             for pair in found.windows(2) {
                 assert!(pair[0].to < pair[1].from, "{what}");
@@ -32,8 +32,8 @@ fn inversions() {
                     let motion = at.motion(beta).ok()?;
                     let motion = motion.mass_at(mass)?;
                     Some(match measured {
-                        Measured::Amplitude => motion.amplitude_monoharmonic(),
-                        Measured::Fundamental => motion.harmonic(1).norm(),
+                        InvariantQuantity::Amplitude => motion.amplitude_monoharmonic(),
+                        InvariantQuantity::Fundamental => motion.harmonic(1).norm(),
                     })
                 };
                 let (Some(with), Some(without)) = (size(beta), size(0.0)) else {

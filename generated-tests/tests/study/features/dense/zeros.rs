@@ -4,7 +4,7 @@ use super::count::{Count, sign_changes};
 use super::sums::Modes;
 use super::{DENSE, dense};
 use crate::features::scenes::{random, shown};
-use frictiongen::study::features::Measured;
+use frictiongen::study::features::InvariantQuantity;
 use frictiongen::{LimitsAt, Of};
 use fuzzing::Random;
 
@@ -48,12 +48,12 @@ fn undamped_functions() {
         }
         let of = Of::Mass(mass);
         let as_contact = system.modal().rubbing() == Some(mass) && modes.of_base == 0.0;
-        for measured in [Measured::Amplitude, Measured::Fundamental] {
+        for measured in [InvariantQuantity::Amplitude, InvariantQuantity::Fundamental] {
             let points = features.invariant_points(of, measured, range).unwrap();
             let mut wanted = Vec::new();
             let functions: Vec<Box<dyn Fn(f64) -> f64>> = match (measured, as_contact) {
-                (Measured::Amplitude, true) => vec![Box::new(|r| at(r).u)],
-                (Measured::Amplitude, false) => vec![
+                (InvariantQuantity::Amplitude, true) => vec![Box::new(|r| at(r).u)],
+                (InvariantQuantity::Amplitude, false) => vec![
                     Box::new(|r| at(r).own_u),
                     Box::new(|r| {
                         let sums = at(r);
@@ -65,7 +65,7 @@ fn undamped_functions() {
                         }
                     }),
                 ],
-                (Measured::Fundamental, _) => vec![
+                (InvariantQuantity::Fundamental, _) => vec![
                     Box::new(|r| at(r).own_h),
                     Box::new(|r| {
                         let sums = at(r);
