@@ -7,8 +7,8 @@ use crate::diagnostics::{MacroErrors, Partial, compile_error};
 use crate::lower::{Description, SizeLimits, parse_text, parse_tokens};
 use crate::{Diagnostics, emit, quoted};
 use frictiongen_model::scene::{
-    Contact, Damping, DampingFrom, Declared, Excitation, FrictionLaw, Joints, Mass, Node, Provide,
-    Scene, Spring, Stepping,
+    ContactSides, Damping, DampingFrom, Declared, Excitation, FrictionLaw, Joints, Mass, Node,
+    Provide, Scene, Spring, StepperOptions,
 };
 use proc_macro2::{Delimiter, Ident, Literal, Span, TokenStream, TokenTree};
 use std::path::{Path, PathBuf};
@@ -152,7 +152,7 @@ fn stand_in(partial: Partial) -> Option<TokenStream> {
         name: name.to_string(),
         masses,
         springs,
-        contact: Contact {
+        contact: ContactSides {
             from: Node::Mass(0),
             to: Node::Wall,
         },
@@ -173,10 +173,10 @@ fn stand_in(partial: Partial) -> Option<TokenStream> {
         ],
         declared: Declared::default(),
         friction: FrictionLaw::default(),
-        stepping: Stepping {
+        stepping: StepperOptions {
             step: has_step.then_some(0.1),
             forces,
-            ..Stepping::default()
+            ..StepperOptions::default()
         },
         joints: Joints::default(),
     };

@@ -8,8 +8,8 @@
 
 use frictiongen_codegen::{Description, SizeLimits, parse_text, parse_tokens};
 use frictiongen_model::scene::{
-    Accuracy, Contact, Damping, Excitation, FrictionLaw, Node, Precision, Provide, Scene, Spring,
-    StepInput, Stepping,
+    Accuracy, ContactSides, Damping, Excitation, FrictionLaw, Node, Precision, Provide, Scene,
+    Spring, StepInput, StepperOptions,
 };
 use syn::parse::Parser;
 
@@ -75,7 +75,7 @@ fn the_frame_of_the_manual() {
     assert_eq!(scene.springs[1], second);
     assert_eq!(
         scene.contact,
-        Contact {
+        ContactSides {
             from: Node::Mass(1),
             to: Node::Wall
         }
@@ -131,13 +131,13 @@ fn the_friction_law_and_the_stepper() {
     let plain = scene("provide: [stepper]");
     assert_eq!(plain.provide, [Provide::Stepper]);
     assert_eq!(plain.friction, FrictionLaw::Coulomb);
-    assert_eq!(plain.stepping, Stepping::default());
+    assert_eq!(plain.stepping, StepperOptions::default());
     assert_eq!(plain.stepping.input, StepInput::Linear);
     let all = scene(
         "step: 1 / 48000, input: hold, force: { b, }, stiction: 1.5, provide: [stepper], \
          friction: stribeck(1e-3: 1.5, 2 * 0.1: 0.4,)",
     );
-    let expected = Stepping {
+    let expected = StepperOptions {
         step: Some(1.0 / 48000.0),
         input: StepInput::Hold,
         forces: vec![1],
@@ -161,7 +161,7 @@ fn contacts_of_every_kind_either_way_round() {
              springs: {{ base - a: 1, a - b: 1 }}, masses: {{ a: 1, b: 2 }} }}"
         ))
         .scene;
-        assert_eq!(scene.contact, Contact { from, to });
+        assert_eq!(scene.contact, ContactSides { from, to });
     }
 }
 

@@ -3,7 +3,7 @@
 
 use crate::jacobi::{self, ColumnMatrix, dot};
 use crate::modal_sums::{cleaned, inertial_drag, projected, static_sums};
-use crate::scene::{Contact, Damping, Excitation, Node, Scene};
+use crate::scene::{ContactSides, Damping, Excitation, Node, Scene};
 use frictiongen_kernel::Float;
 use frictiongen_kernel::number::dd::Dd;
 use frictiongen_kernel::response::Ends;
@@ -64,7 +64,7 @@ fn dd(value: f64) -> Dd {
 }
 
 /// Returns the contact direction w as pairs (index of a mass, sign). The earlier of two masses has the minus sign.
-fn direction(contact: Contact) -> Vec<(usize, f64)> {
+fn direction(contact: ContactSides) -> Vec<(usize, f64)> {
     match (contact.from, contact.to) {
         (Node::Mass(a), Node::Mass(b)) => vec![(a.min(b), -1.0), (a.max(b), 1.0)],
         (Node::Mass(j), _) | (_, Node::Mass(j)) => vec![(j, 1.0)],

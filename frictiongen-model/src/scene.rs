@@ -43,7 +43,7 @@ pub struct Spring {
 /// The two sides of the single Coulomb contact.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
-pub struct Contact {
+pub struct ContactSides {
     /// The side of the contact that the description writes first.
     pub from: Node,
     /// The side of the contact that the description writes second.
@@ -246,7 +246,7 @@ pub enum StepInput {
 /// Settings of the stepper: the step, the input and the loads.
 #[derive(Clone, Debug, PartialEq, Default)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
-pub struct Stepping {
+pub struct StepperOptions {
     /// The fixed step in the scene's unit of time (s in SI), or `None` if the step is known only at run time. If the
     /// step is known, the tables for it are constants of the emitted code.
     pub step: Option<f64>,
@@ -268,7 +268,7 @@ pub struct Scene {
     pub springs: Vec<Spring>,
     /// The single Coulomb contact of the scene. In a scene with `contacts`, this field has the two sides of the first
     /// contact.
-    pub contact: Contact,
+    pub contact: ContactSides,
     /// The harmonic excitation of the scene.
     pub excitation: Excitation,
     /// The viscous damping of the scene.
@@ -293,7 +293,7 @@ pub struct Scene {
     pub friction: FrictionLaw,
     /// The settings of the stepper.
     #[cfg_attr(feature = "serde", serde(default))]
-    pub stepping: Stepping,
+    pub stepping: StepperOptions,
     /// Several contacts, and dashpots.
     #[cfg_attr(feature = "serde", serde(default))]
     #[doc(hidden)]

@@ -1,8 +1,8 @@
 //! Writes a scene as a description.
 
 use frictiongen_model::scene::{
-    Accuracy, Beyond, Contact, Damping, DampingFrom, Declared, Excitation, FrictionLaw, JointLaw,
-    Node, Precision, Provide, Proving, Range, Scene, Side, StepInput,
+    Accuracy, Beyond, ContactSides, Damping, DampingFrom, Declared, Excitation, FrictionLaw,
+    JointLaw, Node, Precision, Provide, Proving, Range, Scene, Side, StepInput,
 };
 use std::fmt::{self, Display, Formatter, Write as _};
 
@@ -40,7 +40,7 @@ pub fn written(scene: &Scene) -> String {
 fn fields(scene: &Scene) -> Vec<(&'static str, String)> {
     let node = |node: Node| scene.node_name(node);
     let pair = |from, to| format!("{} - {}", node(from), node(to));
-    let sides = |contact: Contact| pair(contact.from, contact.to);
+    let sides = |contact: ContactSides| pair(contact.from, contact.to);
     let mut fields = vec![(
         "masses",
         braced(

@@ -23,8 +23,8 @@ use case::{Case, Door, cases};
 use frictiongen::System;
 use frictiongen_codegen::{SizeLimits, expand, parse_text};
 use frictiongen_model::scene::{
-    Contact, Damping, Declared, Excitation, FrictionLaw, Mass, Node, Precision, Provide, Scene,
-    Spring, Stepping,
+    ContactSides, Damping, Declared, Excitation, FrictionLaw, Mass, Node, Precision, Provide,
+    Scene, Spring, StepperOptions,
 };
 use frictiongen_model::validate::validate;
 use proc_macro2::{Literal, TokenTree};
@@ -160,7 +160,7 @@ fn frame() -> Scene {
             spring(Node::Base, Node::Mass(0), 1190.0),
             spring(Node::Mass(0), Node::Mass(1), 1323.0),
         ],
-        contact: Contact {
+        contact: ContactSides {
             from: Node::Mass(1),
             to: Node::Wall,
         },
@@ -173,7 +173,7 @@ fn frame() -> Scene {
         provide: vec![Provide::Limits],
         declared: Declared::default(),
         friction: FrictionLaw::default(),
-        stepping: Stepping::default(),
+        stepping: StepperOptions::default(),
         joints: Default::default(),
     }
 }

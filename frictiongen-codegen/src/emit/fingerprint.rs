@@ -1,8 +1,9 @@
 //! Hash of a scene. Emitted code contains the hash, so that a reader can identify the scene from which the code comes.
 
 use frictiongen_model::scene::{
-    Accuracy, Beyond, Contact, Damping, DampingFrom, Declared, Excitation, FrictionLaw, Joints,
-    Mass, Node, Precision, Provide, Proving, Range, Scene, Side, Spring, StepInput, Stepping,
+    Accuracy, Beyond, ContactSides, Damping, DampingFrom, Declared, Excitation, FrictionLaw,
+    Joints, Mass, Node, Precision, Provide, Proving, Range, Scene, Side, Spring, StepInput,
+    StepperOptions,
 };
 
 /// Returns the FNV-1a hash of all fields of a scene. Texts that differ only in layout have the same
@@ -13,7 +14,7 @@ pub(crate) fn fingerprint(scene: &Scene) -> u64 {
         name,
         masses,
         springs,
-        contact: Contact { from, to },
+        contact: ContactSides { from, to },
         excitation,
         damping,
         damping_from,
@@ -211,8 +212,8 @@ impl Fnv {
         });
     }
 
-    fn stepping(&mut self, stepping: &Stepping) {
-        let Stepping {
+    fn stepping(&mut self, stepping: &StepperOptions) {
+        let StepperOptions {
             step,
             input,
             forces,

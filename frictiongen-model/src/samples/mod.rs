@@ -6,8 +6,8 @@ pub use intervals::{RandomNumbers, contains};
 
 use crate::modal::Modal;
 use crate::scene::{
-    Contact, Damping, Declared, Excitation, FrictionLaw, Mass, Node, Precision, Provide, Scene,
-    Side, Spring, Stepping,
+    ContactSides, Damping, Declared, Excitation, FrictionLaw, Mass, Node, Precision, Provide,
+    Scene, Side, Spring, StepperOptions,
 };
 use crate::table::Request;
 
@@ -33,7 +33,7 @@ pub fn scene(kind: &str, count: usize, zeta: f64, stiction: f64) -> Modal {
         name: kind.to_owned(),
         masses: (0..count).map(mass).collect(),
         springs: (0..count).map(spring).collect(),
-        contact: Contact { from, to },
+        contact: ContactSides { from, to },
         excitation,
         damping_from: Default::default(),
         stiffness: None,
@@ -51,7 +51,7 @@ pub fn scene(kind: &str, count: usize, zeta: f64, stiction: f64) -> Modal {
         provide: vec![Provide::Limits],
         declared: Declared::default(),
         friction: FrictionLaw::default(),
-        stepping: Stepping::default(),
+        stepping: StepperOptions::default(),
         joints: Default::default(),
     })
 }

@@ -1,6 +1,6 @@
 //! Several contacts and dashpots of a scene.
 
-use super::{Contact, Node, Scene};
+use super::{ContactSides, Node, Scene};
 
 /// Friction law of one of several contacts.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -35,7 +35,7 @@ pub struct NamedContact {
     /// The name of the contact, a Rust identifier.
     pub name: String,
     /// The two sides of the contact.
-    pub sides: Contact,
+    pub sides: ContactSides,
     /// The law of the contact.
     pub law: JointLaw,
 }

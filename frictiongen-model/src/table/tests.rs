@@ -5,8 +5,8 @@ use super::zeros::Zeros;
 use super::{Fitted, Request, TableError, Tables};
 use crate::modal::Modal;
 use crate::scene::{
-    Contact, Damping, Declared, Excitation, FrictionLaw, Mass, Node, Precision, Provide, Scene,
-    Side, Spring, Stepping,
+    ContactSides, Damping, Declared, Excitation, FrictionLaw, Mass, Node, Precision, Provide,
+    Scene, Side, Spring, StepperOptions,
 };
 use frictiongen_kernel::table::{Piece, Table};
 
@@ -25,7 +25,7 @@ fn chain(count: usize, damping: Damping) -> Scene {
         name: "Chain".to_owned(),
         masses: (0..count).map(mass).collect(),
         springs: (0..count).map(spring).collect(),
-        contact: Contact {
+        contact: ContactSides {
             from: Node::Mass(0),
             to: Node::Mass(1),
         },
@@ -38,7 +38,7 @@ fn chain(count: usize, damping: Damping) -> Scene {
         provide: vec![Provide::Limits],
         declared: Declared::default(),
         friction: FrictionLaw::default(),
-        stepping: Stepping::default(),
+        stepping: StepperOptions::default(),
         joints: Default::default(),
     }
 }

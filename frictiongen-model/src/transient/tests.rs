@@ -1,5 +1,5 @@
 use super::*;
-use crate::scene::{Contact, Damping, Excitation, Mass, Node, Precision, Spring};
+use crate::scene::{ContactSides, Damping, Excitation, Mass, Node, Precision, Spring};
 
 /// Returns the scene of a chain base - m1 - m2 - …, with the contact on one mass and the load on the last mass.
 fn chain(masses: &[f64], springs: &[f64], contact: usize, damping: Damping) -> Scene {
@@ -16,7 +16,7 @@ fn chain(masses: &[f64], springs: &[f64], contact: usize, damping: Damping) -> S
         name: "Chain".to_owned(),
         masses: masses.iter().enumerate().map(mass).collect(),
         springs: springs.iter().enumerate().map(spring).collect(),
-        contact: Contact {
+        contact: ContactSides {
             from: Node::Mass(contact),
             to: Node::Wall,
         },
@@ -29,7 +29,7 @@ fn chain(masses: &[f64], springs: &[f64], contact: usize, damping: Damping) -> S
         provide: Vec::new(),
         declared: crate::scene::Declared::default(),
         friction: crate::scene::FrictionLaw::default(),
-        stepping: crate::scene::Stepping::default(),
+        stepping: crate::scene::StepperOptions::default(),
         joints: Default::default(),
     }
 }

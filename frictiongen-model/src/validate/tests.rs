@@ -3,8 +3,8 @@
 
 use super::*;
 use crate::scene::{
-    Accuracy, Contact, Damping, Declared, FrictionLaw, Mass, Precision, Provide, Range, Spring,
-    Stepping,
+    Accuracy, ContactSides, Damping, Declared, FrictionLaw, Mass, Precision, Provide, Range,
+    Spring, StepperOptions,
 };
 
 fn mass(name: &str, value: f64) -> Mass {
@@ -31,7 +31,7 @@ fn chain(count: usize) -> Scene {
             .map(|index| mass(&format!("m{index}"), 1.0))
             .collect(),
         springs,
-        contact: Contact {
+        contact: ContactSides {
             from: Node::Mass(count - 1),
             to: Node::Wall,
         },
@@ -44,7 +44,7 @@ fn chain(count: usize) -> Scene {
         provide: vec![Provide::Limits],
         declared: Declared::default(),
         friction: FrictionLaw::default(),
-        stepping: Stepping::default(),
+        stepping: StepperOptions::default(),
         joints: Default::default(),
     }
 }
@@ -78,7 +78,7 @@ fn masses_that_do_not_exist_are_told_wherever_they_are_named() {
     scene
         .springs
         .push(spring(Node::Mass(2), Node::Mass(usize::MAX)));
-    scene.contact = Contact {
+    scene.contact = ContactSides {
         from: Node::Wall,
         to: Node::Mass(5),
     };
@@ -161,13 +161,13 @@ fn the_load_reaches_a_contact_through_masses_but_not_through_supports() {
     let mut scene = chain(3);
     scene.springs[1] = spring(Node::Mass(1), Node::Wall);
     assert_eq!(messages(&scene)[0].0, Path::Contact);
-    scene.contact = Contact {
+    scene.contact = ContactSides {
         from: Node::Mass(0),
         to: Node::Mass(2),
     };
     assert_eq!(validate(&scene), Ok(()));
     // Only the component of the contact has springs to the base.
-    scene.contact = Contact {
+    scene.contact = ContactSides {
         from: Node::Mass(2),
         to: Node::Wall,
     };

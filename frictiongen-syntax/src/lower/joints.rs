@@ -1,6 +1,6 @@
 //! Converts parsed contacts and dashpots to the contacts and dashpots of a scene.
 
-use frictiongen_model::scene::{Contact, Damper, JointLaw, Joints, NamedContact};
+use frictiongen_model::scene::{ContactSides, Damper, JointLaw, Joints, NamedContact};
 use frictiongen_model::validate::Path;
 
 use super::resolve::Lowering;
@@ -65,7 +65,7 @@ impl<'s> Lowering<'s, '_> {
         };
         lowered.joints.contacts.push(NamedContact {
             name: entry.name.text.clone(),
-            sides: Contact { from, to },
+            sides: ContactSides { from, to },
             law,
         });
         lowered.contacts.push(entry);

@@ -2,7 +2,7 @@
 
 use std::collections::{HashMap, HashSet};
 
-use frictiongen_model::scene::{Contact, Excitation, Mass, Node, Scene, Spring};
+use frictiongen_model::scene::{ContactSides, Excitation, Mass, Node, Scene, Spring};
 use frictiongen_model::validate::{Checks, Path, validate_known};
 
 use super::Located;
@@ -291,16 +291,16 @@ impl<'s> Lowering<'s, '_> {
         (springs, entries)
     }
 
-    fn contact(&mut self, fields: &Fields) -> Contact {
+    fn contact(&mut self, fields: &Fields) -> ContactSides {
         let nodes = fields
             .contact
             .given()
             .map(|entry| (self.node(&entry.from), self.node(&entry.to)));
         if let Some((Ok(from), Ok(to))) = nodes {
-            Contact { from, to }
+            ContactSides { from, to }
         } else {
             self.checks.contact = false;
-            Contact {
+            ContactSides {
                 from: Node::Mass(0),
                 to: Node::Wall,
             }

@@ -1,6 +1,6 @@
 //! Converts the friction law and the stepper fields from the syntax tree to fields of the scene.
 
-use frictiongen_model::scene::{FrictionLaw, Stepping};
+use frictiongen_model::scene::{FrictionLaw, StepperOptions};
 use frictiongen_model::validate::Path;
 
 use super::resolve::Lowering;
@@ -27,7 +27,7 @@ impl<'s> Lowering<'s, '_> {
 
     /// Returns the settings of the stepper. The list has the written name of each mass on which the stepper may apply a
     /// force.
-    pub(super) fn stepping(&mut self, fields: &'s Fields) -> (Stepping, Vec<&'s Name>) {
+    pub(super) fn stepping(&mut self, fields: &'s Fields) -> (StepperOptions, Vec<&'s Name>) {
         let (mut forces, mut entries) = (Vec::new(), Vec::new());
         let written = fields.force.given();
         for name in written.map_or(&[][..], |force| &force.list.entries) {
@@ -38,7 +38,7 @@ impl<'s> Lowering<'s, '_> {
         }
         let step = fields.step.given();
         let input = fields.input.given();
-        let stepping = Stepping {
+        let stepping = StepperOptions {
             step: step.map(|step| self.number(*step, Path::Step)),
             input: input.map(|input| input.value).unwrap_or_default(),
             forces,

@@ -4,8 +4,8 @@ use super::error::InvalidScene;
 use super::system::System;
 use frictiongen_kernel::Float;
 use frictiongen_model::scene::{
-    Contact, Damper, Damping, DampingFrom, Declared, Excitation, FrictionLaw, JointLaw, Joints,
-    Mass, NamedContact, Node, Precision, Provide, Scene, Spring, StepInput, Stepping,
+    ContactSides, Damper, Damping, DampingFrom, Declared, Excitation, FrictionLaw, JointLaw,
+    Joints, Mass, NamedContact, Node, Precision, Provide, Scene, Spring, StepInput, StepperOptions,
 };
 use frictiongen_model::validate::{Checks, validate_known};
 
@@ -247,7 +247,7 @@ impl Builder {
             if let (Some(from), Some(to)) = (node(from, &place), node(to, &place)) {
                 joints.contacts.push(NamedContact {
                     name: name.clone(),
-                    sides: Contact { from, to },
+                    sides: ContactSides { from, to },
                     law: *law,
                 });
             } else {
@@ -283,12 +283,12 @@ impl Builder {
             unknown.push("there is no contact; add one by `contact`".to_owned());
         }
         let contact = if let Some((Some(from), Some(to))) = sides {
-            Contact { from, to }
+            ContactSides { from, to }
         } else if let Some(first) = joints.contacts.first() {
             first.sides
         } else {
             checks.contact = false;
-            Contact {
+            ContactSides {
                 from: Node::Base,
                 to: Node::Wall,
             }
@@ -318,7 +318,7 @@ impl Builder {
                 None => unknown.push(format!("`force` names `{name}`, which is no mass")),
             }
         }
-        let stepping = Stepping {
+        let stepping = StepperOptions {
             step: self.step,
             input: self.input,
             forces,
@@ -354,12 +354,12 @@ impl Builder {
 }
 
 /// Returns the solvers that code emitted from a scene with this friction law and stepper can provide.
-fn provided(friction: &FrictionLaw, stepping: &Stepping) -> Vec<Provide> {
+fn provided(friction: &FrictionLaw, stepping: &StepperOptions) -> Vec<Provide> {
     if *friction != FrictionLaw::Coulomb {
         return vec![Provide::Stepper];
     }
     let mut provide = vec![Provide::Limits, Provide::Motion(None)];
-    if *stepping != Stepping::default() {
+    if *stepping != StepperOptions::default() {
         provide.push(Provide::Stepper);
     }
     provide

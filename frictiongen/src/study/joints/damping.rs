@@ -5,8 +5,8 @@ use frictiongen_kernel::joints::at;
 use frictiongen_model::joined::{at_rest, damping_matrix};
 use frictiongen_model::modal::Modal;
 use frictiongen_model::scene::{
-    Contact, Damping, DampingFrom, Declared, Excitation, FrictionLaw, Joints, Mass, Node,
-    Precision, Scene, Spring, Stepping,
+    ContactSides, Damping, DampingFrom, Declared, Excitation, FrictionLaw, Joints, Mass, Node,
+    Precision, Scene, Spring, StepperOptions,
 };
 
 impl Chain {
@@ -58,7 +58,7 @@ impl Chain {
                 })
                 .collect(),
             springs: springs.collect(),
-            contact: Contact {
+            contact: ContactSides {
                 from: Node::Mass(0),
                 to: Node::Wall,
             },
@@ -71,7 +71,7 @@ impl Chain {
             provide: Vec::new(),
             declared: Declared::default(),
             friction: FrictionLaw::default(),
-            stepping: Stepping::default(),
+            stepping: StepperOptions::default(),
             joints: Joints::default(),
         }
     }
