@@ -48,12 +48,12 @@ pub fn count(value: Option<usize>) -> i64 {
 }
 
 /// Arrays by name, which become the Python answer.
-pub struct Columns<'py> {
+pub struct NamedArrays<'py> {
     dict: Bound<'py, PyDict>,
     shape: Vec<usize>,
 }
 
-impl<'py> Columns<'py> {
+impl<'py> NamedArrays<'py> {
     /// Returns an empty collection for arrays of this shape.
     pub fn new(py: Python<'py>, shape: &[usize]) -> Self {
         Self {

@@ -1,10 +1,10 @@
 //! Computes responses over a frequency range, with more points where a curve bends.
 
 use crate::asked::{
-    Band, FrequencyArguments, FrictionArguments, Frictions, LoadArguments, MOST_POINTS, Optional,
+    FrequencyRange, FrequencyKeywords, FrictionKeywords, FrictionValues, LoadKeywords, MOST_POINTS, Optional,
     MovingPart, check_size, harmonics, measure, one, parts, setting,
 };
-use crate::columns::Columns;
+use crate::columns::NamedArrays;
 use crate::errors::domain;
 use crate::system::NativeSystem;
 use crate::work::without_lock;
@@ -51,18 +51,18 @@ fn starts(names: &[String]) -> PyResult<Vec<CurveStart>> {
 pub fn curve<'py>(
     py: Python<'py>,
     system: &NativeSystem,
-    frequency: FrequencyArguments<'py>,
-    friction: FrictionArguments<'py>,
-    load: LoadArguments<'py>,
+    frequency: FrequencyKeywords<'py>,
+    friction: FrictionKeywords<'py>,
+    load: LoadKeywords<'py>,
     of: Optional<'py>,
     fineness: Fineness<'py>,
 ) -> PyResult<Bound<'py, PyDict>> {
     let (accuracy, step, highest, rates, starts_of) = fineness;
     let starts = starts(&starts_of)?;
     let system = &system.system;
-    let band = Band::of(system, &frequency)?;
+    let band = FrequencyRange::of(system, &frequency)?;
     let measure = measure::of(system, &load)?;
-    let frictions = Frictions::listed(&friction, &measure)?;
+    let frictions = FrictionValues::listed(&friction, &measure)?;
     let parts: Vec<MovingPart> = parts(system, "of", of.as_ref())?;
     let of: Vec<Of> = parts.iter().map(|part| part.of).collect();
     let mut request = CurveRequest::new(band.from, band.to, &of);
@@ -103,7 +103,7 @@ pub fn curve<'py>(
     })?
     .map_err(domain)?;
     check_size(found.len(), columns.len())?;
-    let mut arrays = Columns::new(py, &[found.len()]);
+    let mut arrays = NamedArrays::new(py, &[found.len()]);
     arrays.table(&columns, &found)?;
     Ok(arrays.done())
 }

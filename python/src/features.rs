@@ -1,10 +1,10 @@
 //! Computes features of a response without a sweep: thresholds, invariant points, ranges and peaks.
 
 use crate::asked::{
-    Band, FrequencyArguments, FrictionArguments, Frictions, LoadArguments, Optional, measure,
+    FrequencyRange, FrequencyKeywords, FrictionKeywords, FrictionValues, LoadKeywords, Optional, measure,
     parts, setting,
 };
-use crate::columns::{Columns, cell};
+use crate::columns::{NamedArrays, cell};
 use crate::errors::domain;
 use crate::system::NativeSystem;
 use crate::work::left_at_interrupt;
@@ -25,17 +25,17 @@ const MOST_FRICTIONS: usize = 16;
 pub fn features<'py>(
     py: Python<'py>,
     system: &NativeSystem,
-    frequency: FrequencyArguments<'py>,
-    friction: FrictionArguments<'py>,
-    load: LoadArguments<'py>,
+    frequency: FrequencyKeywords<'py>,
+    friction: FrictionKeywords<'py>,
+    load: LoadKeywords<'py>,
     of: Optional<'py>,
 ) -> PyResult<Bound<'py, PyDict>> {
     let system = &system.system;
     let measure = measure::constant(system, &load)?;
-    let band = Band::of_or_usual(system, &frequency, &measure)?;
+    let band = FrequencyRange::of_or_usual(system, &frequency, &measure)?;
     let frictions = match friction {
         (None, None) => Vec::new(),
-        given => Frictions::listed(&given, &measure)?.beta,
+        given => FrictionValues::listed(&given, &measure)?.beta,
     };
     if MOST_FRICTIONS < frictions.len() {
         return Err(domain(format_args!(
@@ -78,7 +78,7 @@ impl FeatureVisitor for Lists<'_, '_> {
         columns: &[Column<'_, R>],
         rows: &[R],
     ) -> PyResult<()> {
-        let mut arrays = Columns::new(self.all.py(), &[rows.len()]);
+        let mut arrays = NamedArrays::new(self.all.py(), &[rows.len()]);
         arrays.table(columns, rows)?;
         let derivatives = PyDict::new(self.all.py());
         for column in columns.iter().filter(|column| column.has_derivatives()) {

@@ -1,7 +1,7 @@
 //! Integrates the motion under any load, from rest, from a state, or from the end of an earlier run.
 
 use crate::asked::{MovingPart, check_size, numbers};
-use crate::columns::Columns;
+use crate::columns::NamedArrays;
 use crate::errors::{domain, wrong_type};
 use crate::system::NativeSystem;
 use crate::work::without_lock;
@@ -26,7 +26,7 @@ pub struct NativeStepState {
 }
 
 /// Initial state of a run.
-pub enum Start {
+pub enum RunStart {
     /// Every mass starts at rest.
     Rest,
     /// The run starts with these displacements and velocities of all masses.
@@ -35,7 +35,7 @@ pub enum Start {
     After(Py<NativeStepState>),
 }
 
-impl Start {
+impl RunStart {
     /// Reads the initial state. The argument is absent, the end of a run, or two rows of numbers.
     pub fn of(given: Option<&Bound<'_, PyAny>>) -> PyResult<Self> {
         let Some(given) = given else {
@@ -64,7 +64,7 @@ pub struct Course {
     /// The contact and masses whose motion the run returns.
     pub parts: Vec<MovingPart>,
     /// State from which the run starts.
-    pub start: Start,
+    pub start: RunStart,
     /// Ratio μ of static to kinetic friction. `None` means the ratio in the scene description.
     pub stiction: Option<f64>,
 }
@@ -80,8 +80,8 @@ fn ready<'s>(
     let of_dt = |error| domain(format_args!("dt = {dt:?}: {error}"));
     let of_system: &System = &system.get().system;
     let (mut stepper, goes_on) = match &course.start {
-        Start::Rest => (of_system.stepper(dt).map_err(of_dt)?, false),
-        Start::Moving(displacements, velocities) => {
+        RunStart::Rest => (of_system.stepper(dt).map_err(of_dt)?, false),
+        RunStart::Moving(displacements, velocities) => {
             let masses = of_system.scene().masses.len();
             for row in [displacements, velocities] {
                 if row.len() != masses || row.iter().any(|value| !value.is_finite()) {
@@ -93,7 +93,7 @@ fn ready<'s>(
             let state = (displacements.as_slice(), velocities.as_slice());
             (of_system.stepper_from(dt, state).map_err(of_dt)?, false)
         }
-        Start::After(state) => {
+        RunStart::After(state) => {
             let state = state.get();
             if !state.system.bind(py).is(system) {
                 return Err(domain("start: these steps are of another system"));
@@ -150,7 +150,7 @@ pub fn follow<'py, 'r>(
 
     let columns = Driven::columns(&system.get().system, parts);
     let rows: Vec<_> = followed.rows().collect();
-    let mut arrays = Columns::new(py, &[samples]);
+    let mut arrays = NamedArrays::new(py, &[samples]);
     arrays.table(&columns, &rows)?;
     let work = Stepping::work(&stepper);
     arrays.other(

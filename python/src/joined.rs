@@ -1,10 +1,10 @@
 //! Computes the steady states of scenes with several contacts, with the numbers of each contact.
 
 use crate::asked::{
-    Frequencies, FrequencyArguments, FrictionArguments, Frictions, LoadArguments, Optional,
+    FrequencyValues, FrequencyKeywords, FrictionKeywords, FrictionValues, LoadKeywords, Optional,
     check_size, measure, names, put_grid, setting,
 };
-use crate::columns::Columns;
+use crate::columns::NamedArrays;
 use crate::errors::domain;
 use crate::system::NativeSystem;
 use crate::work::without_lock;
@@ -36,16 +36,16 @@ fn masses(system: &System, given: Option<&Bound<'_, PyAny>>) -> PyResult<Vec<usi
 pub fn by_contact<'py>(
     py: Python<'py>,
     system: &NativeSystem,
-    frequency: FrequencyArguments<'py>,
-    friction: FrictionArguments<'py>,
-    load: LoadArguments<'py>,
+    frequency: FrequencyKeywords<'py>,
+    friction: FrictionKeywords<'py>,
+    load: LoadKeywords<'py>,
     of: Optional<'py>,
 ) -> PyResult<Bound<'py, PyDict>> {
     let system = &system.system;
     let joined = system.joined().map_err(domain)?;
-    let frequencies = Frequencies::of(system, &frequency, true)?;
+    let frequencies = FrequencyValues::of(system, &frequency, true)?;
     let measure = measure::of(system, &load)?;
-    let frictions = Frictions::of(&friction, &measure)?;
+    let frictions = FrictionValues::of(&friction, &measure)?;
     let table = JoinedTable {
         setting: setting(system, measure, frequencies.unit(&measure), &[]),
         joined: &joined,
@@ -64,7 +64,7 @@ pub fn by_contact<'py>(
     .map_err(domain)?;
     let rows: Vec<JoinedRow> = found.into_iter().flatten().collect();
 
-    let mut arrays = Columns::new(py, &[]);
+    let mut arrays = NamedArrays::new(py, &[]);
     let grid = (&frequencies, &frictions);
     put_grid(&mut arrays, grid, &table.setting, (&columns, &rows))?;
     Ok(arrays.done())

@@ -1,7 +1,7 @@
 //! Computes the limit of continuous motion β_lim and the limit of sliding β*_lim over frequency.
 
-use crate::asked::{Frequencies, FrequencyArguments, LoadArguments, check_size, measure, setting};
-use crate::columns::Columns;
+use crate::asked::{FrequencyValues, FrequencyKeywords, LoadKeywords, check_size, measure, setting};
+use crate::columns::NamedArrays;
 use crate::errors::domain;
 use crate::system::NativeSystem;
 use crate::work::{Stop, without_lock};
@@ -35,13 +35,13 @@ fn all(
 pub fn limits<'py>(
     py: Python<'py>,
     system: &NativeSystem,
-    frequency: FrequencyArguments<'py>,
-    load: LoadArguments<'py>,
+    frequency: FrequencyKeywords<'py>,
+    load: LoadKeywords<'py>,
     estimates: bool,
     search: bool,
 ) -> PyResult<Bound<'py, PyDict>> {
     let system = &system.system;
-    let frequencies = Frequencies::of(system, &frequency, false)?;
+    let frequencies = FrequencyValues::of(system, &frequency, false)?;
     let measure = measure::of(system, &load)?;
     let table = LimitsTable {
         setting: setting(system, measure, frequencies.unit(&measure), &[]),
@@ -55,7 +55,7 @@ pub fn limits<'py>(
     check_size(frequencies.r.len(), columns.len())?;
     let asked = frequencies.all(system);
     let found = without_lock(py, |stop| all(&table, &asked, stop))?.map_err(domain)?;
-    let mut arrays = Columns::new(py, &frequencies.shape());
+    let mut arrays = NamedArrays::new(py, &frequencies.shape());
     arrays.table(&columns, &found)?;
     Ok(arrays.done())
 }

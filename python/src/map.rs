@@ -1,10 +1,10 @@
 //! Computes maps over frequency and friction.
 
 use crate::asked::{
-    Frequencies, FrequencyArguments, FrictionArguments, Frictions, LoadArguments, Optional,
+    FrequencyValues, FrequencyKeywords, FrictionKeywords, FrictionValues, LoadKeywords, Optional,
     check_size, measure, parts, setting,
 };
-use crate::columns::Columns;
+use crate::columns::NamedArrays;
 use crate::errors::domain;
 use crate::system::NativeSystem;
 use crate::work::without_lock;
@@ -18,20 +18,20 @@ use pyo3::types::PyDict;
 pub fn map<'py>(
     py: Python<'py>,
     system: &NativeSystem,
-    frequency: FrequencyArguments<'py>,
-    friction: FrictionArguments<'py>,
-    load: LoadArguments<'py>,
+    frequency: FrequencyKeywords<'py>,
+    friction: FrictionKeywords<'py>,
+    load: LoadKeywords<'py>,
     of: Optional<'py>,
 ) -> PyResult<Bound<'py, PyDict>> {
     let system = &system.system;
-    let frequencies = Frequencies::of(system, &frequency, false)?;
+    let frequencies = FrequencyValues::of(system, &frequency, false)?;
     if let Some(index) = frequencies.r.iter().position(|r| r.is_infinite()) {
         return Err(domain(format_args!(
             "the frequency with the index {index} is infinite, but a map needs finite frequencies"
         )));
     }
     let measure = measure::constant(system, &load)?;
-    let frictions = Frictions::of(&friction, &measure)?;
+    let frictions = FrictionValues::of(&friction, &measure)?;
     let parts = parts(system, "of", of.as_ref())?;
     let table = MapTable {
         setting: setting(system, measure, frequencies.unit(&measure), &parts),
@@ -50,7 +50,7 @@ pub fn map<'py>(
     let (along, up) = (frequencies.all(system), frictions.all());
     let limits: Vec<_> = MapTable::limits(&map, along.iter().copied()).collect();
     let rows: Vec<_> = MapTable::rows(&map, along.into_iter(), up.into_iter()).collect();
-    let mut arrays = Columns::new(py, &frequencies.shape());
+    let mut arrays = NamedArrays::new(py, &frequencies.shape());
     frequencies.put(&mut arrays, &table.setting)?;
     arrays.table(&table.limits_columns(), &limits)?;
     arrays.reshape(&frictions.shape());

@@ -1,9 +1,9 @@
 //! Finds the friction that minimises the largest amplitude over a frequency range, or the largest of several quotients.
 
 use crate::asked::{
-    Band, FrequencyArguments, LoadArguments, Measure, MovingPart, measure, one, quantity, setting,
+    FrequencyRange, FrequencyKeywords, LoadKeywords, Measure, MovingPart, measure, one, quantity, setting,
 };
-use crate::columns::Columns;
+use crate::columns::NamedArrays;
 use crate::errors::{defect, domain, wrong_type};
 use crate::system::NativeSystem;
 use crate::work::without_lock;
@@ -25,10 +25,10 @@ struct Valued {
 
 /// The columns of the answer, its peaks, tolerances and sensitivities, and the name, the unit and the numbers of each of
 /// several quantities.
-type Answer<'py> = ([Bound<'py, PyDict>; 4], Vec<Quotient<'py>>);
+type OptimumAnswer<'py> = ([Bound<'py, PyDict>; 4], Vec<QuotientAnswer<'py>>);
 
 /// Name, unit and numbers of one of several quantities. The numbers have the keys of the library.
-type Quotient<'py> = (String, &'static str, Bound<'py, PyDict>);
+type QuotientAnswer<'py> = (String, &'static str, Bound<'py, PyDict>);
 
 /// Finds the optimal friction for a quantity, or for several quantities with values.
 #[pyfunction]
@@ -36,13 +36,13 @@ pub fn optimum<'py>(
     py: Python<'py>,
     system: &NativeSystem,
     of: Bound<'py, PyAny>,
-    frequency: FrequencyArguments<'py>,
-    load: LoadArguments<'py>,
+    frequency: FrequencyKeywords<'py>,
+    load: LoadKeywords<'py>,
     vary: Option<(String, f64, f64)>,
-) -> PyResult<Answer<'py>> {
+) -> PyResult<OptimumAnswer<'py>> {
     let system = &system.system;
     let measure = measure::of(system, &load)?;
-    let band = Band::of(system, &frequency)?;
+    let band = FrequencyRange::of(system, &frequency)?;
     if let Ok(quantities) = of.cast::<PyDict>() {
         if vary.is_some() {
             return Err(domain(
@@ -89,7 +89,7 @@ pub fn optimum<'py>(
     Ok((answer, Vec::new()))
 }
 
-fn request(part: &MovingPart, band: &Band, measure: &Measure) -> OptimumRequest {
+fn request(part: &MovingPart, band: &FrequencyRange, measure: &Measure) -> OptimumRequest {
     OptimumRequest {
         of: part.of,
         size: part.size,
@@ -139,9 +139,9 @@ fn valued(system: &System, measure: &Measure, given: &Bound<'_, PyDict>) -> PyRe
 fn weighted<'py>(
     py: Python<'py>,
     system: &System,
-    (band, measure): (&Band, Measure),
+    (band, measure): (&FrequencyRange, Measure),
     all: &[Valued],
-) -> PyResult<Answer<'py>> {
+) -> PyResult<OptimumAnswer<'py>> {
     let missing = || defect("a quantity is missing: please report this with the description");
     let first = all.first().ok_or_else(missing)?;
     let request = request(&first.part, band, &measure);
@@ -178,7 +178,7 @@ fn quotients<'py>(
     py: Python<'py>,
     values: &[(MovingPart, f64, f64)],
     lines: &[OptimumLine],
-) -> PyResult<Vec<Quotient<'py>>> {
+) -> PyResult<Vec<QuotientAnswer<'py>>> {
     let each = (1..).zip(values).map(|(row, (part, ..))| {
         let (numbers, mut unit) = (PyDict::new(py), "");
         let of_row = |line: &&OptimumLine| line.list == Some(WEIGHTED) && line.row == Some(row);
@@ -202,7 +202,7 @@ fn answer<'py>(
     table: &OptimumTable<'_>,
     optimum: &Optimum,
 ) -> PyResult<[Bound<'py, PyDict>; 4]> {
-    let mut once = Columns::new(py, &[]);
+    let mut once = NamedArrays::new(py, &[]);
     once.table(&table.columns(), std::slice::from_ref(optimum))?;
     Ok([
         once.done(),
@@ -222,7 +222,7 @@ fn list<'py, R>(
     columns: &[Column<'_, R>],
     rows: &[R],
 ) -> PyResult<Bound<'py, PyDict>> {
-    let mut arrays = Columns::new(py, &[rows.len()]);
+    let mut arrays = NamedArrays::new(py, &[rows.len()]);
     arrays.table(columns, rows)?;
     Ok(arrays.done())
 }

@@ -1,10 +1,10 @@
 //! Computes the steady state at one frequency and one friction.
 
 use crate::asked::{
-    Frequencies, FrequencyArguments, FrictionArguments, Frictions, LoadArguments, Measure,
+    FrequencyValues, FrequencyKeywords, FrictionKeywords, FrictionValues, LoadKeywords, Measure,
     Optional, MovingPart, harmonics, measure, parts, setting,
 };
-use crate::columns::Columns;
+use crate::columns::NamedArrays;
 use crate::errors::{defect, domain};
 use crate::system::NativeSystem;
 use crate::work::left_at_interrupt;
@@ -17,11 +17,11 @@ use std::sync::Arc;
 
 /// Arguments of `orbit` and `states`.
 #[derive(Clone)]
-struct Question {
+struct OrbitKeywords {
     system: Arc<System>,
     measure: Measure,
-    frequencies: Frequencies,
-    frictions: Frictions,
+    frequencies: FrequencyValues,
+    frictions: FrictionValues,
     parts: Vec<MovingPart>,
     orders: Vec<u32>,
 }
@@ -30,7 +30,7 @@ struct Question {
 type Rows =
     fn(&OrbitTable<'_>, &SystemAt<'_>, Frequency, FrictionSetting) -> Result<Vec<OrbitRow>, OutOfDomain>;
 
-impl Question {
+impl OrbitKeywords {
     fn table(&self) -> OrbitTable<'_> {
         let unit = self.frequencies.unit(&self.measure);
         OrbitTable {
@@ -51,7 +51,7 @@ impl Question {
         .map_err(domain)?;
         let columns = table.columns();
         let each = rows.iter().map(|row| {
-            let mut arrays = Columns::new(py, &[]);
+            let mut arrays = NamedArrays::new(py, &[]);
             arrays.table(&columns, std::slice::from_ref(row))?;
             Ok(arrays.done())
         });
@@ -62,18 +62,18 @@ impl Question {
 /// Reads the arguments. The harmonics begin with the mean value, order 0.
 fn question<'py>(
     system: &NativeSystem,
-    (frequency, friction): (&FrequencyArguments<'py>, &FrictionArguments<'py>),
-    load: &LoadArguments<'py>,
+    (frequency, friction): (&FrequencyKeywords<'py>, &FrictionKeywords<'py>),
+    load: &LoadKeywords<'py>,
     of: Option<&Bound<'py, PyAny>>,
     highest: Optional<'py>,
-) -> PyResult<Question> {
+) -> PyResult<OrbitKeywords> {
     let system = &system.system;
     let measure = measure::of(system, load)?;
-    Ok(Question {
+    Ok(OrbitKeywords {
         system: Arc::clone(system),
         measure,
-        frequencies: Frequencies::of(system, frequency, true)?,
-        frictions: Frictions::of(friction, &measure)?,
+        frequencies: FrequencyValues::of(system, frequency, true)?,
+        frictions: FrictionValues::of(friction, &measure)?,
         parts: parts(system, "of", of)?,
         orders: match highest {
             None => Vec::new(),
@@ -87,9 +87,9 @@ fn question<'py>(
 pub fn orbit<'py>(
     py: Python<'py>,
     system: &NativeSystem,
-    frequency: FrequencyArguments<'py>,
-    friction: FrictionArguments<'py>,
-    load: LoadArguments<'py>,
+    frequency: FrequencyKeywords<'py>,
+    friction: FrictionKeywords<'py>,
+    load: LoadKeywords<'py>,
     of: Optional<'py>,
     highest: Optional<'py>,
 ) -> PyResult<Bound<'py, PyDict>> {
@@ -106,9 +106,9 @@ pub fn orbit<'py>(
 pub fn states<'py>(
     py: Python<'py>,
     system: &NativeSystem,
-    frequency: FrequencyArguments<'py>,
-    friction: FrictionArguments<'py>,
-    load: LoadArguments<'py>,
+    frequency: FrequencyKeywords<'py>,
+    friction: FrictionKeywords<'py>,
+    load: LoadKeywords<'py>,
     of: Optional<'py>,
     highest: Optional<'py>,
 ) -> PyResult<Vec<Bound<'py, PyDict>>> {

@@ -1,7 +1,7 @@
 //! Computes steady states under any periodic load.
 
-use crate::asked::{self, Frictions, Measure, Optional, check_size, names, parts};
-use crate::columns::Columns;
+use crate::asked::{self, FrictionValues, Measure, Optional, check_size, names, parts};
+use crate::columns::NamedArrays;
 use crate::errors::domain;
 use crate::system::NativeSystem;
 use crate::work::left_at_interrupt;
@@ -17,7 +17,7 @@ use std::sync::Arc;
 type PeriodArguments<'py> = (Bound<'py, PyAny>, Bound<'py, PyAny>, bool);
 
 /// The answer: the columns of the steady states, and the columns of each motion over a period.
-type Answer<'py> = (Bound<'py, PyDict>, Vec<Bound<'py, PyDict>>);
+type PeriodicAnswer<'py> = (Bound<'py, PyDict>, Vec<Bound<'py, PyDict>>);
 
 /// Finds the steady state at one friction force.
 fn row(
@@ -44,11 +44,11 @@ pub fn periodic<'py>(
     friction: Bound<'py, PyAny>,
     of: Optional<'py>,
     motion: bool,
-) -> PyResult<Answer<'py>> {
+) -> PyResult<PeriodicAnswer<'py>> {
     let (load, period, hold) = load;
     let (system, load) = asked::periodic::load(&system.system, &load, &period, hold)?;
     let system = Arc::new(system);
-    let frictions = Frictions::listed(&(None, Some(friction)), &Measure::si(&system))?;
+    let frictions = FrictionValues::listed(&(None, Some(friction)), &Measure::si(&system))?;
     let mut parts = parts(&system, "of", of.as_ref())?;
     if names("of", of.as_ref())?.is_empty() {
         parts = parts
@@ -86,7 +86,7 @@ pub fn periodic<'py>(
             )));
         }
     };
-    let mut arrays = Columns::new(py, &frictions.shape());
+    let mut arrays = NamedArrays::new(py, &frictions.shape());
     arrays.table(&columns, &rows)?;
     let shown: &[PeriodicRow] = if motion { &rows } else { &[] };
     Ok((arrays.done(), motions(py, &table, shown)?))
@@ -102,7 +102,7 @@ fn motions<'py>(
     check_size(instants, 2 * table.parts.len() + 2)?;
     let each = rows.iter().map(|row| {
         let samples: Vec<_> = row.samples().collect();
-        let mut arrays = Columns::new(py, &[samples.len()]);
+        let mut arrays = NamedArrays::new(py, &[samples.len()]);
         arrays.table(&table.sample_columns(), &samples)?;
         Ok(arrays.done())
     });

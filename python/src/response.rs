@@ -1,10 +1,10 @@
 //! Computes the response in every regime over frequency and friction.
 
 use crate::asked::{
-    Frequencies, FrequencyArguments, FrictionArguments, Frictions, LoadArguments, Optional,
+    FrequencyValues, FrequencyKeywords, FrictionKeywords, FrictionValues, LoadKeywords, Optional,
     check_size, harmonics, measure, parts, put_grid, setting,
 };
-use crate::columns::Columns;
+use crate::columns::NamedArrays;
 use crate::errors::domain;
 use crate::system::NativeSystem;
 use crate::work::without_lock;
@@ -19,16 +19,16 @@ use rayon::prelude::*;
 pub fn response<'py>(
     py: Python<'py>,
     system: &NativeSystem,
-    frequency: FrequencyArguments<'py>,
-    friction: FrictionArguments<'py>,
-    load: LoadArguments<'py>,
+    frequency: FrequencyKeywords<'py>,
+    friction: FrictionKeywords<'py>,
+    load: LoadKeywords<'py>,
     of: Optional<'py>,
     highest: Optional<'py>,
 ) -> PyResult<Bound<'py, PyDict>> {
     let system = &system.system;
-    let frequencies = Frequencies::of(system, &frequency, false)?;
+    let frequencies = FrequencyValues::of(system, &frequency, false)?;
     let measure = measure::of(system, &load)?;
-    let frictions = Frictions::of(&friction, &measure)?;
+    let frictions = FrictionValues::of(&friction, &measure)?;
     let parts = parts(system, "of", of.as_ref())?;
     let orders: Vec<u32> = (1..=harmonics(highest.as_ref())?).step_by(2).collect();
     let table = ResponseTable {
@@ -54,7 +54,7 @@ pub fn response<'py>(
     .map_err(domain)?;
     let rows: Vec<ResponseRow> = found.into_iter().flatten().collect();
 
-    let mut arrays = Columns::new(py, &[]);
+    let mut arrays = NamedArrays::new(py, &[]);
     let grid = (&frequencies, &frictions);
     put_grid(&mut arrays, grid, &table.setting, (&columns, &rows))?;
     Ok(arrays.done())

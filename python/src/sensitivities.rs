@@ -1,10 +1,10 @@
 //! Computes the derivatives of a response and of β_lim and β*_lim with respect to every parameter.
 
 use crate::asked::{
-    Frequencies, FrequencyArguments, FrictionArguments, Frictions, LoadArguments, measure, part,
+    FrequencyValues, FrequencyKeywords, FrictionKeywords, FrictionValues, LoadKeywords, measure, part,
     setting,
 };
-use crate::columns::Columns;
+use crate::columns::NamedArrays;
 use crate::errors::domain;
 use crate::system::NativeSystem;
 use crate::work::left_at_interrupt;
@@ -20,15 +20,15 @@ pub fn sensitivities<'py>(
     py: Python<'py>,
     system: &NativeSystem,
     of: Bound<'py, PyAny>,
-    frequency: FrequencyArguments<'py>,
-    friction: FrictionArguments<'py>,
-    load: LoadArguments<'py>,
+    frequency: FrequencyKeywords<'py>,
+    friction: FrictionKeywords<'py>,
+    load: LoadKeywords<'py>,
 ) -> PyResult<(String, Bound<'py, PyDict>)> {
     let system = &system.system;
     let part = part(system, "of", &of)?;
-    let frequencies = Frequencies::of(system, &frequency, true)?;
+    let frequencies = FrequencyValues::of(system, &frequency, true)?;
     let measure = measure::of(system, &load)?;
-    let frictions = Frictions::of(&friction, &measure)?;
+    let frictions = FrictionValues::of(&friction, &measure)?;
     let (frequency, friction) = (frequencies.only(system)?, frictions.only()?);
     let parts = [part];
     let table = SensitivityTable {
@@ -44,7 +44,7 @@ pub fn sensitivities<'py>(
     })?;
     let regime = words::regime(known.regime).to_owned();
     let rows = table.rows(frequency, friction, Ok(known)).map_err(domain)?;
-    let mut arrays = Columns::new(py, &[rows.len()]);
+    let mut arrays = NamedArrays::new(py, &[rows.len()]);
     arrays.table(&table.parameter_columns(), &rows)?;
     Ok((regime, arrays.done()))
 }

@@ -1,10 +1,10 @@
 //! Computes the motion over time: samples and events.
 
 use crate::asked::{
-    Frequencies, FrequencyArguments, FrictionArguments, Frictions, LoadArguments, Measure,
+    FrequencyValues, FrequencyKeywords, FrictionKeywords, FrictionValues, LoadKeywords, Measure,
     Optional, measure, numbers, parts, setting, whole,
 };
-use crate::columns::Columns;
+use crate::columns::NamedArrays;
 use crate::errors::domain;
 use crate::system::NativeSystem;
 use crate::work::left_at_interrupt;
@@ -20,7 +20,7 @@ const MOST: u32 = MOST_SAMPLES as u32;
 
 /// Python arguments of a run: number of cycles, number of skipped cycles, samples in a cycle, initial state, and a flag
 /// for one period of the steady state.
-type Extent<'py> = (
+type RunKeywords<'py> = (
     Optional<'py>,
     Optional<'py>,
     Optional<'py>,
@@ -67,17 +67,17 @@ fn start(
 pub fn simulate<'py>(
     py: Python<'py>,
     system: &NativeSystem,
-    frequency: FrequencyArguments<'py>,
-    friction: FrictionArguments<'py>,
-    load: LoadArguments<'py>,
+    frequency: FrequencyKeywords<'py>,
+    friction: FrictionKeywords<'py>,
+    load: LoadKeywords<'py>,
     of: Optional<'py>,
-    extent: Extent<'py>,
+    extent: RunKeywords<'py>,
 ) -> PyResult<(Bound<'py, PyDict>, Bound<'py, PyDict>)> {
     let (cycles, skip, samples, from, steady) = extent;
     let system = &system.system;
-    let frequencies = Frequencies::of(system, &frequency, true)?;
+    let frequencies = FrequencyValues::of(system, &frequency, true)?;
     let measure = measure::constant(system, &load)?;
-    let frictions = Frictions::of(&friction, &measure)?;
+    let frictions = FrictionValues::of(&friction, &measure)?;
     let (frequency, friction) = (frequencies.only(system)?, frictions.only()?);
     let (r, beta, omega) = (frequency.r, friction.beta, frequency.omega);
     let parts = parts(system, "of", of.as_ref())?;
@@ -117,10 +117,10 @@ pub fn simulate<'py>(
         in_seconds: true,
     };
     let rows: Vec<_> = table.samples(&history).collect();
-    let mut samples = Columns::new(py, &[rows.len()]);
+    let mut samples = NamedArrays::new(py, &[rows.len()]);
     samples.table(&table.sample_columns(), &rows)?;
     let rows: Vec<_> = table.events(&history).collect();
-    let mut events = Columns::new(py, &[rows.len()]);
+    let mut events = NamedArrays::new(py, &[rows.len()]);
     events.table(&table.event_columns(), &rows)?;
     Ok((samples.done(), events.done()))
 }

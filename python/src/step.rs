@@ -2,7 +2,7 @@
 
 use crate::asked::{Optional, numbers, one, parts};
 use crate::errors::domain;
-use crate::follow::{Course, Start, follow};
+use crate::follow::{Course, RunStart, follow};
 use crate::system::NativeSystem;
 use frictiongen::study::SystemInput;
 use frictiongen::study::scene::Excitation;
@@ -17,7 +17,7 @@ type Acting<'py> = (Optional<'py>, Optional<'py>, Optional<'py>);
 pub type Beginning<'py> = (Optional<'py>, Optional<'py>);
 
 /// The load over time.
-struct Recording {
+struct LoadRecord {
     /// The excitation: forces in N, or displacements and velocities of the base.
     excitation: Excited,
     /// Forces on further masses, N, by the name of the mass.
@@ -53,7 +53,7 @@ fn course(argument: &str, given: &Bound<'_, PyAny>, samples: Option<usize>) -> P
     }
 }
 
-impl Recording {
+impl LoadRecord {
     fn of(
         system: &System,
         acting: &Acting<'_>,
@@ -143,12 +143,12 @@ pub fn step<'py>(
     let (start, stiction) = beginning;
     let of_system = &system.get().system;
     let dt = one("dt", &dt)?;
-    let recording = Recording::of(of_system, &acting, &friction, on.as_ref())?;
+    let recording = LoadRecord::of(of_system, &acting, &friction, on.as_ref())?;
     let course = Course {
         dt,
         samples: recording.friction.len(),
         parts: parts(of_system, "of", of.as_ref())?,
-        start: Start::of(start.as_ref())?,
+        start: RunStart::of(start.as_ref())?,
         stiction: stiction.map(|mu| one("stiction", &mu)).transpose()?,
     };
     follow(system, course, &|index| recording.at(index))

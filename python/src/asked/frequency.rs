@@ -2,15 +2,15 @@
 
 use super::ACROSS;
 use super::measure::Measure;
-use super::numbers::{Given, ends, numbers, one, points};
-use crate::columns::Columns;
+use super::numbers::{GivenNumbers, ends, numbers, one, points};
+use crate::columns::NamedArrays;
 use crate::errors::domain;
 use frictiongen::System;
 use frictiongen::study::columns::{self, FrequencyUnit as Unit, Setting};
 use pyo3::prelude::*;
 
 /// The Python arguments `r`, `hz` and `omega`, of which the caller gives one.
-pub type FrequencyArguments<'py> = (
+pub type FrequencyKeywords<'py> = (
     Option<Bound<'py, PyAny>>,
     Option<Bound<'py, PyAny>>,
     Option<Bound<'py, PyAny>>,
@@ -26,7 +26,7 @@ fn argument(unit: Unit) -> &'static str {
 }
 
 fn chosen<'a, 'py>(
-    (r, hz, omega): &'a FrequencyArguments<'py>,
+    (r, hz, omega): &'a FrequencyKeywords<'py>,
 ) -> PyResult<(&'a Bound<'py, PyAny>, Unit)> {
     match (r, hz, omega) {
         (Some(r), None, None) => Ok((r, Unit::Ratio)),
@@ -43,18 +43,18 @@ pub fn survives(given: f64, computed: f64) -> bool {
 
 /// Frequencies in the order of the caller.
 #[derive(Clone)]
-pub struct Frequencies {
-    given: Given,
+pub struct FrequencyValues {
+    given: GivenNumbers,
     unit: Unit,
     /// Frequency ratios r.
     pub r: Vec<f64>,
 }
 
-impl Frequencies {
+impl FrequencyValues {
     /// Reads the frequencies. If `in_time` is true, every frequency must have a finite cycle.
     pub fn of(
         system: &System,
-        arguments: &FrequencyArguments<'_>,
+        arguments: &FrequencyKeywords<'_>,
         in_time: bool,
     ) -> PyResult<Self> {
         let (given, unit) = chosen(arguments)?;
@@ -118,13 +118,13 @@ impl Frequencies {
     }
 
     /// Adds the columns that state the frequencies, with one row for each frequency.
-    pub fn put(&self, columns: &mut Columns<'_>, setting: &Setting<'_>) -> PyResult<()> {
+    pub fn put(&self, columns: &mut NamedArrays<'_>, setting: &Setting<'_>) -> PyResult<()> {
         columns.table(&setting.frequency_columns(), &self.all(setting.system))
     }
 }
 
 /// A range of frequencies.
-pub struct Band {
+pub struct FrequencyRange {
     /// Lowest frequency ratio r of the range.
     pub from: f64,
     /// Highest frequency ratio r of the range.
@@ -132,12 +132,12 @@ pub struct Band {
     unit: Unit,
 }
 
-impl Band {
+impl FrequencyRange {
     /// Reads the bounds of a frequency range. If the caller gave none, the function returns the range around the
     /// resonances.
     pub fn of_or_usual(
         system: &System,
-        arguments: &FrequencyArguments<'_>,
+        arguments: &FrequencyKeywords<'_>,
         measure: &Measure,
     ) -> PyResult<Self> {
         if !matches!(arguments, (None, None, None)) {
@@ -157,7 +157,7 @@ impl Band {
     }
 
     /// Reads the bounds of a frequency range.
-    pub fn of(system: &System, arguments: &FrequencyArguments<'_>) -> PyResult<Self> {
+    pub fn of(system: &System, arguments: &FrequencyKeywords<'_>) -> PyResult<Self> {
         let (given, unit) = chosen(arguments)?;
         let argument = argument(unit);
         let Some((from, to)) = ends(argument, given)? else {

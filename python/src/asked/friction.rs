@@ -3,28 +3,28 @@
 use super::UP;
 use super::frequency::survives;
 use super::measure::{self, Measure};
-use super::numbers::{Given, ends, points};
-use crate::columns::Columns;
+use super::numbers::{GivenNumbers, ends, points};
+use crate::columns::NamedArrays;
 use crate::errors::domain;
 use frictiongen::study::columns::{ColumnAxis, FrictionSetting, Setting};
 use pyo3::prelude::*;
 
 /// The Python arguments `beta` and `friction`, of which the caller gives one.
-pub type FrictionArguments<'py> = (Option<Bound<'py, PyAny>>, Option<Bound<'py, PyAny>>);
+pub type FrictionKeywords<'py> = (Option<Bound<'py, PyAny>>, Option<Bound<'py, PyAny>>);
 
 /// Frictions in the order of the caller.
 #[derive(Clone)]
-pub struct Frictions {
-    given: Given,
+pub struct FrictionValues {
+    given: GivenNumbers,
     argument: &'static str,
     /// Friction ratios β.
     pub beta: Vec<f64>,
     all: Vec<FrictionSetting>,
 }
 
-impl Frictions {
+impl FrictionValues {
     /// Reads the frictions. The load converts friction forces to ratios β.
-    pub fn of((beta, friction): &FrictionArguments<'_>, measure: &Measure) -> PyResult<Self> {
+    pub fn of((beta, friction): &FrictionKeywords<'_>, measure: &Measure) -> PyResult<Self> {
         let (argument, given) = match (beta, friction) {
             (Some(beta), None) => ("beta", points("beta", beta, UP)?),
             (None, Some(friction)) => ("friction", points("friction", friction, UP)?),
@@ -76,7 +76,7 @@ impl Frictions {
 
     /// Reads one friction or a list of frictions. The function rejects a range, because every friction costs a whole
     /// curve.
-    pub fn listed(arguments: &FrictionArguments<'_>, measure: &Measure) -> PyResult<Self> {
+    pub fn listed(arguments: &FrictionKeywords<'_>, measure: &Measure) -> PyResult<Self> {
         let (beta, friction) = arguments;
         for (argument, given) in [("beta", beta), ("friction", friction)] {
             if let Some(given) = given
@@ -112,7 +112,7 @@ impl Frictions {
     }
 
     /// Adds the columns that depend on the friction alone, with one row for each friction.
-    pub fn put(&self, arrays: &mut Columns<'_>, setting: &Setting<'_>) -> PyResult<()> {
+    pub fn put(&self, arrays: &mut NamedArrays<'_>, setting: &Setting<'_>) -> PyResult<()> {
         arrays.along(ColumnAxis::Friction, &setting.friction_columns(), &self.all)
     }
 }

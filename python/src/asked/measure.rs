@@ -9,10 +9,10 @@ use frictiongen::study::units::{Load, LoadError};
 use pyo3::prelude::*;
 
 /// The Python arguments `force` and `base`, of which the caller gives one or none.
-pub type LoadArguments<'py> = (Option<Bound<'py, PyAny>>, Option<Bound<'py, PyAny>>);
+pub type LoadKeywords<'py> = (Option<Bound<'py, PyAny>>, Option<Bound<'py, PyAny>>);
 
 /// Reads the load and returns the units of the answers. Without a load the answers are non-dimensional groups.
-pub fn of(system: &System, (force, base): &LoadArguments<'_>) -> PyResult<Measure> {
+pub fn of(system: &System, (force, base): &LoadKeywords<'_>) -> PyResult<Measure> {
     let (name, load) = match (force, base) {
         (None, None) => return Ok(Measure::groups(system)),
         (Some(_), Some(_)) => {
@@ -48,7 +48,7 @@ fn text_load(
 }
 
 /// Reads the load and returns the units of the answers. Fails if the amplitude of the load varies with frequency.
-pub fn constant(system: &System, load: &LoadArguments<'_>) -> PyResult<Measure> {
+pub fn constant(system: &System, load: &LoadKeywords<'_>) -> PyResult<Measure> {
     let measure = of(system, load)?;
     if let Some(load) = measure.load() {
         let argument = argument(&measure);

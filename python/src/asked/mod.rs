@@ -6,12 +6,12 @@ pub mod measure;
 mod numbers;
 pub mod periodic;
 
-pub use frequency::{Band, Frequencies, FrequencyArguments};
-pub use friction::{FrictionArguments, Frictions};
-pub use measure::{LoadArguments, Measure};
+pub use frequency::{FrequencyRange, FrequencyValues, FrequencyKeywords};
+pub use friction::{FrictionKeywords, FrictionValues};
+pub use measure::{LoadKeywords, Measure};
 pub use numbers::{numbers, one, whole};
 
-use crate::columns::Columns;
+use crate::columns::NamedArrays;
 use crate::errors::{domain, wrong_type};
 use frictiongen::System;
 use frictiongen::study::columns::{ColumnAxis, Column, FrequencyUnit, Setting};
@@ -59,8 +59,8 @@ pub fn setting<'a>(
 /// Adds the columns of an answer over frequency and friction: the frequencies, the frictions, and the results at the
 /// points. The points are in the order of the frequencies, and at each frequency in the order of the frictions.
 pub fn put_grid<R>(
-    arrays: &mut Columns<'_>,
-    (frequencies, frictions): (&Frequencies, &Frictions),
+    arrays: &mut NamedArrays<'_>,
+    (frequencies, frictions): (&FrequencyValues, &FrictionValues),
     setting: &Setting<'_>,
     (columns, rows): (&[Column<'_, R>], &[R]),
 ) -> PyResult<()> {

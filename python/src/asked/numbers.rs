@@ -8,14 +8,14 @@ use std::ops::RangeInclusive;
 
 /// Numbers that the caller gave.
 #[derive(Clone)]
-pub struct Given {
+pub struct GivenNumbers {
     /// The given values, in their order.
     pub values: Vec<f64>,
     /// True if the caller gave a single number instead of a row.
     pub is_one: bool,
 }
 
-impl Given {
+impl GivenNumbers {
     /// Returns the shape of an array over these numbers.
     pub fn shape(&self) -> Vec<usize> {
         if self.is_one {
@@ -43,7 +43,7 @@ fn type_name(object: &Bound<'_, PyAny>) -> String {
 
 /// Reads a number or a row of numbers. The function accepts every object that numpy converts to numbers, except texts,
 /// truth values and complex numbers.
-pub fn numbers(argument: &str, given: &Bound<'_, PyAny>) -> PyResult<Given> {
+pub fn numbers(argument: &str, given: &Bound<'_, PyAny>) -> PyResult<GivenNumbers> {
     let py = given.py();
     let needed = || {
         wrong_type(format_args!(
@@ -75,7 +75,7 @@ pub fn numbers(argument: &str, given: &Bound<'_, PyAny>) -> PyResult<Given> {
     let flat = numpy.call_method1("ravel", (array,))?;
     let flat = numpy.call_method1("ascontiguousarray", (flat, "float64"))?;
     let flat: PyReadonlyArray1<'_, f64> = flat.extract()?;
-    Ok(Given {
+    Ok(GivenNumbers {
         values: flat.as_slice()?.to_vec(),
         is_one: shape.is_empty(),
     })
@@ -96,7 +96,7 @@ pub fn ends(argument: &str, given: &Bound<'_, PyAny>) -> PyResult<Option<(f64, f
 }
 
 /// Reads one number, a row of points, or a range `(from, to)`. The function covers a range evenly with `count` points.
-pub fn points(argument: &str, given: &Bound<'_, PyAny>, count: u32) -> PyResult<Given> {
+pub fn points(argument: &str, given: &Bound<'_, PyAny>, count: u32) -> PyResult<GivenNumbers> {
     let Some((from, to)) = ends(argument, given)? else {
         return numbers(argument, given);
     };
@@ -108,7 +108,7 @@ pub fn points(argument: &str, given: &Bound<'_, PyAny>, count: u32) -> PyResult<
     let steps = count.max(2) - 1;
     let share = |index: u32| f64::from(index) / f64::from(steps);
     let inner = (0..steps).map(|index| from + (to - from) * share(index));
-    Ok(Given {
+    Ok(GivenNumbers {
         values: inner.chain([to]).collect(),
         is_one: false,
     })

@@ -1,6 +1,6 @@
 //! Reads the load of `periodic`: samples of one period, or harmonics.
 
-use super::numbers::{Given, numbers, one, whole};
+use super::numbers::{GivenNumbers, numbers, one, whole};
 use crate::errors::{domain, wrong_type};
 use frictiongen::System;
 use frictiongen::measure::{Dimension, Unit};
@@ -138,7 +138,7 @@ fn harmonics(given: &Bound<'_, PyDict>) -> PyResult<Vec<Harmonic>> {
 }
 
 /// Fails if one of the numbers is not finite.
-fn finite(argument: &str, given: &Given) -> PyResult<()> {
+fn finite(argument: &str, given: &GivenNumbers) -> PyResult<()> {
     let mut values = given.values.iter().enumerate();
     match values.find(|(_, value)| !value.is_finite()) {
         Some((index, value)) => Err(domain(format_args!(

@@ -3,7 +3,7 @@
 use super::once::once;
 use super::recording::NativeRecording;
 use crate::asked::{Optional, one};
-use crate::columns::Columns;
+use crate::columns::NamedArrays;
 use crate::errors::{domain, measurement};
 use crate::system::NativeSystem;
 use crate::work::left_at_interrupt;
@@ -41,7 +41,7 @@ pub fn free_decay<'py>(
     let found = left_at_interrupt(py, move |_| owned.free_decay(&record, known))?;
     let found = found.map_err(|error| measurement(py, recording.source.as_deref(), &error))?;
     let rows = extremes(&found);
-    let mut arrays = Columns::new(py, &[rows.len()]);
+    let mut arrays = NamedArrays::new(py, &[rows.len()]);
     arrays.table(&extreme_columns(system), &rows)?;
     Ok((once(py, decay_values(&found))?, arrays.done()))
 }

@@ -3,7 +3,7 @@
 use super::recording::NativeRecording;
 use crate::asked::{Optional, one, parts};
 use crate::errors::{domain, measurement};
-use crate::follow::{Course, Start, follow};
+use crate::follow::{Course, RunStart, follow};
 use crate::step::Beginning;
 use crate::system::NativeSystem;
 use frictiongen::measure::Inputs;
@@ -43,7 +43,7 @@ pub fn drive<'py>(
         dt: inputs.dt(),
         samples: inputs.len(),
         parts,
-        start: Start::of(start.as_ref())?,
+        start: RunStart::of(start.as_ref())?,
         stiction: stiction.map(|mu| one("stiction", &mu)).transpose()?,
     };
     follow(system, course, &|sample| inputs.at(sample))

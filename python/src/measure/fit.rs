@@ -2,7 +2,7 @@
 
 use super::once::once;
 use crate::asked::numbers;
-use crate::columns::Columns;
+use crate::columns::NamedArrays;
 use crate::errors::{domain, measurement};
 use crate::system::NativeSystem;
 use crate::work::left_at_interrupt;
@@ -18,7 +18,7 @@ use std::sync::Arc;
 type Swept<'py> = (String, Bound<'py, PyAny>, Option<Bound<'py, PyAny>>);
 
 /// Results of a fit: the single values, the points, and the fitted system.
-type Answer<'py> = (Bound<'py, PyDict>, Bound<'py, PyDict>, NativeSystem);
+type FitAnswer<'py> = (Bound<'py, PyDict>, Bound<'py, PyDict>, NativeSystem);
 
 /// Reads a row of numbers, one for each frequency. If `gaps` is true, NaN stands for a missing number.
 fn row(argument: &str, given: &Bound<'_, PyAny>, count: usize, gaps: bool) -> PyResult<Vec<f64>> {
@@ -92,13 +92,13 @@ fn answer<'py>(
     system: &Arc<System>,
     points: &[SweepPoint],
     (damping, source): (bool, Option<&str>),
-) -> PyResult<Answer<'py>> {
+) -> PyResult<FitAnswer<'py>> {
     let (owned, all) = (Arc::clone(system), points.to_vec());
     let found = left_at_interrupt(py, move |_| owned.fit_sweep(&all, damping))?;
     let found = found.map_err(|error| measurement(py, source, &error))?;
     let once = once(py, fit_values(system, &found))?;
     let rows = fitted_rows(system, points, &found);
-    let mut arrays = Columns::new(py, &[rows.len()]);
+    let mut arrays = NamedArrays::new(py, &[rows.len()]);
     arrays.table(&fitted_columns(system), &rows)?;
     let fitted = NativeSystem::from(found.system);
     Ok((once, arrays.done(), fitted))
@@ -113,7 +113,7 @@ pub fn fit<'py>(
     masses: Vec<Swept<'py>>,
     gaps: bool,
     damping: bool,
-) -> PyResult<Answer<'py>> {
+) -> PyResult<FitAnswer<'py>> {
     let system = &system.system;
     let points = points(system, &hertz, masses, gaps)?;
     answer(py, system, &points, (damping, None))
@@ -127,7 +127,7 @@ pub fn fit_text<'py>(
     text: &str,
     source: Option<&str>,
     damping: bool,
-) -> PyResult<Answer<'py>> {
+) -> PyResult<FitAnswer<'py>> {
     let system = &system.system;
     let points = SweepPoint::read(text, system).map_err(|error| measurement(py, source, &error))?;
     answer(py, system, &points, (damping, source))

@@ -3,7 +3,7 @@
 use super::observed::Observed;
 use super::once::once;
 use crate::asked::{Optional, harmonics, names, numbers};
-use crate::columns::Columns;
+use crate::columns::NamedArrays;
 use crate::errors::{domain, measurement};
 use crate::system::NativeSystem;
 use crate::work::left_at_interrupt;
@@ -16,10 +16,10 @@ use pyo3::types::PyDict;
 use std::sync::Arc;
 
 /// The Python arguments `by`, `also`, `between` and `harmonics`.
-type Asked<'py> = (Option<String>, Optional<'py>, Optional<'py>, Optional<'py>);
+type IdentifyKeywords<'py> = (Option<String>, Optional<'py>, Optional<'py>, Optional<'py>);
 
 /// Results of an identification: the single values, the motions, and the system with the identified parameters.
-type Answer<'py> = (Bound<'py, PyDict>, Bound<'py, PyDict>, NativeSystem);
+type IdentifyAnswer<'py> = (Bound<'py, PyDict>, Bound<'py, PyDict>, NativeSystem);
 
 fn unknowns(given: Option<&Bound<'_, PyAny>>) -> PyResult<Vec<Unknown>> {
     let each = names("also", given)?
@@ -53,8 +53,8 @@ pub fn identify<'py>(
     system: &NativeSystem,
     items: Vec<Bound<'py, PyAny>>,
     of: Optional<'py>,
-    asked: Asked<'py>,
-) -> PyResult<Answer<'py>> {
+    asked: IdentifyKeywords<'py>,
+) -> PyResult<IdentifyAnswer<'py>> {
     let system = &system.system;
     let (by, also, between, highest) = asked;
     let highest = harmonics(highest.as_ref())?;
@@ -84,7 +84,7 @@ pub fn identify<'py>(
     let found = found.map_err(|error| measurement(py, None, &error))?;
     let once = once(py, identify_values(system, &found))?;
     let rows = residuals(system, &observed.all, &observed.known, &found);
-    let mut arrays = Columns::new(py, &[rows.len()]);
+    let mut arrays = NamedArrays::new(py, &[rows.len()]);
     arrays.table(&residual_columns(system), &rows)?;
     let fitted = NativeSystem::from(found.system);
     Ok((once, arrays.done(), fitted))

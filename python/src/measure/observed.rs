@@ -2,7 +2,7 @@
 
 use super::recording::NativeRecording;
 use super::transmissibility::measured;
-use crate::asked::{LoadArguments, Optional, numbers};
+use crate::asked::{LoadKeywords, Optional, numbers};
 use crate::errors::{domain, wrong_type};
 use frictiongen::measure::columns::MotionKnown as Known;
 use frictiongen::measure::{Datum, Observation, Using};
@@ -24,7 +24,7 @@ type Told<'py> = (
 /// Observations from the caller: frequencies, load, standard deviation of the load, and motions.
 type Points<'py> = (
     Bound<'py, PyAny>,
-    LoadArguments<'py>,
+    LoadKeywords<'py>,
     Bound<'py, PyAny>,
     Vec<Told<'py>>,
 );
@@ -69,7 +69,7 @@ fn row(
 const ABOVE: &str = "a finite number above 0";
 
 /// Reads one load for each frequency, or one load for all frequencies.
-fn loads(system: &System, load: &LoadArguments<'_>, count: usize) -> PyResult<Vec<Load>> {
+fn loads(system: &System, load: &LoadKeywords<'_>, count: usize) -> PyResult<Vec<Load>> {
     let above = |value| 0.0 < value;
     match (load, system.scene().excitation) {
         ((None, Some(base)), Excitation::Base) => {
@@ -90,7 +90,7 @@ fn loads(system: &System, load: &LoadArguments<'_>, count: usize) -> PyResult<Ve
 }
 
 /// Motion of a mass, with its values at each frequency.
-struct Motion {
+struct ObservedMotion {
     mass: usize,
     harmonic: u32,
     amplitude: Option<Vec<f64>>,
@@ -98,7 +98,7 @@ struct Motion {
     deviation: Vec<f64>,
 }
 
-impl Motion {
+impl ObservedMotion {
     fn of(system: &System, told: Told<'_>, count: usize) -> PyResult<Self> {
         let (name, harmonic, amplitude, phase, deviation, of_phase) = told;
         let mass = match system.motion_named(&name) {
@@ -223,9 +223,9 @@ impl Observed {
             needed,
         )?;
         let motions = motions.into_iter();
-        let motions = motions.map(|told| Motion::of(system, told, count));
+        let motions = motions.map(|told| ObservedMotion::of(system, told, count));
         let motions = motions.collect::<PyResult<Vec<_>>>()?;
-        let Some(known) = motions.first().map(Motion::known) else {
+        let Some(known) = motions.first().map(ObservedMotion::known) else {
             return Err(domain("amplitude_m or phase_deg: no motion is given"));
         };
         if motions.iter().any(|motion| motion.known() != known) {

@@ -1,7 +1,7 @@
 //! Computes the driving frequency, the transmissibility and the phase of recordings.
 
 use super::recording::NativeRecording;
-use crate::columns::Columns;
+use crate::columns::NamedArrays;
 use crate::errors::measurement;
 use crate::system::NativeSystem;
 use crate::work::without_lock;
@@ -46,7 +46,7 @@ pub fn transmissibility<'py>(
     let system = &system.system;
     let found = measured(py, system, &recordings)?;
     let columns = TransmissibilityTable::of(system, &found).columns();
-    let mut arrays = Columns::new(py, &[found.len()]);
+    let mut arrays = NamedArrays::new(py, &[found.len()]);
     arrays.table(&columns, &found)?;
     Ok(arrays.done())
 }
