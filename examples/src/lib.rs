@@ -6,4 +6,5 @@ pub mod draw;
 pub mod facts;
 pub mod gallery;
 pub mod rig;
+pub mod several;
 pub mod two_stops;

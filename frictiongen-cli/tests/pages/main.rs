@@ -4,6 +4,7 @@
 #[path = "../cli/common/mod.rs"]
 mod common;
 mod desk_page;
+mod example_scenes;
 mod features_page;
 mod fuzz;
 mod measure_page;

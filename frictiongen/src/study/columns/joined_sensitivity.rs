@@ -93,7 +93,7 @@ impl<'a> JoinedSensitivityTable<'a> {
                 answers: self.of.read(of)?,
                 itself: false,
             };
-            Some(row(regime, "exact", Some(found)))
+            Some(row(regime, "difference", Some(found)))
         });
         Ok(found.collect())
     }

@@ -1,0 +1,15 @@
+//! The synthetic ground motion of the example `earthquake`, at another sampling rate.
+
+#[path = "../earthquake/ground.rs"]
+mod made;
+
+pub use made::Ground as Sample;
+
+/// Computes the ground motion. `peak` is its peak acceleration in m/s². The result has `rate` samples a second, and
+/// begins after the first step.
+#[must_use]
+pub fn ground(peak: f64, rate: u32) -> Vec<Sample> {
+    let every = (made::RATE / f64::from(rate)).round().max(1.0) as usize;
+    let motion = made::ground(peak);
+    motion.into_iter().step_by(every).skip(1).collect()
+}
