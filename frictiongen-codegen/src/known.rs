@@ -10,20 +10,18 @@ use frictiongen_model::scene::Precision;
 
 /// Number of frequency ratios with known answers.
 pub const POINTS: usize = 10;
-/// Number of frequency ratios that the code tries for a scene with one mass. Scenes with more masses have fewer tries,
-/// because a try takes longer. The code rejects a try whose answers depend on rounding. If it rejects many, the scene
-/// has fewer than `POINTS` known answers.
-const TRIED: u32 = 400;
-/// Smallest number of tries. Scenes with 16 modes or more have this number.
-const TRIED_AT_LEAST: u32 = 25;
-/// Step between two tries, as a fraction of the range of r. Steps of the golden section spread the tries evenly.
+/// Number of frequency ratios that the code tries in each part of the range, for a scene with one mass. Scenes with more
+/// masses have fewer tries, because a try takes longer.
+const TRIED: u32 = 40;
+/// Smallest number of tries in each part of the range.
+const TRIED_AT_LEAST: u32 = 5;
+/// Step between two tries, as a fraction of a part of the range. Steps of the golden section spread the tries evenly.
 const GOLDEN: f64 = 0.618_033_988_749_894_9;
 /// Phase τ, in rad, of the known displacement and velocity of each mass.
 pub const TAU: f64 = 1.0;
 /// The code changes r by this number of rounding units to test whether the answers depend on rounding.
 const DISPLACED: f64 = 32.0;
-/// The answers depend on rounding if the change by `DISPLACED` changes one of them by more than this fraction of the
-/// tolerance.
+/// An answer depends on rounding if the change by `DISPLACED` changes it by more than this fraction of the tolerance.
 const SENSITIVE: f64 = 1.0 / 8.0;
 /// Smallest relative distance of β from a limit. At this distance no rounding changes the regime.
 const APART: f64 = 0.05;
@@ -39,8 +37,10 @@ pub struct AnswersRequest {
     pub r: (f64, f64),
     /// Range of friction ratios.
     pub beta: (f64, f64),
-    /// Largest allowed error of an emitted answer.
+    /// Allowed error of an emitted answer.
     pub tolerance: f64,
+    /// Largest error that may be allowed, if otherwise a part of the range has no answer.
+    pub widest: f64,
     /// True if the answers contain the motion.
     pub motion: bool,
     /// True if the answers contain the responses while the contact is stuck.
@@ -72,6 +72,16 @@ pub struct KnownAnswers {
     /// Real and imaginary part of the response of each mass while the contact is stuck, then of the force that keeps
     /// the contact stuck. The list is empty if these responses are not requested.
     pub stuck: Vec<[f64; 2]>,
+    /// Largest change of an answer if r changes by 32 rounding units, relative to the size of this answer.
+    pub change: f64,
+}
+
+impl KnownAnswers {
+    /// Returns the smallest error that a comparison with these answers must allow.
+    #[must_use]
+    pub fn needs(&self) -> f64 {
+        self.change / SENSITIVE
+    }
 }
 
 /// Known answers at one friction ratio.
@@ -87,24 +97,40 @@ pub struct MotionAnswers {
     pub masses: Vec<[f64; 2]>,
 }
 
-/// Returns the known answers at up to [`POINTS`] frequency ratios of the range, in ascending order. The function leaves
-/// out frequency ratios at which the answers depend on rounding.
+/// Returns the known answers at up to [`POINTS`] frequency ratios, in ascending order.
+///
+/// The function divides the range into equal parts, and takes one frequency ratio of each part: the first one at which no
+/// answer depends on rounding, or else the one at which the answers depend least on rounding. It leaves out a part in
+/// which the answers depend on rounding so much that the error would exceed [`AnswersRequest::widest`].
 #[must_use]
 pub fn known(modal: &Modal, question: &AnswersRequest) -> Vec<KnownAnswers> {
     let exact = modal.reduced(|value| value);
     let (low, high) = question.r;
-    let mut found: Vec<KnownAnswers> = Vec::new();
     let modes = u32::try_from(exact.modes.len().max(1)).unwrap_or(TRIED);
-    for tried in 0..(TRIED / modes).max(TRIED_AT_LEAST) {
-        if found.len() == POINTS {
-            break;
+    let tries = (TRIED / modes).max(TRIED_AT_LEAST);
+    let part = |place: usize| {
+        let mut best: Option<KnownAnswers> = None;
+        for tried in 0..tries {
+            let share = (0.5 + f64::from(tried) * GOLDEN).fract();
+            #[allow(clippy::cast_precision_loss, reason = "at most `POINTS`")]
+            let share = (place as f64 + share) / POINTS as f64;
+            let r = question.rounded(low + (high - low) * share);
+            let Some(found) = answers(&exact, question, r, place) else {
+                continue;
+            };
+            if best.as_ref().is_none_or(|best| found.change < best.change) {
+                best = Some(found);
+            }
+            if best
+                .as_ref()
+                .is_some_and(|best| best.needs() <= question.tolerance)
+            {
+                break;
+            }
         }
-        let share = (0.5 + f64::from(tried) * GOLDEN).fract();
-        let r = question.rounded(low + (high - low) * share);
-        found.extend(answers(&exact, question, r, found.len()));
-    }
-    found.sort_by(|one, other| one.r.total_cmp(&other.r));
-    found
+        best.filter(|best| best.needs() <= question.widest)
+    };
+    (0..POINTS).filter_map(part).collect()
 }
 
 impl AnswersRequest {
@@ -124,7 +150,8 @@ impl AnswersRequest {
     }
 }
 
-/// Returns the answers at r, or `None` if they depend on rounding. `place` is the number of answers found so far.
+/// Returns the answers at r, with their change. Returns `None` if there is no answer next to r. `place` is the number of
+/// the part of the range.
 fn answers(
     exact: &Reduced<Dd>,
     question: &AnswersRequest,
@@ -133,7 +160,7 @@ fn answers(
 ) -> Option<KnownAnswers> {
     let limits = limits(exact, r)?;
     let beta = question.motion.then(|| beta(question, limits, place));
-    let here = answer(exact, question, (r, limits), beta)?;
+    let mut here = answer(exact, question, (r, limits), beta)?;
     let displaced = r * (1.0 + DISPLACED * question.epsilon());
     let there = answer(
         exact,
@@ -141,8 +168,6 @@ fn answers(
         (displaced, self::limits(exact, displaced)?),
         beta,
     )?;
-    let allowed = SENSITIVE * question.tolerance;
-    let is_near = |one: f64, other: f64, size: f64| (one - other).abs() <= allowed * size;
     let numbers = |known: &KnownAnswers| {
         let motion = known.motion.iter().flat_map(|motion| {
             let [amplitude, phase] = motion.contact;
@@ -165,8 +190,12 @@ fn answers(
             .collect::<Vec<_>>()
     };
     let pairs = numbers(&here).into_iter().zip(numbers(&there));
-    let mut apart = pairs.filter(|((one, size), (other, _))| !is_near(*one, *other, *size));
-    apart.next().is_none().then_some(here)
+    let changes = pairs.map(|((one, size), (other, _))| match (one - other).abs() {
+        0.0 => 0.0,
+        change => change / size,
+    });
+    here.change = changes.fold(0.0, f64::max);
+    here.change.is_finite().then_some(here)
 }
 
 /// Returns a friction ratio within the range of the question. The function is called for successive places. Two of
@@ -232,6 +261,7 @@ fn answer(
         sliding,
         motion,
         stuck,
+        change: 0.0,
     })
 }
 

@@ -93,6 +93,11 @@ pub fn compare(old: &System, new: &System) -> Answers {
         answers.left_out.push(reason.to_owned());
         return answers;
     }
+    if scenes.iter().any(|scene| scene.is_joined()) {
+        let reason = "limits and amplitudes: a scene has `contacts` or `dampers`, and these need a single contact without dashpots";
+        answers.left_out.push(reason.to_owned());
+        return answers;
+    }
     let on_base = |index: usize| {
         scenes
             .get(index)

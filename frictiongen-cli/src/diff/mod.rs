@@ -3,6 +3,7 @@
 mod answers;
 mod code;
 mod parameters;
+mod steppers;
 
 use crate::args::{DiffArguments, FileArgument};
 use crate::failure::Failure;
@@ -17,6 +18,7 @@ use parameters::{DescriptionField, FieldChange};
 use serde_json::{Value as Json, json};
 use similar::TextDiff;
 use std::io::Write;
+use steppers::Steppers;
 
 /// All differences between two descriptions.
 struct Differences {
@@ -25,6 +27,8 @@ struct Differences {
     /// Sentences about results of the emitted code that the comparison leaves out, such as results from tables.
     notes: Vec<String>,
     answers: Answers,
+    /// Comparison of the steppers, unless no scene provides one.
+    steppers: Option<Steppers>,
     code: Result<Code, String>,
 }
 
@@ -85,6 +89,7 @@ fn compare(names: [String; 2], texts: &[String; 2]) -> Result<Differences, Failu
         changes,
         notes: notes.into_iter().flatten().collect(),
         answers: answers::compare(&old, new),
+        steppers: steppers::compare([&old, new], texts),
         code: code::compare(old_text, new_text),
     })
 }
@@ -172,6 +177,9 @@ impl Differences {
             }
         }
         self.write_answers(out)?;
+        if let Some(steppers) = &self.steppers {
+            steppers.write(out)?;
+        }
         self.write_code(out)
     }
 
@@ -379,6 +387,10 @@ impl Differences {
                 self.notes.iter().map(String::as_str).collect(),
             ),
             ("answers", answers.collect()),
+            (
+                "stepper",
+                self.steppers.as_ref().map_or(Json::Null, Steppers::json),
+            ),
             ("code", code),
             ("not_compared", Json::Array(left_out)),
         ]))

@@ -98,7 +98,22 @@ fn fields(scene: &Scene) -> Vec<DescriptionField> {
     if let Some(first) = scene.springs.first() {
         fields.push(word("first spring (k1)", ends(first.from, first.to)));
     }
-    fields.push(word("contact", ends(scene.contact.from, scene.contact.to)));
+    if scene.joints.contacts.is_empty() {
+        fields.push(word("contact", ends(scene.contact.from, scene.contact.to)));
+    }
+    for contact in &scene.joints.contacts {
+        let (name, sides, law) = (&contact.name, &contact.sides, &contact.law);
+        fields.push(word(&format!("contact {name}"), ends(sides.from, sides.to)));
+        if let Some(stiffness) = law.stiffness {
+            fields.push(number(format!("stiffness of {name}"), stiffness));
+        }
+        fields.push(number(format!("stiction of {name}"), law.stiction));
+        fields.push(number(format!("share of {name}"), law.share));
+    }
+    for damper in &scene.joints.dampers {
+        let name = format!("damper {}", ends(damper.from, damper.to));
+        fields.push(number(name, damper.coefficient));
+    }
     let mass = |index: &usize| {
         scene
             .masses

@@ -7,17 +7,17 @@ use std::path::PathBuf;
 use std::{fs, process};
 
 /// A description in a file that is deleted at the end.
-struct Written(PathBuf);
+pub struct Written(PathBuf);
 
 impl Written {
-    fn new(name: &str, text: &str) -> Self {
+    pub fn new(name: &str, text: &str) -> Self {
         let name = format!("frictiongen-diff-{}-{name}", process::id());
         let path = std::env::temp_dir().join(name);
         fs::write(&path, text).unwrap();
         Self(path)
     }
 
-    fn path(&self) -> &str {
+    pub fn path(&self) -> &str {
         self.0.to_str().unwrap()
     }
 }
@@ -33,7 +33,7 @@ fn frame() -> String {
 }
 
 /// Compares two texts as JSON.
-fn json(name: &str, old: &str, new: &str) -> Value {
+pub fn json(name: &str, old: &str, new: &str) -> Value {
     let new = Written::new(name, new);
     let text = output(old, &["diff", "-", new.path(), "--json"]);
     serde_json::from_str(&text).unwrap()

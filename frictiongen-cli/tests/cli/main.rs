@@ -6,6 +6,7 @@ mod compile;
 mod curve;
 mod curve_refused;
 mod diff;
+mod diff_steppers;
 mod drive;
 mod drive_joined;
 mod elastic;

@@ -25,6 +25,8 @@ mod shapes;
 mod shield;
 mod simulation;
 mod step_cost;
+#[cfg(feature = "pretty")]
+mod step_facts;
 mod step_table;
 mod stepper;
 mod stuck;
@@ -40,6 +42,8 @@ use quote::format_ident;
 
 pub(crate) use checksum::about_table;
 pub(crate) use fingerprint::fingerprint;
+#[cfg(feature = "pretty")]
+pub use step_facts::{StepFacts, step_facts};
 pub use trace::traces;
 
 /// Smallest number of modes from which the emitted frequency stage consists of passes over an array of modes. For

@@ -10,9 +10,11 @@ use frictiongen_kernel::number::dd::Dd;
 use frictiongen_model::scene::Precision;
 use proc_macro2::{Literal, TokenStream};
 
-/// Largest allowed error of an answer of the exact formulas, in rounding units. The known answers are at frequency
-/// ratios r where a change of r by 32 rounding units changes an answer by at most an eighth of this error.
+/// Allowed error of an answer of the exact formulas, in rounding units. The known answers are at frequency ratios r where
+/// a change of r by 32 rounding units changes an answer by at most an eighth of this error.
 const ROUNDINGS: f64 = 4096.0;
+/// Largest allowed error in rounding units, for a scene with a part of its range in which all answers depend on rounding.
+const WIDEST: f64 = 16.0 * ROUNDINGS;
 /// Range of the frequency ratios of the known answers: from the first number times the lowest resonance to the second
 /// number times the highest resonance.
 const BAND: (f64, f64) = (0.2, 1.5);
@@ -39,10 +41,10 @@ pub(super) fn emit(
 ) -> EmittedCode {
     let scalar = &emission.scalar;
     let at_frequency = emission.scene.needs_frequency();
-    let (tolerance, all) = if at_frequency {
+    let (allowed, all) = if at_frequency {
         answers(emission, wanted)
     } else {
-        (0.0, Vec::new())
+        (Allowed::default(), Vec::new())
     };
     let (tables, own) = known_answers(emission, wanted, &all);
     let sums = constants.iter().copied().chain(&own);
@@ -52,7 +54,7 @@ pub(super) fn emit(
             code!(check::compare::<#scalar>(#name, #numbers, #sum)?;)
         })
         .collect();
-    let compared = (!all.is_empty()).then(|| compared(emission, wanted, tolerance));
+    let compared = (!all.is_empty()).then(|| compared(emission, wanted, &allowed));
     let calls = compared.is_some().then(
         || code!(::core::hint::black_box(&Self::KNOWN).iter().try_for_each(Self::check_answers)?;),
     );
@@ -85,9 +87,25 @@ fn hexadecimal(sum: u32) -> TokenStream {
     text.parse().unwrap_or_default()
 }
 
-/// Returns the largest allowed error of an answer, and the known answers with which the emitted code compares its
-/// answers.
-fn answers(emission: &Emission<'_>, wanted: &Wanted<'_>) -> (f64, Vec<KnownAnswers>) {
+/// Allowed error of an answer.
+#[derive(Clone, Copy, Debug, Default)]
+struct Allowed {
+    /// The error of the tables.
+    accuracy: f64,
+    /// The rest, in rounding units.
+    roundings: f64,
+    /// The rounding unit of the scene's scalar type.
+    epsilon: f64,
+}
+
+impl Allowed {
+    fn error(&self) -> f64 {
+        self.accuracy + self.roundings * self.epsilon
+    }
+}
+
+/// Returns the allowed error of an answer, and the known answers with which the emitted code compares its answers.
+fn answers(emission: &Emission<'_>, wanted: &Wanted<'_>) -> (Allowed, Vec<KnownAnswers>) {
     use crate::lower::SceneTables;
     let scene = emission.scene;
     let (epsilon, largest) = match emission.precision {
@@ -110,16 +128,26 @@ fn answers(emission: &Emission<'_>, wanted: &Wanted<'_>) -> (f64, Vec<KnownAnswe
             (0.0, [(BAND.0 * lowest, BAND.1 * highest), (0.0, largest)])
         }
     };
-    let tolerance = accuracy + ROUNDINGS * epsilon;
+    let mut allowed = Allowed {
+        accuracy,
+        roundings: ROUNDINGS,
+        epsilon,
+    };
     let question = AnswersRequest {
         precision: emission.precision,
         r,
         beta,
-        tolerance,
+        tolerance: allowed.error(),
+        widest: accuracy + WIDEST * epsilon,
         motion: wanted.motion.is_some(),
         stuck: wanted.stuck,
     };
-    (tolerance, known(&emission.modal, &question))
+    let all = known(&emission.modal, &question);
+    let needed = all.iter().map(KnownAnswers::needs).fold(0.0, f64::max);
+    while allowed.error() < needed {
+        allowed.roundings *= 2.0;
+    }
+    (allowed, all)
 }
 
 /// Emits the known answers as a constant, with its checksum.
@@ -144,7 +172,7 @@ fn known_answers(
         /// Answers of the exact formulas, computed in arithmetic of 32 digits, which `self_check` compares with its own.
         ///
         #[doc = #checksum]
-        const KNOWN: [check::Known<#scalar, #masses, #forces>; #count] = #list;
+        const KNOWN: [check::KnownAnswers<#scalar, #masses, #forces>; #count] = #list;
     };
     let mut sum = 0;
     for known in all {
@@ -247,11 +275,11 @@ fn row(
             ),
         ],
     );
-    code!(check::Known { #fields })
+    code!(check::KnownAnswers { #fields })
 }
 
 /// Emits the allowed error, and the function that compares the answers at one frequency ratio with the known answers.
-fn compared(emission: &Emission<'_>, wanted: &Wanted<'_>, tolerance: f64) -> TokenStream {
+fn compared(emission: &Emission<'_>, wanted: &Wanted<'_>, allowed: &Allowed) -> TokenStream {
     let scalar = &emission.scalar;
     let names = &emission.description.mass_names;
     let tau = emission.literal(TAU);
@@ -290,19 +318,23 @@ fn compared(emission: &Emission<'_>, wanted: &Wanted<'_>, tolerance: f64) -> Tok
         }
     });
     let [masses, forces] = sizes(emission, wanted);
-    let about = if emission.is_tabled() {
-        " Largest error of an answer: the declared accuracy, and 4096 roundings of the arithmetic, of r and of β."
+    let accuracy = if emission.is_tabled() {
+        "the declared accuracy, and "
     } else {
-        " Largest error of an answer: 4096 roundings of the arithmetic, of r and of β."
+        ""
     };
-    let tolerance = emission.literal(tolerance);
+    let about = format!(
+        " Largest error of an answer: {accuracy}{} roundings of the arithmetic, of r and of β.",
+        allowed.roundings
+    );
+    let tolerance = emission.literal(allowed.error());
     code! {
         #[doc = #about]
         const TOLERANCE: #scalar = #tolerance;
 
         /// Compares the answers at one frequency ratio with known ones.
         fn check_answers(
-            known: &check::Known<#scalar, #masses, #forces>,
+            known: &check::KnownAnswers<#scalar, #masses, #forces>,
         ) -> Result<(), check::Fault> {
             let at = Self::at(known.r).or(Err(check::Fault::Answer("at")))?;
             known.limits(at.limits(), Self::TOLERANCE)?;

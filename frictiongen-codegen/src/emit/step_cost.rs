@@ -27,13 +27,14 @@ pub(super) fn parts(scene: &StepScene<'_, Dd, AnyContact<Dd>>, step: Option<f64>
     ]
 }
 
-/// Returns documentation lines about the number of operations of a step.
-pub(super) fn operations(
+/// Returns upper bounds on the cost of a step, and the number of its parts. Without a declared step, they are those of a
+/// step of one part.
+pub(super) fn cost(
     scene: &StepScene<'_, Dd, AnyContact<Dd>>,
     step: Option<f64>,
     coefficients: usize,
     precision: Precision,
-) -> Vec<String> {
+) -> (Cost, u32) {
     let angle = step.map_or(1.0, |step| scene.fastest().to_f64() * step);
     let parts = angle.ceil().clamp(1.0, f64::from(MAX_PARTS));
     let epsilon = match precision {
@@ -46,7 +47,18 @@ pub(super) fn operations(
         clippy::cast_sign_loss,
         reason = "from 1 to MAX_PARTS"
     )]
-    let cost = scene.cost(coefficients, parts as u32, terms);
+    let parts = parts as u32;
+    (scene.cost(coefficients, parts, terms), parts)
+}
+
+/// Returns documentation lines about the number of operations of a step.
+pub(super) fn operations(
+    scene: &StepScene<'_, Dd, AnyContact<Dd>>,
+    step: Option<f64>,
+    coefficients: usize,
+    precision: Precision,
+) -> Vec<String> {
+    let (cost, _) = cost(scene, step, coefficients, precision);
     let of = if step.is_some() {
         "step of `STEP`"
     } else {

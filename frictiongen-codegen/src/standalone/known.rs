@@ -26,6 +26,7 @@ pub fn known_answers<S: Float>(source: &Source<'_, S>) -> (f64, Vec<KnownAnswers
         r,
         beta,
         tolerance,
+        widest: tolerance,
         motion: tables.moves(),
         stuck: tables.held.is_some(),
     };

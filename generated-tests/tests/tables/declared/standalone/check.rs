@@ -3,8 +3,10 @@
 
 use super::{cc, folder, run, rustc, source, write_c};
 use frictiongen::System;
-use frictiongen_codegen::known::MotionKind;
+use frictiongen_codegen::known::{AnswersRequest, MotionKind, known};
 use frictiongen_codegen::standalone::{known_answers, rust_source};
+use frictiongen_model::modal::Modal;
+use frictiongen_model::scene::Precision;
 use std::process::Command;
 
 const SCENE: &str = "struct Scene {
@@ -78,6 +80,87 @@ fn known_answers_are_right() {
         }
     }
     assert!(seen.iter().all(|count| *count > 0), "{seen:?}");
+}
+
+/// Each tenth of the range of r has a known answer, also above the highest resonance, and also in undamped chains whose
+/// answers depend on rounding at most frequencies. The answers agree with those of the run-time system within the error
+/// that the self-check allows.
+#[test]
+fn known_answers_cover_the_range() {
+    let chain = |masses: usize, damping: &str| {
+        let masses: Vec<usize> = (1..=masses).collect();
+        let named = masses
+            .iter()
+            .map(|mass| format!("m{mass}: {}", 3.0 + 0.1 * (mass * 7 % 10) as f64));
+        let springs = masses
+            .iter()
+            .skip(1)
+            .map(|mass| format!(", m{} - m{mass}: {}", mass - 1, 1190 + 50 * (mass * 3 % 10)));
+        format!(
+            "struct Chain {{ masses: {{ {} }}, springs: {{ base - m1: 1190{} }}, contact: m1 - wall, excitation: base,
+             damping: {damping} }}",
+            named.collect::<Vec<_>>().join(", "),
+            springs.collect::<String>()
+        )
+    };
+    const WIDEST: f64 = 65536.0 * f64::EPSILON;
+    let mut compared = 0;
+    for (masses, damping) in [
+        (1, "none"),
+        (2, "modal(0.02)"),
+        (3, "none"),
+        (10, "none"),
+        (10, "modal(0.02)"),
+    ] {
+        let system: System = chain(masses, damping).parse().expect("a scene");
+        let modal = Modal::of(system.scene());
+        let resonances: Vec<f64> = modal.resonances.iter().map(|own| own.hi).collect();
+        let highest = *resonances.last().expect("a mode");
+        let (low, high) = (0.2 * resonances[0], 1.5 * highest);
+        let all = known(
+            &modal,
+            &AnswersRequest {
+                precision: Precision::F64,
+                r: (low, high),
+                beta: (0.0, f64::MAX),
+                tolerance: 4096.0 * f64::EPSILON,
+                widest: WIDEST,
+                motion: true,
+                stuck: false,
+            },
+        );
+        let parts: Vec<usize> = all
+            .iter()
+            .map(|own| (10.0 * (own.r - low) / (high - low)) as usize)
+            .collect();
+        assert_eq!(parts, (0..10).collect::<Vec<_>>(), "{masses} {damping}");
+        assert!(all.iter().filter(|own| highest < own.r).count() >= 3);
+        for own in &all {
+            let allowed = own.needs().max(4096.0 * f64::EPSILON);
+            assert!(allowed <= WIDEST);
+            let at = system.at(own.r).expect("in the range");
+            let limits = at.limits();
+            for (one, other) in [
+                (own.continuous, limits.continuous),
+                (own.sliding, limits.sliding),
+            ] {
+                assert!((one - other).abs() <= allowed * one, "{one} for {other}");
+                compared += 1;
+            }
+            let motion = own.motion.as_ref().expect("a motion");
+            if motion.outcome == MotionKind::Continuous {
+                let amplitude = at
+                    .motion(motion.beta)
+                    .expect("continuous")
+                    .contact()
+                    .amplitude();
+                assert!((motion.contact[0] - amplitude).abs() <= allowed * amplitude);
+                compared += 1;
+            }
+        }
+    }
+    println!("{compared} known answers compared");
+    assert!(compared > 120);
 }
 
 /// A file, a change of its text, and the status that the self-check must then return.

@@ -1,0 +1,295 @@
+//! Compares the steppers of two scenes: the declared step, the bounds on the cost of a step, the step tables, and the
+//! answers of a run.
+
+mod run;
+mod words;
+
+use frictiongen::System;
+use frictiongen::study::scene::{Excitation, FrictionLaw, Provide};
+use frictiongen_codegen::{SizeLimits, StepFacts, parse_text, step_facts};
+use run::{Answer, Load, Run};
+use std::f64::consts::TAU;
+
+/// Number of steps in the shortest period of both scenes, if no description declares a step.
+const STEPS_IN_PERIOD: f64 = 20.0;
+/// The compared steps cover this number of the longest periods.
+const PERIODS: f64 = 10.0;
+/// Smallest and largest number of compared steps.
+const STEPS: (f64, f64) = (200.0, 10_000.0);
+/// Friction force of each contact, divided by the largest force that holds this contact in the old scene.
+const FRICTION: f64 = 0.3;
+/// A friction force that holds a contact under every load here, in the unit of force of the stiffest spring.
+const HOLDS: f64 = 1e6;
+/// Largest speed of the contact without friction, divided by the last speed of `friction: stribeck`.
+const SPEED: f64 = 2.0;
+
+/// Largest difference of one answer over the compared steps.
+#[derive(Clone, Debug, PartialEq)]
+pub struct StepDifference {
+    /// Name of the answer.
+    pub name: String,
+    /// Step of the largest difference.
+    pub step: u32,
+    /// Old and new value after this step.
+    pub values: (f64, f64),
+    /// Largest modulus of the answer over the steps of both scenes.
+    pub largest: f64,
+}
+
+impl StepDifference {
+    /// Returns the difference divided by the largest modulus of the answer.
+    pub fn relative(&self) -> f64 {
+        if self.largest == 0.0 {
+            return 0.0;
+        }
+        (self.values.1 - self.values.0).abs() / self.largest
+    }
+}
+
+/// Answers of both steppers over a run of steps.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Answers {
+    /// Length of a step, s.
+    pub step: f64,
+    /// Number of steps.
+    pub steps: u32,
+    /// Amplitude of each sine wave of the load.
+    pub amplitude: f64,
+    /// Friction force of each contact.
+    pub frictions: Vec<(String, f64)>,
+    /// Number of events, old and new.
+    pub events: (u64, u64),
+    /// Largest difference of each answer.
+    pub differences: Vec<StepDifference>,
+}
+
+/// Comparison of two steppers.
+#[derive(Clone, Debug, Default)]
+pub struct Steppers {
+    /// Declared steps, old and new.
+    pub declared: (Option<f64>, Option<f64>),
+    /// Facts about the emitted steppers, old and new. `None` unless both scenes have one contact and emitted code.
+    pub facts: Option<(StepFacts, StepFacts)>,
+    /// Answers over a run of steps.
+    pub answers: Option<Answers>,
+    /// Reasons why something was not compared.
+    pub left_out: Vec<String>,
+}
+
+/// Compares the steppers of two scenes. Returns `None` if no scene provides a stepper.
+pub fn compare([old, new]: [&System; 2], texts: &[String; 2]) -> Option<Steppers> {
+    let provides = [old, new].map(|system| system.scene().provides(&Provide::Stepper));
+    let mut found = Steppers {
+        declared: (old.scene().stepping.step, new.scene().stepping.step),
+        ..Steppers::default()
+    };
+    let only = match provides {
+        [false, false] => return None,
+        [true, true] => "",
+        [true, false] => "old",
+        [false, true] => "new",
+    };
+    if !only.is_empty() {
+        let other = if only == "old" { "new" } else { "old" };
+        found.left_out.push(format!(
+            "the stepper: only the {only} description provides one; write `stepper` in `provide` of the {other} description too"
+        ));
+        return Some(found);
+    }
+    found.facts = facts(texts);
+    match answers(old, new) {
+        Ok(answers) => found.answers = Some(answers),
+        Err(reason) => found.left_out.push(format!("answers of a step: {reason}")),
+    }
+    Some(found)
+}
+
+/// Returns the facts about both emitted steppers.
+fn facts(texts: &[String; 2]) -> Option<(StepFacts, StepFacts)> {
+    // The comparison of emitted code reports the errors of a description that the macro refuses.
+    let limits = SizeLimits {
+        tables: false,
+        ..SizeLimits::MACRO
+    };
+    let of = |text: &String| step_facts(&parse_text(text, &limits).ok()?);
+    let [old, new] = texts;
+    Some((of(old)?, of(new)?))
+}
+
+/// Compares the answers of both steppers under the same input.
+fn answers(old: &System, new: &System) -> Result<Answers, String> {
+    let scenes = [old.scene(), new.scene()];
+    let [on_base, on_base_new] = scenes.map(|scene| scene.excitation == Excitation::Base);
+    if on_base != on_base_new {
+        return Err("a force drives one scene, and the base the other".to_owned());
+    }
+    let [names, names_new] = scenes.map(|scene| {
+        let contacts = scene.named_contacts().into_iter();
+        contacts.map(|contact| contact.name).collect::<Vec<_>>()
+    });
+    if names != names_new {
+        return Err(format!(
+            "the old scene has the contacts {}, and the new scene has {}",
+            names.join(", "),
+            names_new.join(", ")
+        ));
+    }
+    let rates = [old.natural_frequencies(), new.natural_frequencies()].concat();
+    let moving = || rates.iter().copied().filter(|rate| *rate > 0.0);
+    let shortest = TAU / moving().reduce(f64::max).unwrap_or(1.0);
+    let longest = TAU / moving().reduce(f64::min).unwrap_or(1.0);
+    let step = match scenes.map(|scene| scene.stepping.step) {
+        [Some(one), Some(other)] if one != other => {
+            return Err(format!(
+                "the old stepper takes steps of {one:?} s, and the new stepper steps of {other:?} s; declare the same `step` to compare them"
+            ));
+        }
+        [Some(step), _] | [None, Some(step)] => step,
+        [None, None] => shortest / STEPS_IN_PERIOD,
+    };
+    #[allow(
+        clippy::cast_possible_truncation,
+        clippy::cast_sign_loss,
+        reason = "between the bounds of `STEPS`"
+    )]
+    let steps = (PERIODS * longest / step).ceil().clamp(STEPS.0, STEPS.1) as u32;
+    let mut load = Load::over(&rates);
+    let (amplitude, frictions) = levels(old, &load, (step, steps), &names)?;
+    load.amplitude = amplitude;
+    let mut answers = Answers {
+        step,
+        steps,
+        amplitude,
+        frictions,
+        ..Answers::default()
+    };
+    follow([old, new], &load, &mut answers)?;
+    Ok(answers)
+}
+
+/// Runs both steppers under the load, and records the largest differences.
+fn follow([old, new]: [&System; 2], load: &Load, answers: &mut Answers) -> Result<(), String> {
+    let which = |which: &str, reason: String| format!("the {which} stepper stops: {reason}");
+    let start = |system| Run::start(system, load, answers.step, &answers.frictions);
+    let mut one = start(old).map_err(|reason| which("old", reason))?;
+    let mut other = start(new).map_err(|reason| which("new", reason))?;
+    let mut differences = named(old, new, &answers.frictions);
+    for step in 1..=answers.steps {
+        let before = one.step().map_err(|reason| which("old", reason))?;
+        let after = other.step().map_err(|reason| which("new", reason))?;
+        answers.events.0 += before.events;
+        answers.events.1 += after.events;
+        for (difference, [place, place_new]) in &mut differences {
+            let values = (place.of(&before), place_new.of(&after));
+            let size = values.0.abs().max(values.1.abs());
+            difference.largest = difference.largest.max(size);
+            let apart = |values: (f64, f64)| (values.1 - values.0).abs();
+            if apart(values) > apart(difference.values) || step == 1 {
+                (difference.values, difference.step) = (values, step);
+            }
+        }
+    }
+    let differences = differences.into_iter();
+    answers.differences = differences.map(|(difference, _)| difference).collect();
+    Ok(())
+}
+
+/// Place of a number in an answer: a mass by its index, or a contact by its index with the index of the number.
+#[derive(Clone, Copy)]
+enum Place {
+    Mass(usize),
+    Contact(usize, usize),
+}
+
+impl Place {
+    /// Returns the number of an answer at this place.
+    fn of(self, answer: &Answer) -> f64 {
+        let number = match self {
+            Self::Mass(mass) => answer.masses.get(mass),
+            Self::Contact(contact, number) => {
+                let contact = answer.contacts.get(contact);
+                contact.and_then(|contact| contact.get(number))
+            }
+        };
+        number.copied().unwrap_or(0.0)
+    }
+}
+
+/// Returns the compared answers: the displacement of each shared mass, then displacement and force of each contact.
+/// Each answer has its place in the old and in the new scene.
+fn named(
+    old: &System,
+    new: &System,
+    contacts: &[(String, f64)],
+) -> Vec<(StepDifference, [Place; 2])> {
+    let empty = |name: String| StepDifference {
+        name,
+        step: 1,
+        values: (0.0, 0.0),
+        largest: 0.0,
+    };
+    let masses = old.scene().masses.iter().enumerate();
+    let masses = masses.filter_map(|(index, mass)| {
+        let mut others = new.scene().masses.iter();
+        let other = others.position(|other| other.name == mass.name)?;
+        let name = format!("displacement of {}", mass.name);
+        Some((empty(name), [Place::Mass(index), Place::Mass(other)]))
+    });
+    let contacts = contacts.iter().enumerate();
+    let contacts = contacts.flat_map(|(index, (contact, _))| {
+        let numbers = [("displacement", 0), ("friction force", 2)];
+        numbers.map(|(number, place)| {
+            let name = format!("{number} in {contact}");
+            (empty(name), [Place::Contact(index, place); 2])
+        })
+    });
+    masses.chain(contacts).collect()
+}
+
+/// Returns the amplitude of each wave of the load, and the friction force of each contact. Both follow from two runs of
+/// the old scene, one with contacts that hold and one without friction.
+fn levels(
+    old: &System,
+    load: &Load,
+    (step, steps): (f64, u32),
+    contacts: &[String],
+) -> Result<(f64, Vec<(String, f64)>), String> {
+    let run = |load: &Load, force: f64| -> Result<Vec<[f64; 2]>, String> {
+        let named = |contact: &String| (contact.clone(), force);
+        let frictions: Vec<(String, f64)> = contacts.iter().map(named).collect();
+        let mut run = Run::start(old, load, step, &frictions)?;
+        let mut largest = vec![[0.0_f64; 2]; contacts.len()];
+        for _ in 0..steps {
+            let answer = run.step()?;
+            for (largest, [_, velocity, force]) in largest.iter_mut().zip(answer.contacts) {
+                let [most_velocity, most_force] = *largest;
+                *largest = [
+                    most_velocity.max(velocity.abs()),
+                    most_force.max(force.abs()),
+                ];
+            }
+        }
+        Ok(largest)
+    };
+    let mut load = load.clone();
+    if let FrictionLaw::Stribeck(points) = &old.scene().friction
+        && let Some([speed, _]) = points.last()
+    {
+        let free = run(&load, 0.0)?;
+        let fastest = free
+            .iter()
+            .fold(0.0, |fastest: f64, [v, _]| fastest.max(*v));
+        if fastest > 0.0 {
+            load.amplitude *= SPEED * speed / fastest;
+        }
+    }
+    let stiffest = old.scene().springs.iter().map(|spring| spring.stiffness);
+    let stiffest = match old.scene().excitation {
+        Excitation::Base => stiffest.fold(0.0, f64::max),
+        Excitation::Force(_) => 1.0,
+    };
+    let held = run(&load, HOLDS * stiffest * load.amplitude)?;
+    let frictions = contacts.iter().zip(held);
+    let frictions = frictions.map(|(contact, [_, force])| (contact.clone(), FRICTION * force));
+    Ok((load.amplitude, frictions.collect()))
+}

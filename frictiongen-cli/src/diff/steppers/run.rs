@@ -1,0 +1,195 @@
+//! Steps of two steppers, of one contact or of several, under the same seeded input.
+
+use frictiongen::System;
+use frictiongen::study::SystemInput;
+use frictiongen::study::joined::{JoinedInput, JoinedStepper};
+use frictiongen::study::scene::{Excitation, Scene};
+use frictiongen::study::stepper::SystemStepper;
+use std::f64::consts::TAU;
+
+/// Number of sine waves of the load.
+const WAVES: u32 = 8;
+/// Frequencies of the waves. The first is this fraction of the lowest natural frequency, the last this multiple of the
+/// highest natural frequency.
+const BAND: (f64, f64) = (0.3, 1.2);
+/// Seed of the waves' phases.
+const SEED: u64 = 0x9E37_79B9_7F4A_7C15;
+
+/// A load with a value and a rate at every time: a sum of sine waves with seeded phases.
+#[derive(Clone, Debug)]
+pub struct Load {
+    waves: Vec<(f64, f64)>,
+    /// Amplitude of each wave.
+    pub amplitude: f64,
+}
+
+impl Load {
+    /// Creates a load whose waves span the natural frequencies, in rad/s.
+    pub fn over(frequencies: &[f64]) -> Self {
+        let moving = || frequencies.iter().copied().filter(|rate| *rate > 0.0);
+        let lowest = BAND.0 * moving().reduce(f64::min).unwrap_or(1.0);
+        let highest = BAND.1 * moving().reduce(f64::max).unwrap_or(1.0);
+        let mut seed = SEED;
+        let waves = (0..WAVES).map(|wave| {
+            // Steps of a linear congruential generator (Knuth's MMIX). The upper bits are the random ones.
+            seed = seed
+                .wrapping_mul(6_364_136_223_846_793_005)
+                .wrapping_add(1_442_695_040_888_963_407);
+            let phase = TAU * f64::from((seed >> 32) as u32) / f64::from(u32::MAX);
+            let part = f64::from(wave) / f64::from(WAVES - 1);
+            (lowest * (highest / lowest).powf(part), phase)
+        });
+        Self {
+            waves: waves.collect(),
+            amplitude: 1.0 / f64::from(WAVES),
+        }
+    }
+
+    /// Returns value and rate at the time t.
+    fn at(&self, t: f64) -> [f64; 2] {
+        self.waves
+            .iter()
+            .fold([0.0; 2], |[value, rate], (frequency, phase)| {
+                let (sine, cosine) = (frequency * t + phase).sin_cos();
+                [
+                    value + self.amplitude * sine,
+                    rate + self.amplitude * frequency * cosine,
+                ]
+            })
+    }
+}
+
+/// State at the end of a step: displacements of masses, then the displacement, velocity and force of each contact.
+#[derive(Clone, Debug, Default)]
+pub struct Answer {
+    /// Displacement of each mass, in the order of the description.
+    pub masses: Vec<f64>,
+    /// Displacement, velocity and friction force of each contact.
+    pub contacts: Vec<[f64; 3]>,
+    /// Number of events in the step.
+    pub events: u64,
+}
+
+/// A stepper of a scene with one contact, or of a scene with several contacts.
+enum Kind<'a> {
+    One(SystemStepper<'a>),
+    Several(JoinedStepper<'a>),
+}
+
+/// A run of a stepper from rest.
+pub struct Run<'a> {
+    kind: Kind<'a>,
+    scene: &'a Scene,
+    load: &'a Load,
+    frictions: Vec<(&'a str, f64)>,
+    dt: f64,
+    steps: u32,
+}
+
+impl<'a> Run<'a> {
+    /// Starts a run. `frictions` has the friction force of each contact.
+    pub fn start(
+        system: &'a System,
+        load: &'a Load,
+        dt: f64,
+        frictions: &'a [(String, f64)],
+    ) -> Result<Self, String> {
+        let scene = system.scene();
+        let kind = if scene.is_joined() {
+            let joined = system.joined().map_err(|error| error.to_string())?;
+            let stepper = joined.stepper(dt).map_err(|error| error.to_string())?;
+            Kind::Several(stepper)
+        } else {
+            Kind::One(system.stepper(dt).map_err(|error| error.to_string())?)
+        };
+        let frictions = frictions.iter();
+        let mut run = Self {
+            kind,
+            scene,
+            load,
+            frictions: frictions
+                .map(|(name, force)| (name.as_str(), *force))
+                .collect(),
+            dt,
+            steps: 0,
+        };
+        run.input(true)?;
+        Ok(run)
+    }
+
+    /// Takes a step.
+    pub fn step(&mut self) -> Result<Answer, String> {
+        self.steps += 1;
+        let events = self.input(false)?;
+        let answer = match &self.kind {
+            Kind::One(stepper) => {
+                let now = stepper.contact();
+                let masses = stepper.all_masses();
+                Answer {
+                    masses: masses.iter().map(|mass| mass.displacement()).collect(),
+                    contacts: vec![[now.displacement(), now.velocity(), now.force()]],
+                    events,
+                }
+            }
+            Kind::Several(stepper) => {
+                let contacts = stepper.contacts().into_iter();
+                Answer {
+                    masses: stepper.masses().iter().map(|[place, _]| *place).collect(),
+                    contacts: contacts
+                        .map(|now| [now.displacement, now.velocity, now.force])
+                        .collect(),
+                    events,
+                }
+            }
+        };
+        let numbers = answer.masses.iter().chain(answer.contacts.as_flattened());
+        if !numbers.clone().all(|number| number.is_finite()) {
+            return Err("the motion grows beyond the largest number".to_owned());
+        }
+        Ok(answer)
+    }
+
+    /// Gives the stepper the input at the present time: before the first step, or for the next step. Returns the number
+    /// of events.
+    fn input(&mut self, begins: bool) -> Result<u64, String> {
+        let [value, rate] = self.load.at(f64::from(self.steps) * self.dt);
+        let excited = match self.scene.excitation {
+            Excitation::Base => None,
+            Excitation::Force(mass) => self.scene.masses.get(mass),
+        };
+        match &mut self.kind {
+            Kind::One(stepper) => {
+                let input = match excited {
+                    None => SystemInput::base(value, rate),
+                    Some(_) => SystemInput::force(value),
+                };
+                let friction = self.frictions.first().map_or(0.0, |(_, force)| *force);
+                let input = input.friction(friction);
+                if begins {
+                    let begun = stepper.begin(input);
+                    return begun.map(|()| 0).map_err(|error| error.to_string());
+                }
+                let stepped = stepper.advance(input).map_err(|error| error.to_string())?;
+                Ok(stepped.events.into())
+            }
+            Kind::Several(stepper) => {
+                let force = excited.map(|mass| (mass.name.as_str(), value));
+                let input = JoinedInput {
+                    base: if force.is_none() {
+                        [value, rate]
+                    } else {
+                        [0.0; 2]
+                    },
+                    forces: force.as_slice(),
+                    frictions: &self.frictions,
+                };
+                if begins {
+                    let begun = stepper.begin(input);
+                    return begun.map(|()| 0).map_err(|error| error.to_string());
+                }
+                let events = stepper.advance(input).map_err(|error| error.to_string())?;
+                Ok(events as u64)
+            }
+        }
+    }
+}

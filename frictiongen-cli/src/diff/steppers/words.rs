@@ -1,0 +1,257 @@
+//! Writes the comparison of two steppers, as text and as JSON.
+
+use super::super::{ROUNDINGS, per_cent};
+use super::{Answers, Steppers};
+use crate::failure::Failure;
+use crate::number::{Cell, Lossless as _, computed};
+use frictiongen_codegen::StepFacts;
+use serde_json::{Value as Json, json};
+use std::io::Write;
+
+/// The numbers of two step tables.
+struct Tables<'f> {
+    /// Number of numbers.
+    count: usize,
+    /// Number of numbers that differ.
+    differing: usize,
+    /// The number with the largest relative difference: its place and its values.
+    largest: Option<(&'f str, f64, f64)>,
+}
+
+/// Returns the difference of two numbers, relative to the larger one.
+fn relative(old: f64, new: f64) -> f64 {
+    let size = old.abs().max(new.abs());
+    if size == 0.0 {
+        return 0.0;
+    }
+    (new - old).abs() / size
+}
+
+/// Compares the numbers of two step tables. Returns the reason why the tables have no common numbers.
+fn tables<'f>(old: &'f StepFacts, new: &'f StepFacts) -> Result<Option<Tables<'f>>, String> {
+    let (before, after) = (&old.numbers, &new.numbers);
+    if before.is_empty() && after.is_empty() {
+        return Ok(None);
+    }
+    let places = |numbers: &'f [(String, f64)]| numbers.iter().map(|(place, _)| place);
+    if before.is_empty() || after.is_empty() {
+        let only = if after.is_empty() { "old" } else { "new" };
+        return Err(format!(
+            "step tables: only the {only} description declares a `step`, so that its tables are constants"
+        ));
+    }
+    if !places(before).eq(places(after)) {
+        return Err(format!(
+            "step tables: the old tables have {} numbers, and the new tables have {}, because the modes or the inputs are others",
+            before.len(),
+            after.len()
+        ));
+    }
+    let pairs = || before.iter().zip(after);
+    let pairs = || pairs().map(|((place, old), (_, new))| (place.as_str(), *old, *new));
+    Ok(Some(Tables {
+        count: before.len(),
+        differing: pairs().filter(|(_, old, new)| old != new).count(),
+        largest: pairs().max_by(|a, b| relative(a.1, a.2).total_cmp(&relative(b.1, b.2))),
+    }))
+}
+
+/// Returns `old -> new`, or the number with the word "unchanged".
+fn counts(old: u64, new: u64) -> String {
+    if old == new {
+        format!("{old}, unchanged")
+    } else {
+        format!("{old} -> {new}")
+    }
+}
+
+impl Steppers {
+    /// Writes the comparison as text.
+    pub fn write(&self, out: &mut dyn Write) -> Result<(), Failure> {
+        writeln!(out, "\nstepper")?;
+        match self.declared {
+            (Some(old), Some(new)) if old == new => {
+                writeln!(out, "  declared step  {old:?} s, unchanged")?;
+            }
+            (Some(old), Some(new)) => writeln!(out, "  declared step  {old:?} s -> {new:?} s")?,
+            (Some(old), None) => writeln!(out, "  declared step  removed, was {old:?} s")?,
+            (None, Some(new)) => writeln!(out, "  declared step  added, {new:?} s")?,
+            (None, None) => {}
+        }
+        if let Some((old, new)) = &self.facts {
+            self.write_facts(old, new, out)?;
+        }
+        if let Some(answers) = &self.answers {
+            answers.write(out)?;
+        }
+        for reason in &self.left_out {
+            writeln!(out, "  not compared: {reason}")?;
+        }
+        Ok(())
+    }
+
+    fn write_facts(
+        &self,
+        old: &StepFacts,
+        new: &StepFacts,
+        out: &mut dyn Write,
+    ) -> Result<(), Failure> {
+        let of = match self.declared {
+            (Some(_), Some(_)) => "step",
+            (None, None) => "part of a step",
+            _ => "step, or of a part of a step where no step is declared",
+        };
+        writeln!(out, "  operations of a {of}")?;
+        let (one, other) = (&old.cost, &new.cost);
+        for (name, old, new) in [
+            ("without events, at most", one.tables, other.tables),
+            ("with one event, about  ", one.one_event, other.one_event),
+            ("worst case             ", one.most, other.most),
+        ] {
+            writeln!(out, "    {name}  {}", counts(old, new))?;
+        }
+        if old.parts != new.parts {
+            let parts = counts(old.parts.into(), new.parts.into());
+            writeln!(out, "    parts of the step        {parts}")?;
+        }
+        match tables(old, new) {
+            Err(reason) => writeln!(out, "  not compared: {reason}")?,
+            Ok(None) => {}
+            Ok(Some(found)) => {
+                let Tables {
+                    count, differing, ..
+                } = found;
+                write!(
+                    out,
+                    "  step tables    {differing} of {count} numbers differ"
+                )?;
+                match found.largest {
+                    Some((place, old, new)) if differing != 0 => writeln!(
+                        out,
+                        ", by {} at most\n    `{place}`: {} -> {}",
+                        per_cent(relative(old, new)).trim_start_matches('+'),
+                        computed(old),
+                        computed(new)
+                    )?,
+                    _ => writeln!(out)?,
+                }
+            }
+        }
+        Ok(())
+    }
+
+    /// Returns the comparison as JSON.
+    pub fn json(&self) -> Json {
+        let number = |value: f64| Cell::from(value).json();
+        let facts = |facts: &StepFacts| {
+            json!({
+                "parts": facts.parts,
+                "without_events": facts.cost.tables,
+                "with_one_event": facts.cost.one_event,
+                "worst_case": facts.cost.most,
+            })
+        };
+        let compared = self
+            .facts
+            .as_ref()
+            .map(|(old, new)| (facts(old), facts(new), tables(old, new)));
+        let (operations, tables) = match compared {
+            None => (Json::Null, Json::Null),
+            Some((old, new, tables)) => (
+                json!({ "old": old, "new": new }),
+                tables.ok().flatten().map_or(Json::Null, |found| {
+                    let largest = found.largest.filter(|_| found.differing != 0);
+                    json!({
+                        "numbers": found.count,
+                        "differing": found.differing,
+                        "largest": largest.map(|(place, old, new)| json!({
+                            "place": place,
+                            "old": number(old),
+                            "new": number(new),
+                            "relative": number(relative(old, new)),
+                        })),
+                    })
+                }),
+            ),
+        };
+        json!({
+            "step_s": { "old": self.declared.0.map(number), "new": self.declared.1.map(number) },
+            "operations": operations,
+            "tables": tables,
+            "answers": self.answers.as_ref().map(Answers::json),
+            "not_compared": self.reasons(),
+        })
+    }
+
+    /// Returns all reasons why something was not compared.
+    fn reasons(&self) -> Vec<String> {
+        let mut reasons = self.left_out.clone();
+        if let Some((old, new)) = &self.facts {
+            reasons.extend(tables(old, new).err());
+        }
+        reasons
+    }
+}
+
+impl Answers {
+    fn write(&self, out: &mut dyn Write) -> Result<(), Failure> {
+        let frictions = self.frictions.iter();
+        let frictions =
+            frictions.map(|(contact, force)| format!("{} in {contact}", computed(*force)));
+        let frictions: Vec<String> = frictions.collect();
+        writeln!(
+            out,
+            "  answers after each of {} steps of {} s from rest",
+            self.steps,
+            computed(self.step)
+        )?;
+        writeln!(
+            out,
+            "    The load is a sum of sine waves over the natural frequencies, each of amplitude {}, with seeded phases.",
+            computed(self.amplitude)
+        )?;
+        writeln!(out, "    Friction force: {}.", frictions.join(", "))?;
+        writeln!(
+            out,
+            "    A difference is relative to the largest value of its answer over the steps."
+        )?;
+        for difference in &self.differences {
+            let (name, relative) = (&difference.name, difference.relative());
+            if relative <= ROUNDINGS {
+                writeln!(out, "    {name}: unchanged, to rounding")?;
+                continue;
+            }
+            writeln!(
+                out,
+                "    {name}: differs by {} at most, in step {}: {} -> {}",
+                per_cent(relative).trim_start_matches('+'),
+                difference.step,
+                computed(difference.values.0),
+                computed(difference.values.1)
+            )?;
+        }
+        writeln!(out, "    events: {}", counts(self.events.0, self.events.1))?;
+        Ok(())
+    }
+
+    fn json(&self) -> Json {
+        let number = |value: f64| Cell::from(value).json();
+        let frictions = self.frictions.iter();
+        json!({
+            "step_s": number(self.step),
+            "steps": self.steps,
+            "amplitude_of_a_wave": number(self.amplitude),
+            "friction": frictions
+                .map(|(contact, force)| (contact.clone(), number(*force)))
+                .collect::<serde_json::Map<_, _>>(),
+            "events": { "old": self.events.0, "new": self.events.1 },
+            "differences": self.differences.iter().map(|found| json!({
+                "name": found.name,
+                "step": found.step,
+                "old": number(found.values.0),
+                "new": number(found.values.1),
+                "relative": number(found.relative()),
+            })).collect::<Json>(),
+        })
+    }
+}
