@@ -239,8 +239,8 @@ impl<S: Float, Z: Size> Search<S, Z> {
         Scalar::max(apart(one.x.as_ref(), other.x.as_ref()), speeds)
     }
 
-    /// Advances the motion by a number of cycles. The motion must be at a maximum of the load. At the start of each cycle
-    /// the time is set to 0.
+    /// Advances the motion by a number of cycles. The motion must be at a maximum of the load. At the start of each
+    /// cycle the time is set to 0.
     pub(super) fn advance(
         &self,
         motion: &mut Motion<S, Z>,
