@@ -1,7 +1,8 @@
-//! Helpers of the unit tests of modal sums and their searches. A wave is the term of one mode in a modal sum. The
-//! helpers compute derivatives of a wave by independent formulas, and make random waves.
+//! Helpers of the unit tests for modal sums and their searches. A wave is the term of one mode in a modal sum. The
+//! helpers compute derivatives of a wave by independent formulas, and create random waves.
 //!
-//! A wave is the sum of a free vibration p, whose derivatives obey p⁽ⁿ⁺²⁾ = −2ζx p⁽ⁿ⁺¹⁾ − x² p⁽ⁿ⁾, and of sinusoids.
+//! A wave is a sum of sinusoids and a free vibration p, whose derivatives satisfy p⁽ⁿ⁺²⁾ = −2ζx p⁽ⁿ⁺¹⁾ − x² p⁽ⁿ⁾. ζ is
+//! the damping ratio of the mode, and x its natural frequency divided by the excitation frequency.
 
 use crate::modal_sum::wave::{Sum, Wave};
 use crate::oscillator::decay::Damped;
@@ -14,11 +15,11 @@ pub use fuzzing::Random as Lcg;
 
 pub type TestWave = Wave<f64, Damped<f64>>;
 
-/// Number of derivatives of a wave that the tests compute. This number covers the derivatives in the Taylor series of a
-/// search.
+/// Number of derivatives of a wave that the tests compute. A search uses no higher derivative in its Taylor series.
 pub const ORDERS: usize = 18;
 
-/// Modal damping ratios of every kind of damping. They lie on both sides of each ζ at which the closed form changes.
+/// Modal damping ratios ζ of every kind of damping. At some ζ the closed form changes, and the list has values on both
+/// sides of each of them.
 pub const ZETAS: [f64; 12] = [
     0.0, 1e-6, 0.01, 0.1, 0.3, 0.49, 0.6, 0.9, 1.0, 1.2, 3.0, 20.0,
 ];
@@ -38,8 +39,8 @@ pub fn at_rest(x: f64, zeta: f64) -> TestWave {
     Wave::at_rest(x, damped(zeta))
 }
 
-/// Returns the derivatives p⁽ⁿ⁾ of a free vibration at τ, for n = 0, 1, …, `last`. p starts with displacement 0 and
-/// velocity 1.
+/// Returns the derivatives p⁽ⁿ⁾ of a free vibration p at the time τ, for n = 0, 1, …, `last`. p starts with
+/// displacement 0 and velocity 1.
 fn free(x: f64, zeta: f64, tau: f64, last: usize) -> [f64; ORDERS] {
     let mut out = [0.0; ORDERS];
     let q2 = 1.0 - zeta * zeta;
@@ -55,11 +56,11 @@ fn free(x: f64, zeta: f64, tau: f64, last: usize) -> [f64; ORDERS] {
             decay_factor * (c - zeta / q * s),
         )
     } else {
-        // The product of both roots is x². The division by the fast root gives the slow root without a difference of
-        // close numbers.
+        // The product of the two roots is x². The code computes the slow root as x² divided by the fast root, without a
+        // difference of close numbers.
         let (slow, fast) = (x / (zeta + q), x * (zeta + q));
         let (a, b) = ((-slow * tau).exp(), (-fast * tau).exp());
-        // Towards τ = 0 the two exponentials cancel, and `exp_m1` keeps their difference.
+        // For τ → 0 the two exponentials cancel. `exp_m1` keeps the digits of their difference.
         let p = -a * (-(fast - slow) * tau).exp_m1() / (fast - slow);
         (p, b - slow * p)
     };
@@ -69,15 +70,15 @@ fn free(x: f64, zeta: f64, tau: f64, last: usize) -> [f64; ORDERS] {
     out
 }
 
-/// Returns the derivatives (cos τ)⁽ⁿ⁾ and (sin τ)⁽ⁿ⁾ for n = `order`.
+/// Returns the derivatives (cos τ)⁽ⁿ⁾ and (sin τ)⁽ⁿ⁾ at τ, for n = `order`.
 fn turning(tau: f64, order: usize) -> (f64, f64) {
     let (s, c) = tau.sin_cos();
     [(c, s), (-s, c), (-c, -s), (s, -c)][order % 4]
 }
 
-/// Returns the coefficients a and b of y = 1/x² + a·d + b·p, the response of a mode to a unit force that changes its
-/// sign every half period. The coefficients follow from y(π) = −y(0) and y′(π) = −y′(0), with d = p′ + 2ζx p and d′ =
-/// −x²p.
+/// Returns the coefficients a and b of y = 1/x² + a·d + b·p. y is the response of a mode to a unit force that changes
+/// its sign every half period. The coefficients follow from y(π) = −y(0) and y′(π) = −y′(0), with d = p′ + 2ζx p and d′
+/// = −x²p. p is the free vibration from displacement 0 with velocity 1.
 fn mass_controlled_parts(x: f64, zeta: f64) -> (f64, f64) {
     let end = free(x, zeta, PI, 1);
     let (p, slope) = (end[0], end[1]);
@@ -88,7 +89,8 @@ fn mass_controlled_parts(x: f64, zeta: f64) -> (f64, f64) {
     (a, -2.0 * p / determinant)
 }
 
-/// Returns the derivative of one mode's term (wave) at τ. `order` is the order of the derivative.
+/// Returns the derivative of a wave (one mode's term in a modal sum) at the time τ. `order` is the order of the
+/// derivative.
 pub fn derivative(wave: &TestWave, tau: f64, order: usize) -> f64 {
     use crate::oscillator::decay::Decay;
     let (x, zeta) = (wave.x, wave.decay.zeta());
@@ -113,7 +115,7 @@ pub fn derivative(wave: &TestWave, tau: f64, order: usize) -> f64 {
         + wave.rise * rise
 }
 
-/// Returns the derivative of a modal sum at τ. `order` is the order of the derivative.
+/// Returns the derivative of a modal sum at the time τ. `order` is the order of the derivative.
 pub fn sum_derivative(sum: &Sum<'_, f64, Damped<f64>>, tau: f64, order: usize) -> f64 {
     let (c, s) = turning(tau, order);
     let waves = sum.waves.iter().map(|wave| derivative(wave, tau, order));
@@ -121,7 +123,8 @@ pub fn sum_derivative(sum: &Sum<'_, f64, Damped<f64>>, tau: f64, order: usize) -
 }
 
 /// Returns four or five test waves, each with a name. A wave is the term of one mode in a modal sum. In each of the
-/// first four waves, one coefficient is 1 and the others are 0. A slow mode adds a fifth wave with the whole response.
+/// first four waves, one coefficient is 1 and the others are 0. For a slow mode a fifth wave contains the whole
+/// response.
 pub fn parts(x: f64, zeta: f64) -> Vec<(&'static str, TestWave)> {
     let at_rest = at_rest(x, zeta);
     let mut parts = vec![
@@ -165,8 +168,8 @@ pub fn parts(x: f64, zeta: f64) -> Vec<(&'static str, TestWave)> {
     parts
 }
 
-/// Returns random terms of a modal sum (waves), the slowest mode first. Either each mode has its own damping, or no
-/// mode is damped. Without `rise`, a wave has only the terms of the velocity constraint.
+/// Returns random waves (terms of the modes in a modal sum). The slowest mode comes first. Either each mode has its own
+/// damping, or no mode is damped. If `rise` is false, a wave has only the terms that occur in the velocity constraint.
 pub fn random_waves(
     random: &mut Lcg,
     (low, high): (f64, f64),
@@ -182,7 +185,7 @@ pub fn random_waves(
             } else {
                 [0.0, random.log_uniform(1e-4, 0.5), 0.7, 1.0, 4.0][random.below(5)]
             };
-            // Each term of a fast mode is then of order 1, so that all terms have similar sizes.
+            // The factors x and x² make each term of a fast mode of order 1, so that all terms have similar sizes.
             let mut wave = at_rest(x, zeta);
             wave.forced = random.signed();
             wave.forced_slope = random.signed();
@@ -197,9 +200,9 @@ pub fn random_waves(
     waves
 }
 
-/// Returns a random motion that resembles the motion of a chain. The result has one term (wave) for each mode, and the
+/// Returns a random motion that resembles the motion of a chain. The result consists of one wave for each mode, and the
 /// cosine and sine coefficients of the fundamental component. The motion repeats with the opposite sign after half a
-/// period. A mode far below the excitation frequency has its whole response in one wave.
+/// period. For a mode far below the excitation frequency, one wave contains the whole response.
 pub fn random_motion(
     random: &mut Lcg,
     (low, high): (f64, f64),
@@ -247,9 +250,9 @@ pub fn random_motion(
     (waves, cosine, sine)
 }
 
-/// Returns a random velocity constraint: the terms of the modes (waves), the sine amplitude, and the quotient for τ →
-/// 0. The sum of the waves and sin τ vanish together at both ends of the half period. Without damping the sum is odd
-/// about the middle of the half period.
+/// Returns a random velocity constraint: the waves of the modes, the sine amplitude, and the quotient for τ → 0. At
+/// both ends of the half period, the sum of the waves and sin τ are zero. Without damping the sum is odd about the
+/// middle of the half period.
 pub fn random_constraint(
     random: &mut Lcg,
     (low, high): (f64, f64),

@@ -89,9 +89,9 @@ pub fn limits_at_infinity<F: FrictionSystem>(system: &F) -> Result<Limits<F::Sca
 pub struct Change<S> {
     /// Highest frequency ratio r at which the regime is `before`.
     pub r: S,
-    /// The regime below the frequency ratio r.
+    /// Regime at frequency ratios just below the change at r.
     pub before: Regime,
-    /// The regime above the frequency ratio r.
+    /// Regime at frequency ratios just above the change at r.
     pub after: Regime,
 }
 

@@ -63,7 +63,7 @@ pub trait OrbitAt: LimitsAt {
 
 /// A steady state of a scene at one frequency and one friction ratio, in any regime.
 pub trait SteadyState {
-    /// The scalar type of the scene.
+    /// Number type of the scene, such as `f64` or `f32`.
     type Scalar: Float;
 
     /// Returns the number of excitation cycles after which the motion repeats: 1, or up to 64 for a subharmonic state.
@@ -229,7 +229,7 @@ where
 /// Motion of the contact or of a mass in a steady state. Displacements are non-dimensional: x̄ = x/(P/k₁), or x/Y for
 /// base motion.
 pub trait Periodic {
-    /// The scalar type of the scene.
+    /// Number type of the scene, such as `f64` or `f32`.
     type Scalar: Float;
 
     /// Returns the largest |x̄| in the period of the motion.

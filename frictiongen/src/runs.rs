@@ -63,7 +63,7 @@ pub trait Simulates: FrictionSystem {
     label = "add `simulation` to the scene's `provide: [...]`; without `friction: stribeck` it is `Simulates`"
 )]
 pub trait SimulatesUnder {
-    /// The scalar type of the scene.
+    /// Number type of the scene, such as `f64` or `f32`.
     type Scalar: Float;
     /// The type of the simulation that [`simulation_under`](Self::simulation_under) returns.
     type Run<'a>: Run<Scalar = Self::Scalar>
@@ -86,7 +86,7 @@ pub trait SimulatesUnder {
 
 /// An exact simulation in time, which advances from event to event.
 pub trait Run {
-    /// The scalar type of the scene.
+    /// Number type of the scene, such as `f64` or `f32`.
     type Scalar: Float;
 
     /// Advances to the next event, or by `reach` in the phase τ = ωt if no event comes earlier. A reach of 0 does
@@ -95,7 +95,7 @@ pub trait Run {
     /// # Errors
     /// [`OutOfDomain`] for a reach that is negative, infinite or NaN. The simulation then stays unchanged.
     fn advance(&mut self, reach: Self::Scalar) -> Result<Segment<Self::Scalar>, OutOfDomain>;
-    /// Returns the number of completed cycles of the excitation.
+    /// Returns the number of excitation cycles that the simulation has completed.
     fn cycles(&self) -> u64;
     /// Returns the phase τ = ωt within the excitation's cycle, in [0, 2π).
     fn phase(&self) -> Self::Scalar;

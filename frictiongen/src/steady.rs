@@ -17,7 +17,7 @@ use frictiongen_kernel::table::{SteadyContact, TabledMotion};
 pub enum Of {
     /// The relative motion of the two sides of the contact.
     Contact,
-    /// The displacement of a mass, by its index in the description.
+    /// The displacement of a mass. The number is its index in the description.
     Mass(usize),
     /// The displacement of the first mass minus the displacement of the second mass, by their indices.
     Relative(usize, usize),
@@ -42,12 +42,12 @@ impl Of {
 /// Continuous motion of the contact or of a mass. Displacements are non-dimensional: x̄ = x/(P/k₁), or x/Y for base
 /// motion.
 pub trait Steady {
-    /// The scalar type of the scene.
+    /// Number type of the scene, such as `f64` or `f32`.
     type Scalar: Float;
 
     /// Returns the largest |x̄| and its phase, both from one search, and the work of that search.
     fn largest(&self) -> Largest<Self::Scalar>;
-    /// Returns the exact maximum of |x̄|.
+    /// Returns the exact maximum of |x̄| in a period of the motion.
     fn amplitude(&self) -> Self::Scalar;
     /// Returns the monoharmonic estimate of the amplitude (5.50, 7.33).
     fn amplitude_monoharmonic(&self) -> Self::Scalar;

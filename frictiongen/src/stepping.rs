@@ -43,7 +43,7 @@ use frictiongen_kernel::stepper::{ContactNow, MassNow, Stepped, Work};
     label = "add `stepper` to the scene's `provide: [...]`"
 )]
 pub trait Steps {
-    /// The scalar type of the scene.
+    /// Number type of the scene, such as `f64` or `f32`.
     type Scalar: Float;
     /// The type of the stepper that [`stepper`](Self::stepper) returns.
     type Stepper<'a>: Stepping<Scalar = Self::Scalar>
@@ -104,7 +104,7 @@ impl<S: Float> StepLoad<'_, S> {
 
 /// A motion that advances in time steps of equal length. The caller sets the input at every step.
 pub trait Stepping {
-    /// The scalar type of the scene.
+    /// Number type of the scene, such as `f64` or `f32`.
     type Scalar: Float;
 
     /// Sets the input at the start of the first step. Without this call, the input at the start is 0.
@@ -134,7 +134,7 @@ pub trait Stepping {
     fn steps(&self) -> u64;
     /// Returns the number of steps that had more contact events than the stepper follows.
     fn exceeded(&self) -> u64;
-    /// Returns the length of a step, in s.
+    /// Returns the time step of the stepper, in s.
     fn dt(&self) -> Self::Scalar;
     /// Sets μ, the ratio of static to kinetic friction, for the following steps.
     ///

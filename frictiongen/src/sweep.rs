@@ -56,9 +56,9 @@ pub enum SweepError {
     OutOfDomain(OutOfDomain),
     /// The length of the slice for the results differs from the number of points.
     Length {
-        /// Number of points. Each point has one result.
+        /// Number of points in the sweep. Each point has one result.
         points: usize,
-        /// Length of the slice for the results.
+        /// Length of the slice that the caller passed for the results.
         room: usize,
     },
 }

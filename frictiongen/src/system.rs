@@ -34,16 +34,16 @@ use frictiongen_kernel::contact::regime::{Limits, limits_into};
 /// assert!(narrowest(&Block, &[0.8, 1.0, 2.0]) > 0.5);
 /// ```
 pub trait FrictionSystem {
-    /// The scalar type of the scene.
+    /// Number type of the scene, such as `f64` or `f32`.
     type Scalar: Float;
-    /// The type of the scene at one frequency ratio.
+    /// Type of the scene at one frequency ratio.
     type At<'a>: LimitsAt<Scalar = Self::Scalar>
     where
         Self: 'a;
 
     /// Returns the frequency ratios of the undamped resonances, in ascending order.
     fn resonances(&self) -> &[Self::Scalar];
-    /// Returns the number of masses.
+    /// Returns the number of masses in the scene.
     fn masses(&self) -> usize;
     /// Returns the name of a mass, by its index in the description.
     fn mass_name(&self, index: usize) -> Option<&str>;
@@ -149,7 +149,7 @@ macro_rules! emitted_system {
 
 /// The limits β_lim and β*_lim, and the regimes, at one frequency ratio.
 pub trait LimitsAt {
-    /// The scalar type of the scene.
+    /// Number type of the scene, such as `f64` or `f32`.
     type Scalar: Float;
 
     /// Returns the exact limit of continuous motion β_lim (5.65, 5.80, 5.96, 7.49).
@@ -217,7 +217,7 @@ impl<A: Deref<Target: Limited>> LimitsAt for A {
     label = "add `motion` to the scene's `provide: [...]`"
 )]
 pub trait MotionAt: LimitsAt {
-    /// The type of the continuous motion at one friction ratio.
+    /// Type of the continuous motion at one friction ratio.
     type Motion: ContinuousMotion<Scalar = Self::Scalar>;
 
     /// Returns the exact continuous motion at the friction ratio β = F/P.
@@ -261,7 +261,7 @@ impl<A: Deref<Target: HeldStill>> StuckAt for A {
 
 /// The exact continuous motion at one frequency ratio and one friction ratio.
 pub trait ContinuousMotion {
-    /// The scalar type of the scene.
+    /// Number type of the scene, such as `f64` or `f32`.
     type Scalar: Float;
 
     /// Calls `question` with the motion of the contact or of a mass, and returns the result of `question`. Returns

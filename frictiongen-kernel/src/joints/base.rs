@@ -1,18 +1,20 @@
-//! Displacement of the base as a function of time: a harmonic, or a cubic polynomial between two samples.
+//! Displacement of the base as a function of time. The function is a harmonic, or a cubic polynomial between two
+//! samples.
 
 use super::poly::Poly;
 use super::size::{add, at};
 use super::wave::Wave;
 use crate::Float;
 
-/// A function of time: w(t) + at² + bt³, where w(t) is a [`Wave`] (a straight line and a harmonic).
+/// A function of time t: w(t) + at² + bt³, where w(t) is a [`Wave`] (a straight line and a harmonic). Chains with
+/// several contacts use it as the displacement of the base.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Curve<S> {
-    /// The straight line and the harmonic, w(t).
+    /// The straight line and the harmonic, w(t), in the function w(t) + at² + bt³.
     pub wave: Wave<S>,
-    /// Coefficient a of t².
+    /// Coefficient a of t² in the function w(t) + at² + bt³.
     pub square: S,
-    /// Coefficient b of t³.
+    /// Coefficient b of t³ in the function w(t) + at² + bt³.
     pub cube: S,
 }
 
@@ -27,13 +29,14 @@ impl<S: Float> From<Wave<S>> for Curve<S> {
 }
 
 impl<S: Float> Curve<S> {
-    /// Returns the function that is 0 at every instant: the base does not move.
+    /// Returns the function that is 0 at every instant, for a base that does not move.
     #[must_use]
     pub fn zero() -> Self {
         Wave::zero().into()
     }
 
-    /// Returns the cubic with given displacements and velocities at the instants 0 and `length`.
+    /// Returns the cubic polynomial through two samples. It has the displacement and velocity [y0, v0] at the instant
+    /// 0, and [y1, v1] at the instant `length`.
     #[must_use]
     pub fn through([y0, v0]: [S; 2], [y1, v1]: [S; 2], length: S) -> Self {
         let (two, three) = (S::constant(2.0), S::constant(3.0));
@@ -45,7 +48,7 @@ impl<S: Float> Curve<S> {
         }
     }
 
-    /// Returns the straight line with the given displacement and velocity at the instant 0.
+    /// Returns the straight line that has the given displacement and velocity at the instant 0.
     #[must_use]
     pub fn straight([place, velocity]: [S; 2]) -> Self {
         let mut line = Self::zero();
@@ -54,7 +57,7 @@ impl<S: Float> Curve<S> {
         line
     }
 
-    /// Returns true if the value is 0 at every instant.
+    /// Returns true if the function is 0 at every instant.
     #[must_use]
     pub fn is_zero(&self) -> bool {
         self.wave.is_zero() && !self.bends()
@@ -64,7 +67,7 @@ impl<S: Float> Curve<S> {
         !self.square.is_zero() || !self.cube.is_zero()
     }
 
-    /// Changes the coefficients so that `time` becomes the instant 0.
+    /// Changes the coefficients of the function so that the instant `time` becomes the instant 0.
     pub(super) fn shift(&mut self, time: S) {
         self.wave.shift(time);
         let three = S::constant(3.0);
@@ -74,14 +77,15 @@ impl<S: Float> Curve<S> {
         self.square = square + three * cube;
     }
 
-    /// Returns the value of a derivative at an instant. The order `derivative` is 0 (the function itself), 1 or 2.
+    /// Returns the value of the function or of a derivative at the instant `time`. `derivative` is the order of the
+    /// derivative: 0 (the function itself), 1 or 2.
     #[must_use]
     pub fn value(&self, time: S, derivative: usize) -> S {
         at(&self.terms(time, S::constant(0.0), derivative), 0)
     }
 
-    /// Returns the power series of the function or of a derivative over a stretch. The variable of the series is the
-    /// fraction of the stretch, from 0 to 1.
+    /// Returns the power series of the function or of a derivative over a stretch (time interval). The variable of the
+    /// series is the elapsed fraction of the stretch, from 0 to 1.
     #[must_use]
     pub fn terms(&self, time: S, length: S, derivative: usize) -> Poly<S> {
         let mut terms = self.wave.terms(time, length, derivative);

@@ -1,4 +1,4 @@
-//! Amplitudes of the masses, and stops, slip, force and energy of the contacts, over one period of a motion.
+//! Results of one period of a motion: amplitudes of the masses, and stops, slip, force and energy of the contacts.
 
 use super::model::Model;
 use super::poly::{Poly, TERMS, value};
@@ -10,27 +10,27 @@ use super::state::{STUCK, State};
 use crate::errors::Regime;
 use crate::{Float, Scalar};
 
-/// Events, slip, force and energy of one contact over a period.
+/// Stops, reversals, slip, force and energy of one contact in a period.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct ContactCycle<S> {
-    /// Number of transitions from sliding to sticking.
+    /// Number of transitions of the contact from sliding to sticking.
     pub stops: usize,
-    /// Number of transitions from sliding in one direction to sliding in the other.
+    /// Number of transitions of the contact from sliding in one direction to sliding in the other, without a stop.
     pub reversals: usize,
-    /// Fraction of the period in which the contact sticks.
+    /// Fraction of the period during which the contact sticks.
     pub stuck_fraction: S,
-    /// Distance that the slider travels, in both directions together.
+    /// Distance that the contact's slider travels in the period, added over both directions.
     pub slip: S,
-    /// Largest absolute relative displacement.
+    /// Largest absolute relative displacement of the contact in the period.
     pub displacement: S,
-    /// Largest absolute force.
+    /// Largest absolute force of the contact in the period.
     pub force: S,
-    /// Energy that friction dissipates in the contact.
+    /// Energy that friction dissipates in the contact in the period.
     pub energy: S,
 }
 
 impl<S: Float> ContactCycle<S> {
-    /// Returns the results of a contact that has not moved.
+    /// Returns the results of a contact that has not moved. All numbers are 0.
     pub(super) fn nothing() -> Self {
         let zero = S::constant(0.0);
         Self {
@@ -44,13 +44,14 @@ impl<S: Float> ContactCycle<S> {
         }
     }
 
-    /// Returns true if the contact has slid by more than rounding errors. A contact may reach its friction force once in
-    /// every cycle without sliding. Rounding errors then decide whether it slides by some 1e-16 of its displacement.
+    /// Returns true if the contact has slid farther than rounding errors can cause. A contact may reach its friction
+    /// force once in every cycle without sliding. Rounding errors then decide whether it slides by some 1e-16 of its
+    /// displacement.
     fn has_slid(&self) -> bool {
         self.slip > least_slip(self.displacement)
     }
 
-    /// Replaces the results of a slip within rounding errors by those of a contact that sticks.
+    /// If rounding errors alone cause the slip of a contact, replaces its results by those of a contact that sticks.
     fn forget_slip(&mut self) {
         let zero = S::constant(0.0);
         (self.stops, self.reversals) = (0, 0);
@@ -58,7 +59,7 @@ impl<S: Float> ContactCycle<S> {
         self.stuck_fraction = S::constant(1.0);
     }
 
-    /// Returns the regime of the contact: continuous, stick-slip or stuck.
+    /// Returns the regime of this contact: continuous, stick-slip or stuck.
     pub fn regime(&self) -> Regime {
         let still = self.stops == 0 && self.reversals == 0;
         if still && self.stuck_fraction >= S::constant(0.5) {
@@ -71,23 +72,23 @@ impl<S: Float> ContactCycle<S> {
     }
 }
 
-/// Amplitudes of the masses, and results of each contact, over a period.
+/// Amplitudes of the masses, and results of each contact, in one period.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Cycle<S: Float, Z: Size> {
-    /// Largest |x| of each mass.
+    /// Amplitude of each mass: its largest |x| in the period.
     pub amplitudes: Z::Masses<S>,
-    /// Half the distance between the smallest and the largest displacement of each mass. If no spring holds a mass, its
-    /// mean velocity is subtracted first.
+    /// Centred amplitude of each mass: half the distance between its smallest and its largest displacement in the
+    /// period. If no spring holds a mass, the code first subtracts the mean velocity of the mass.
     pub centred: Z::Masses<S>,
-    /// Result of each contact, in the order of the chain.
+    /// Results of each contact, in the order of the description.
     pub contacts: Z::Contacts<ContactCycle<S>>,
-    /// Number of instants at which a contact has an event.
+    /// Number of instants in the period at which a contact has an event.
     pub events: usize,
 }
 
 impl<S: Float, Z: Size> Cycle<S, Z> {
-    /// Returns the regime. It is *stuck* if no contact slides, and *continuous* if all contacts slide all the time.
-    /// Otherwise it is *stick-slip*.
+    /// Returns the regime of the chain. It is *stuck* if no contact slides, and *continuous* if all contacts slide all
+    /// the time. In every other case it is *stick-slip*.
     pub fn regime(&self) -> Regime {
         let same = |regime| {
             let mut contacts = self.contacts.as_ref().iter();
@@ -103,22 +104,23 @@ impl<S: Float, Z: Size> Cycle<S, Z> {
     }
 }
 
-/// Collects the results of a period while the motion advances, one stretch after the other. A stretch is the time
-/// interval of one power series.
+/// Collects the results of a period while the motion advances, stretch by stretch. A stretch is the time interval of
+/// one power series.
 #[derive(Clone, Debug)]
 pub struct Watch<S: Float, Z: Size> {
     ends: Z::Contacts<(usize, usize)>,
     cycle: Cycle<S, Z>,
-    /// Smallest and largest displacement of each mass up to now.
+    /// Smallest and largest displacement of each mass since the start of the period.
     spans: Z::Masses<Option<(S, S)>>,
-    /// Constant velocity of each mass. Its contribution is subtracted from the displacement of the mass.
+    /// Constant velocity of each mass. The code subtracts the displacement due to this velocity from the displacement
+    /// of the mass.
     drifts: Z::Masses<S>,
     /// Time since the start of the period.
     passed: S,
 }
 
 impl<S: Float, Z: Size> Watch<S, Z> {
-    /// Starts to collect the results of a period.
+    /// Starts to collect the results of a period for a chain.
     pub fn new(model: &Model<S, Z>) -> Self {
         let zero = S::constant(0.0);
         let size = &model.size;
@@ -137,7 +139,8 @@ impl<S: Float, Z: Size> Watch<S, Z> {
         }
     }
 
-    /// Starts a period in which each mass has a constant velocity in addition to its vibration.
+    /// Starts to collect the results of a period in which each mass has a constant velocity in addition to its
+    /// vibration. `drifts` contains these velocities.
     pub fn drifting(model: &Model<S, Z>, drifts: Z::Masses<S>) -> Self {
         Self {
             drifts,
@@ -145,7 +148,7 @@ impl<S: Float, Z: Size> Watch<S, Z> {
         }
     }
 
-    /// Returns for each contact true if it has slid in the period.
+    /// Returns one value for each contact. The value is true if the contact has slid in the period.
     pub fn slides(&self, model: &Model<S, Z>) -> Z::Contacts<bool> {
         let mut slides = model.size.contacts(false);
         let contacts = self.cycle.contacts.as_ref().iter();
@@ -195,7 +198,7 @@ impl<S: Float, Z: Size> Watch<S, Z> {
         contact.energy = contact.energy + series.length * work;
     }
 
-    /// Returns the results of a period of the given length.
+    /// Returns the results of a period whose duration is `length`.
     #[must_use]
     pub fn cycle(mut self, length: S) -> Cycle<S, Z> {
         for contact in self.cycle.contacts.as_mut() {
@@ -231,15 +234,16 @@ impl<S: Float, Z: Size> Observe<S, Z> for Watch<S, Z> {
     }
 }
 
-/// Returns the rounding error of a slip, for the largest relative displacement of the contact.
+/// Returns the largest slip that rounding errors can cause. `displacement` is the largest relative displacement of the
+/// contact.
 fn least_slip<S: Float>(displacement: S) -> S {
     S::constant(64.0 * S::EPSILON) * displacement
 }
 
-/// Observer that notes whether a contact slides.
+/// Observer of a motion. It detects whether any contact slides.
 pub(super) struct Slid<S: Float, Z: Size> {
     ends: Z::Contacts<(usize, usize)>,
-    /// True if a contact has slid by more than rounding errors.
+    /// True if some contact has slid farther than rounding errors can cause.
     pub(super) slides: bool,
     scalar: core::marker::PhantomData<S>,
 }
@@ -268,7 +272,7 @@ impl<S: Float, Z: Size> Observe<S, Z> for Slid<S, Z> {
     fn event(&mut self, _: S, _: &Z::Contacts<i8>, _: &Z::Contacts<i8>) {}
 }
 
-/// Returns the two nodes of each contact.
+/// Returns the two nodes of each contact, `plus` and `minus`.
 fn ends<S: Float, Z: Size>(model: &Model<S, Z>) -> Z::Contacts<(usize, usize)> {
     let mut ends = model.size.contacts((0, 0));
     for (ends, contact) in ends.as_mut().iter_mut().zip(model.contacts()) {
@@ -277,15 +281,15 @@ fn ends<S: Float, Z: Size>(model: &Model<S, Z>) -> Z::Contacts<(usize, usize)> {
     ends
 }
 
-/// Returns the largest absolute value of a polynomial between 0 and `end`. `slope` is its derivative, up to a constant
-/// factor.
+/// Returns the largest absolute value of the polynomial `terms` between 0 and `end`. `slope` is its derivative, up to a
+/// constant factor.
 fn largest<S: Float>(terms: &Poly<S>, slope: &Poly<S>, end: S) -> S {
     let values = extremes(terms, slope, end).into_iter().map(Scalar::abs);
     values.fold(S::constant(0.0), Scalar::max)
 }
 
-/// Returns the values of a polynomial at 0, at `end`, and where `slope` changes its sign between them. `slope` is its
-/// derivative, up to a constant factor.
+/// Returns the values of the polynomial `terms` at 0, at `end`, and at the point between them where `slope` changes its
+/// sign. `slope` is the derivative of the polynomial, up to a constant factor.
 fn extremes<S: Float>(terms: &Poly<S>, slope: &Poly<S>, end: S) -> [S; 3] {
     let zero = S::constant(0.0);
     let first = slope.iter().find(|term| !term.is_zero());
@@ -295,7 +299,7 @@ fn extremes<S: Float>(terms: &Poly<S>, slope: &Poly<S>, end: S) -> [S; 3] {
     [zero, end, turn].map(|at| value(terms, at))
 }
 
-/// Returns the coefficients of the derivative of a polynomial.
+/// Returns the coefficients of the derivative of the polynomial `terms`.
 fn slope<S: Float>(terms: &Poly<S>) -> Poly<S> {
     let mut slope = [S::constant(0.0); TERMS];
     for (order, (slope, term)) in slope.iter_mut().zip(terms.iter().skip(1)).enumerate() {
@@ -304,7 +308,7 @@ fn slope<S: Float>(terms: &Poly<S>) -> Poly<S> {
     slope
 }
 
-/// Returns the integral of a polynomial from 0 to `end`.
+/// Returns the integral of the polynomial `terms` from 0 to `end`.
 fn integral<S: Float>(terms: &[S], end: S) -> S {
     let terms = terms.iter().enumerate().rev();
     terms.fold(S::constant(0.0), |sum, (order, term)| {
@@ -312,7 +316,7 @@ fn integral<S: Float>(terms: &[S], end: S) -> S {
     })
 }
 
-/// Returns the coefficients of the product of two polynomials.
+/// Returns the coefficients of the product of the polynomials `a` and `b`.
 fn product<S: Float>(a: &Poly<S>, b: &Poly<S>) -> [S; 2 * TERMS] {
     let mut product = [S::constant(0.0); 2 * TERMS];
     for (i, a) in a.iter().enumerate() {

@@ -2,10 +2,11 @@
 //! *pattern* gives each of these contacts a phase: it sticks, or it starts to slide in one of two directions. A pattern
 //! *fits* under two conditions. No sticking contact needs a force above its static friction force. Each sliding contact
 //! accelerates in its direction of sliding. A contact that has just broken away slides against the friction force that
-//! held it. If several patterns fit, the solver takes the one with the most sticking contacts. If several of these have
-//! equally many, the contacts that come first in the description stick. The solver tries the positive direction of a
-//! sliding contact first. In the first tries every contact that broke away slides. If none of these patterns fits, the
-//! solver tries patterns in which such a contact sticks.
+//! held it. If several patterns fit, the solver takes the pattern with the most sticking contacts. If several patterns
+//! have equally many sticking contacts, the solver takes the pattern in which the contacts stick that come first in the
+//! description. The solver tries the positive direction of a sliding contact first. In the first patterns that it
+//! tries, every contact that broke away slides. If none of these patterns fits, the solver tries patterns in which such
+//! a contact sticks.
 
 use super::model::{Contact, Model};
 use super::size::{Size, add, at, set, sign};
@@ -14,47 +15,47 @@ use crate::Float;
 use crate::errors::Halt;
 
 /// Largest number of patterns that the solver tries at one instant. A pattern gives each contact a phase: it sticks, or
-/// it slides forward or backward. Eight contacts that act on each other have 3⁸ = 6561 patterns, ten have 59049. If μ =
-/// 1 for all contacts, sixteen contacts need a few dozen patterns only.
+/// it slides forward or backward. Eight contacts that act on each other have 3⁸ = 6561 patterns, ten have 59049. If μ
+/// is 1 for all contacts, sixteen contacts need only a few dozen patterns.
 pub const MAX_PATTERNS: usize = 100_000;
 
-/// Returns the rounding error of a force, relative to the sum of the absolute values of all forces.
+/// Returns the rounding error of a force, divided by the sum of the absolute values of all forces.
 fn rounding<S: Float>() -> S {
     S::constant(if S::EPSILON < 1e-10 { 1e-13 } else { 2e-5 })
 }
 
-/// The instant at which several rigid contacts have the relative velocity 0, with all numbers that decide which of them
-/// stick.
+/// All numbers that decide which rigid contacts stick, at an instant at which several of them have the relative
+/// velocity 0.
 #[derive(Clone, Debug)]
 pub struct Decision<'a, S: Float, Z: Size> {
-    /// The chain.
+    /// Constants of the chain to which the contacts belong.
     pub model: &'a Model<S, Z>,
     /// Sum of the forces on each node, without the forces of the contacts in `asked`.
     pub forces: Z::Nodes<S>,
-    /// Sum of the absolute values of all these forces.
+    /// Sum of the absolute values of all forces in `forces`. The rounding error of a force is proportional to it.
     pub size: S,
-    /// The acceleration of the base.
+    /// Acceleration of the base at this instant.
     pub base: S,
-    /// Kinetic friction force of each contact.
+    /// Kinetic friction force of each contact at this instant.
     pub levels: Z::Contacts<S>,
-    /// True for each contact whose phase this decision determines.
+    /// True for each contact whose phase (sticking or sliding) this decision determines.
     pub asked: Z::Contacts<bool>,
-    /// Sign of the force of a contact that has just broken away, and 0 for all other contacts.
+    /// Sign of the force of each contact that has just broken away, and 0 for each other contact.
     pub broke: Z::Contacts<i8>,
 }
 
-/// Result of the test of one pattern.
+/// Result of the test whether a pattern of sticking and sliding contacts fits.
 struct Outcome {
     fits: bool,
-    /// The first contact that contradicts the pattern, and the phase that `pivot` gives to it next.
+    /// First contact that contradicts the pattern, and the phase that the method `pivot` gives this contact next.
     first_wrong: Option<(usize, i8)>,
 }
 
 /// Contacts that act on each other through common masses, and the phases that are already known.
 struct Group<Z: Size> {
-    /// True for the contacts of the group.
+    /// True for each contact that belongs to the group.
     members: Z::Contacts<bool>,
-    /// Direction in which a contact must slide, or 0 for a contact whose phase is still open.
+    /// Direction in which each contact must slide, or 0 for a contact whose phase is still open.
     fixed: Z::Contacts<i8>,
 }
 
@@ -63,8 +64,8 @@ impl<Z: Size> Group<Z> {
         holds(&self.members, contact)
     }
 
-    /// Returns the phases that the search tries for a contact. `going` is the number of contacts with an open phase
-    /// that must slide.
+    /// Returns the phases that the search tries for a contact. `going` is the number of contacts that must slide and
+    /// whose phase is still open.
     fn choices(&self, contact: usize, going: usize) -> &'static [i8] {
         match phase::<Z>(&self.fixed, contact) {
             1 => &[1],
@@ -74,7 +75,7 @@ impl<Z: Size> Group<Z> {
         }
     }
 
-    /// Returns the number of contacts with an open phase, from the index `first` on.
+    /// Returns the number of contacts in the group whose phase is open. The function counts from the index `first` on.
     fn open(&self, first: usize) -> usize {
         let members = self.members.as_ref().iter().zip(self.fixed.as_ref());
         let open = members.skip(first);
@@ -83,22 +84,23 @@ impl<Z: Size> Group<Z> {
     }
 }
 
-/// Returns the phase of a contact in a pattern.
+/// Returns the phase that a pattern gives to a contact.
 fn phase<Z: Size>(pattern: &Z::Contacts<i8>, contact: usize) -> i8 {
     pattern.as_ref().get(contact).copied().unwrap_or(0)
 }
 
-/// Returns true if a set contains a contact.
+/// Returns true if `set` contains the contact with the index `contact`.
 pub(super) fn holds(set: &impl AsRef<[bool]>, contact: usize) -> bool {
     set.as_ref().get(contact) == Some(&true)
 }
 
 impl<S: Float, Z: Size> Decision<'_, S, Z> {
-    /// Returns the phase of each contact in `asked`: 0 if it sticks, or the sign of its direction of sliding.
+    /// Returns the phase of each contact in `asked`. The phase is 0 if the contact sticks, or the sign of its direction
+    /// of sliding.
     ///
     /// # Errors
     ///
-    /// [`Halt::Patterns`] after [`MAX_PATTERNS`] patterns. [`Halt::Stalled`] if no pattern fits within rounding.
+    /// [`Halt::Patterns`] after [`MAX_PATTERNS`] patterns. [`Halt::Stalled`] if no pattern fits apart from rounding.
     pub fn decide(&self) -> Result<Z::Contacts<i8>, Halt> {
         let labels = self.labels();
         let mut tried = 0;
@@ -115,12 +117,12 @@ impl<S: Float, Z: Size> Decision<'_, S, Z> {
                 return Ok(pattern);
             }
         }
-        // One pattern always fits, but for rounding beyond what is allowed for.
+        // Without rounding errors, one pattern always fits. Here the rounding errors exceed the tolerance.
         Err(Halt::Stalled)
     }
 
-    /// Labels each contact in `asked` with the index of the first contact that acts on it, directly or through other
-    /// contacts. Two contacts act on each other if they share a mass.
+    /// Gives each contact in `asked` a label. The label is the index of the first contact that acts on it, directly or
+    /// through other contacts. Two contacts act on each other if they share a mass.
     fn labels(&self) -> Z::Contacts<usize> {
         let wall = self.model.wall();
         let meets = |a: &Contact<S>, b: &Contact<S>| {
@@ -148,8 +150,8 @@ impl<S: Float, Z: Size> Decision<'_, S, Z> {
         labels
     }
 
-    /// Returns the group of the contacts with the given label. If `goes` is true, every contact that has just broken
-    /// away must slide.
+    /// Returns the group of the contacts that have the label `label`. If `goes` is true, every contact that has just
+    /// broken away must slide.
     fn group(&self, labels: &Z::Contacts<usize>, label: usize, goes: bool) -> Group<Z> {
         let mut group: Group<Z> = Group {
             members: self.model.size.contacts(false),
@@ -166,7 +168,7 @@ impl<S: Float, Z: Size> Decision<'_, S, Z> {
         group
     }
 
-    /// Finds the phases of the contacts in a group, and writes them into the pattern. Returns false if no pattern fits.
+    /// Finds the phases of the contacts in a group, and writes them into `pattern`. Returns false if no pattern fits.
     fn decide_group(
         &self,
         group: &Group<Z>,
@@ -201,9 +203,9 @@ impl<S: Float, Z: Size> Decision<'_, S, Z> {
         Ok(false)
     }
 
-    /// Searches for a fitting pattern by Murty's rule of the least index: it corrects the first contact that
-    /// contradicts the pattern, and repeats. The method ends if static and kinetic friction are equal, because the
-    /// pattern then belongs to the minimum of a strictly convex function.
+    /// Searches for a fitting pattern by Murty's rule of the least index. The rule corrects the first contact that
+    /// contradicts the pattern, and repeats. If static and kinetic friction are equal, the method always ends, because
+    /// the fitting pattern then belongs to the minimum of a strictly convex function.
     fn pivot(&self, group: &Group<Z>, mut pattern: Z::Contacts<i8>) -> Option<Z::Contacts<i8>> {
         let members = group.members.as_ref().iter();
         for _ in 0..64 * members.filter(|member| **member).count() {
@@ -217,8 +219,8 @@ impl<S: Float, Z: Size> Decision<'_, S, Z> {
         None
     }
 
-    /// Tries all patterns in which `going` contacts slide, in addition to those that broke away. The depth of the
-    /// recursion is at most the number of contacts.
+    /// Tries all patterns in which `going` contacts slide, in addition to those that broke away. The recursion is at
+    /// most as deep as the number of contacts.
     fn enumerate(
         &self,
         group: &Group<Z>,
@@ -249,7 +251,7 @@ impl<S: Float, Z: Size> Decision<'_, S, Z> {
         Ok(false)
     }
 
-    /// Tests whether a pattern of a group fits, and finds the first contact that does not.
+    /// Tests whether a pattern of a group fits, and finds the first contact that contradicts the pattern.
     fn try_pattern(&self, group: &Group<Z>, pattern: &Z::Contacts<i8>) -> Outcome {
         let (accelerations, forces) = self.accelerations(&group.members, pattern);
         let mut outcome = Outcome {
@@ -281,12 +283,12 @@ impl<S: Float, Z: Size> Decision<'_, S, Z> {
         outcome
     }
 
-    /// Returns the rounding error of a force.
+    /// Returns the rounding error of a force in this decision.
     pub fn rounding(&self) -> S {
         rounding::<S>() * self.size
     }
 
-    /// Returns the rounding error of the relative acceleration of a contact.
+    /// Returns the rounding error of a contact's relative acceleration in this decision.
     pub fn noise(&self, contact: usize) -> S {
         let zero = S::constant(0.0);
         let Some(contact) = self.model.contact(contact) else {
@@ -297,8 +299,8 @@ impl<S: Float, Z: Size> Decision<'_, S, Z> {
         self.rounding() * (inverse(contact.plus) + inverse(contact.minus))
     }
 
-    /// Returns the acceleration of each node, and the force of each sticking contact, if the given contacts follow a
-    /// pattern. All other contacts have no force.
+    /// Returns the acceleration of each node, and the force of each sticking contact, for a pattern. The given contacts
+    /// have the phases of the pattern. All other contacts have no force.
     pub fn accelerations(
         &self,
         contacts: &Z::Contacts<bool>,
@@ -320,7 +322,8 @@ impl<S: Float, Z: Size> Decision<'_, S, Z> {
     }
 }
 
-/// Adds the force of a contact to the forces on its two nodes, and its absolute value to the sums of absolute values.
+/// Adds the force of a contact to the forces on its two nodes. Adds the absolute value of this force to the sums of
+/// absolute values.
 pub(super) fn add_contact<S: Float>(
     contact: &Contact<S>,
     force: S,

@@ -9,8 +9,8 @@ use crate::Float;
 use crate::errors::Halt;
 
 impl<S: Float, Z: Size> Motion<S, Z> {
-    /// Changes the phases of the contacts at an event. For each contact with an event, `hits` contains the sign of the
-    /// force or velocity that the event concerns.
+    /// Changes the phases of the contacts at an event. For each contact that has an event, `hits` contains the sign of
+    /// the force or velocity that causes the event.
     pub(super) fn pass(
         &mut self,
         series: &Series<S, Z>,
@@ -41,8 +41,9 @@ impl<S: Float, Z: Size> Motion<S, Z> {
                 }
                 (Some(_), false) => {
                     self.state.set_phase(j, STUCK);
-                    // The force is at its limit, and its rate is zero. If the velocity already has the opposite sign, the
-                    // force certainly falls. The rate then counts, even if it is only a rounding error.
+                    // The force is at its limit, and its rate is zero. If the velocity already has the opposite sign,
+                    // the force will fall. The code then uses the sign of the rate, even if the rate is only a rounding
+                    // error.
                     let turns = sign::<S>(side) * contact.across(v.as_ref());
                     let rate_is_zero = turns >= S::constant(0.0);
                     let zeros = if rate_is_zero { 2 } else { 1 };
@@ -55,7 +56,7 @@ impl<S: Float, Z: Size> Motion<S, Z> {
         self.ask(&arrived, &broke)
     }
 
-    /// Determines the phases of all contacts at the first instant.
+    /// Determines the phases of all contacts (sticking or sliding) at the first instant.
     pub(super) fn begin(&mut self) -> Result<(), Halt> {
         let zero = S::constant(0.0);
         let (x, v) = self.nodes();
@@ -79,8 +80,8 @@ impl<S: Float, Z: Size> Motion<S, Z> {
         self.ask(&size.contacts(false), &size.contacts(0))
     }
 
-    /// Decides the phases of all rigid contacts whose relative velocity is 0. These are the sticking contacts, and the
-    /// contacts that have just stopped.
+    /// Decides the phases of all rigid contacts whose relative velocity is 0. These are the contacts that stick, and
+    /// the contacts that have just stopped.
     fn ask(&mut self, arrived: &Z::Contacts<bool>, broke: &Z::Contacts<i8>) -> Result<(), Halt> {
         let mut asked = self.model.size.contacts(false);
         for (j, contact) in self.model.contacts().iter().enumerate() {
@@ -126,7 +127,7 @@ impl<S: Float, Z: Size> Motion<S, Z> {
         Ok(())
     }
 
-    /// Returns the data for the decision at this instant.
+    /// Returns the numbers that decide which of the contacts in `asked` stick at this instant.
     fn decision(&self, asked: Z::Contacts<bool>, broke: Z::Contacts<i8>) -> Decision<'_, S, Z> {
         let model = &self.model;
         let (x, v) = self.nodes();

@@ -1,4 +1,4 @@
-//! Changes of the motion of the base, with or without a jump.
+//! Changes of the motion of the base, with or without a jump of its displacement and velocity.
 
 use super::base::Curve;
 use super::run::Motion;
@@ -8,8 +8,8 @@ use crate::Float;
 use crate::errors::Halt;
 
 impl<S: Float, Z: Size> Motion<S, Z> {
-    /// Changes the motion of the base from the present instant on. Displacement and velocity of the base must not jump
-    /// at this instant.
+    /// Changes the motion of the base from the present instant on. At this instant the displacement and the velocity of
+    /// the base must not jump.
     pub(super) fn lead_base(&mut self, to: Curve<S>) {
         let jump = to.value(self.time, 2) - self.model.base.value(self.time, 2);
         self.model.base = to;
@@ -18,9 +18,9 @@ impl<S: Float, Z: Size> Motion<S, Z> {
         }
     }
 
-    /// Changes the motion of the base from the present instant on. Displacement and velocity of the base may jump. The
-    /// masses keep their displacements and velocities. In a contact between a mass and the base, the relative
-    /// displacement and velocity jump.
+    /// Changes the motion of the base from the present instant on. The displacement and the velocity of the base may
+    /// jump. The masses keep their displacements and velocities. In a contact between a mass and the base, the relative
+    /// displacement and velocity therefore jump.
     ///
     /// # Errors
     ///

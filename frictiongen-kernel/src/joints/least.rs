@@ -3,16 +3,16 @@
 use super::size::{add, at, set};
 use crate::{Float, Scalar};
 
-/// Largest number of sweeps over all pairs of columns. Each sweep squares the cosines of the angles between columns, so
-/// that a few sweeps are enough.
+/// Largest number of sweeps over all pairs of columns. Each sweep squares the cosines of the angles between the
+/// columns, so that a few sweeps are enough.
 const SWEEPS: usize = 40;
 
-/// Solves A x = b. If A is singular, x is the shortest solution: it has no component in a direction whose singular
-/// value is at most `rank`. A is square, stored column by column, and overwritten. `turns` is working space for a
-/// matrix of the same size.
+/// Solves A x = b. If A is singular, x is the shortest solution. This solution has no component in a direction whose
+/// singular value is at most `rank`. A is square and stored column by column. The function overwrites A. `turns` is
+/// working memory for a matrix of the same size.
 ///
-/// Rotations of pairs of columns make all columns orthogonal (one-sided Jacobi method). The lengths of the columns are
-/// then the singular values.
+/// Rotations of pairs of columns make all columns orthogonal (one-sided Jacobi method). The singular values are then
+/// the lengths of the columns.
 pub(super) fn solve<S: Float>(columns: &mut [S], turns: &mut [S], b: &[S], rank: S, x: &mut [S]) {
     let count = b.len();
     for (index, entry) in turns.iter_mut().enumerate() {
@@ -38,8 +38,8 @@ pub(super) fn solve<S: Float>(columns: &mut [S], turns: &mut [S], b: &[S], rank:
     }
 }
 
-/// Rotates each pair of columns once, so that the pair becomes orthogonal. Returns false if all pairs were orthogonal
-/// already.
+/// Rotates each pair of columns once, so that the two columns become orthogonal. Returns false if all pairs were
+/// already orthogonal.
 fn sweep<S: Float>(columns: &mut [S], turns: &mut [S], count: usize) -> bool {
     let mut rotated = false;
     for second in 1..count {
@@ -49,7 +49,7 @@ fn sweep<S: Float>(columns: &mut [S], turns: &mut [S], count: usize) -> bool {
             };
             let (alpha, beta, gamma) = (dot(one, one), dot(other, other), dot(one, other));
             let small = S::constant(S::EPSILON) * alpha.sqrt() * beta.sqrt();
-            // Not a number is not larger either.
+            // This form of the comparison is also true for NaN.
             if !(gamma.abs() > small) {
                 continue;
             }
@@ -79,7 +79,7 @@ fn pair<S>(
     Some((one, tail.get_mut(..count)?))
 }
 
-/// Rotates two columns in the plane that they span.
+/// Rotates two columns in the plane that they span. `cosine` and `sine` are those of the angle.
 fn rotate<S: Float>(one: &mut [S], other: &mut [S], (cosine, sine): (S, S)) {
     for (a, b) in one.iter_mut().zip(other) {
         (*a, *b) = (cosine * *a - sine * *b, sine * *a + cosine * *b);
@@ -91,7 +91,7 @@ fn dot<S: Float>(a: &[S], b: &[S]) -> S {
     products.fold(S::constant(0.0), |sum, (a, b)| sum + *a * *b)
 }
 
-/// Sorts values in ascending order of a key.
+/// Sorts `values` in the order of increasing `key`.
 pub(super) fn sort_by<T: Copy, S: Float>(values: &mut [T], key: impl Fn(&T) -> S) {
     for end in 1..values.len() {
         for place in (1..=end).rev() {
@@ -107,7 +107,7 @@ pub(super) fn sort_by<T: Copy, S: Float>(values: &mut [T], key: impl Fn(&T) -> S
     }
 }
 
-/// Returns the largest absolute difference between the entries of two slices.
+/// Returns the largest absolute difference between corresponding entries of two slices.
 pub(super) fn apart<S: Float>(a: &[S], b: &[S]) -> S {
     let mut largest = S::constant(0.0);
     for (index, a) in a.iter().enumerate() {
@@ -121,7 +121,7 @@ mod tests {
     use super::solve;
     use fuzzing::Random;
 
-    /// Multiplies a matrix by a vector.
+    /// Multiplies the square matrix `matrix` by the vector `x`.
     fn image(matrix: &[f64], x: &[f64]) -> Vec<f64> {
         let n = x.len();
         let row = |row: usize| {
@@ -133,7 +133,7 @@ mod tests {
     }
 
     /// Checks that the solution satisfies the equations, and that it is orthogonal to every direction that the matrix
-    /// maps to 0. The matrix of rank r is a sum of r products of vectors, so that these directions are known.
+    /// maps to 0. The matrix of rank r is a sum of r products of vectors. These directions are therefore known.
     #[test]
     fn the_solution_fits_and_is_the_shortest() {
         let mut random = Random(11);
@@ -156,10 +156,11 @@ mod tests {
             let (mut work, mut turns, mut x) = (matrix.clone(), matrix.clone(), vec![0.0; n]);
             solve(&mut work, &mut turns, &b, 1e-9, &mut x);
             for (got, want) in image(&matrix, &x).iter().zip(&b) {
-                // The condition of these random factors is below 1e4.
+                // The condition number of these random factors is below 1e4.
                 assert!((got - want).abs() < 1e-10, "{n} {rank}: {got} {want}");
             }
-            // The difference from another solution has no image, and the shortest solution is orthogonal to it.
+            // The matrix maps the difference of two solutions to 0. The shortest solution is orthogonal to this
+            // difference.
             let other = some.iter().zip(&x).map(|(some, x)| some - x);
             let product: f64 = other.zip(&x).map(|(other, x)| other * x).sum();
             assert!(product.abs() < 1e-9, "{n} {rank}: {product}");

@@ -1,21 +1,21 @@
-//! Chains with several contacts, rigid and elastic, dashpots, and masses that no spring holds.
+//! Chains with several rigid and elastic contacts, with dashpots, and with masses that no spring holds.
 //!
-//! All quantities are in the units of the description. A contact of the nodes `plus - minus` has the relative
-//! displacement z, which is that of the node `plus` minus that of the node `minus`. Its force f acts against z on the
-//! node `plus`.
+//! All quantities have the units of the description. A contact of the nodes `plus - minus` has the relative
+//! displacement z: the displacement of the node `plus` minus that of the node `minus`. A positive force f of the
+//! contact acts on the node `plus` in the negative direction.
 //!
-//! * A rigid contact with ż = 0 sticks while |f| is at most μF. Otherwise f = F sgn ż.
-//! * An elastic contact (Jenkins element) is a spring in series with a slider: f follows the spring until |f| is μF.
-//!   Then f is F, until ż = 0.
-//! * The *level* of a contact is its kinetic friction force F. A contact of level 0 has no force.
+//! * A rigid contact with ż = 0 sticks while |f| is at most μF. While it slides, f = F sgn ż.
+//! * An elastic contact (Jenkins element) is a spring in series with a slider. The force f is that of the spring until
+//!   |f| reaches μF. Then |f| is F, until ż = 0.
+//! * The *level* of a contact is its kinetic friction force F. A contact with the level 0 has no force.
 //!
 //! Between two events the equations are linear. A power series solves them over time intervals, which are called
-//! *stretches*. A stretch is at most one radian of an upper bound on the fastest frequency. Events are roots of
-//! polynomials. Two masses with a sticking contact between them have the same acceleration. The relative velocity of
-//! this contact is therefore exactly 0, and its relative displacement a constant.
+//! *stretches*. The length of a stretch is at most one radian of an upper bound on the fastest frequency. Events are
+//! roots of polynomials. Two masses with a sticking rigid contact between them have the same acceleration. The relative
+//! velocity of this contact is therefore exactly 0, and its relative displacement is constant.
 //!
-//! The type parameter [`Size`] selects arrays of fixed length for emitted code ([`Fixed`]), or vectors at run time. The
-//! code is the same for both.
+//! The type parameter [`Size`] selects the arrays: arrays of fixed length in emitted code ([`Fixed`]), or vectors at
+//! run time. The code is the same for both.
 
 mod base;
 mod cycle;

@@ -1,5 +1,5 @@
 //! Constants of a chain with several contacts, and the forces on its nodes. The nodes are the masses, the wall and the
-//! base, numbered in this order.
+//! base. They are numbered in this order.
 
 use super::base::Curve;
 use super::poly::Poly;
@@ -7,21 +7,23 @@ use super::size::{Size, add, at};
 use super::wave::Wave;
 use crate::Float;
 
-/// A spring or a dashpot: its two nodes, and its stiffness or damping coefficient.
+/// A spring or a dashpot of a chain: its two nodes, and its stiffness or damping coefficient.
 pub type Link<S> = (usize, usize, S);
 
-/// A contact between two nodes.
+/// A contact between two nodes of a chain. A node is a mass, the wall or the base.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Contact<S> {
-    /// Node whose displacement counts as positive in the relative displacement z = x_plus − x_minus.
+    /// First node of the contact. Its displacement x_plus has a positive sign in the relative displacement z = x_plus −
+    /// x_minus.
     pub plus: usize,
-    /// Node whose displacement counts as negative in z.
+    /// Second node of the contact. Its displacement x_minus has a negative sign in the relative displacement z = x_plus
+    /// − x_minus.
     pub minus: usize,
-    /// Kinetic friction force as a function of time (level).
+    /// Kinetic friction force of the contact as a function of time. The code calls it the level.
     pub level: Wave<S>,
-    /// Ratio μ of the static to the kinetic friction force.
+    /// Ratio μ of the static friction force to the kinetic friction force.
     pub stiction: S,
-    /// Stiffness of an elastic contact, or `None` for a rigid contact.
+    /// Stiffness of the spring in an elastic contact, or `None` for a rigid contact.
     pub stiffness: Option<S>,
 }
 
@@ -32,27 +34,28 @@ impl<S: Float> Contact<S> {
         self.level.is_zero()
     }
 
-    /// Returns true if the contact is rigid, so that it has no spring.
+    /// Returns true if the contact is rigid. A rigid contact has no spring.
     #[must_use]
     pub fn is_rigid(&self) -> bool {
         self.stiffness.is_none()
     }
 
-    /// Returns the value of a quantity at the node `plus` minus its value at the node `minus`.
+    /// Returns the value of a quantity at the node `plus` minus its value at the node `minus`. The argument `nodes`
+    /// contains the values at all nodes.
     #[must_use]
     pub fn across(&self, nodes: &[S]) -> S {
         at(nodes, self.plus) - at(nodes, self.minus)
     }
 
-    /// Adds the force of the contact to the forces on its nodes: −`force` on the node `plus`, and +`force` on the node
-    /// `minus`.
+    /// Adds the force of the contact to the forces on its two nodes. The node `plus` receives −`force`, and the node
+    /// `minus` receives +`force`.
     pub fn pull(&self, nodes: &mut [S], force: S) {
         add(nodes, self.plus, -force);
         add(nodes, self.minus, force);
     }
 
-    /// Returns true if the contact can have this kinetic friction force. Any contact can have a constant that is not
-    /// negative. Only a rigid contact can have a function of time.
+    /// Returns true if the contact can have the kinetic friction force `level`. Any contact can have a constant that is
+    /// not negative. Only a rigid contact can have a function that changes with time.
     #[must_use]
     pub fn fits(&self, level: &Wave<S>) -> bool {
         let varies = !level.amplitude.is_zero() || !level.slope.is_zero();
@@ -65,66 +68,66 @@ impl<S: Float> Contact<S> {
     }
 }
 
-/// A chain with several contacts, whose numbers and nodes are valid. The nodes are the masses, the wall and the base,
+/// A chain with several contacts. Its numbers and its nodes are valid. The nodes are the masses, the wall and the base,
 /// in this order.
 #[derive(Clone, Debug)]
 pub struct Model<S: Float, Z: Size> {
-    /// Numbers of masses, contacts and loads, which give the lengths of all arrays.
+    /// Numbers of masses, contacts and loads in the chain. They determine the lengths of all arrays.
     pub size: Z,
-    /// The masses.
+    /// Masses of the chain, in the order of the description.
     pub masses: Z::Constants<S>,
-    /// The springs.
+    /// Springs of the chain, each with its two nodes and its stiffness.
     pub springs: Z::Constants<Link<S>>,
-    /// The dashpots.
+    /// Dashpots of the chain, each with its two nodes and its damping coefficient.
     pub dashpots: Z::Constants<Link<S>>,
-    /// The matrix of modal or Rayleigh damping, row after row, or nothing.
+    /// Matrix of modal or Rayleigh damping, row after row. It is empty if the chain has no damping of this kind.
     pub damping: Z::Constants<S>,
-    /// True if this matrix acts on velocities relative to the base. False if it acts on absolute velocities.
+    /// True if the damping matrix acts on velocities relative to the base. False if it acts on absolute velocities.
     pub damping_from_base: bool,
-    /// The contacts, in the order of the description.
+    /// Contacts of the chain, in the order of the description.
     pub contacts: Z::Contacts<Contact<S>>,
-    /// Forces on masses, each with the index of the mass.
+    /// Loads: forces on masses as functions of time, each with the index of its mass.
     pub loads: Z::Loads<(usize, Wave<S>)>,
-    /// The displacement of the base.
+    /// Displacement of the base as a function of time.
     pub base: Curve<S>,
-    /// Longest stretch of the series.
+    /// Largest duration of a stretch (the time interval of one power series).
     pub stretch: S,
 }
 
 impl<S: Float, Z: Size> Model<S, Z> {
-    /// Returns the index of the wall's node, which equals the number of masses.
+    /// Returns the index of the wall's node. It is equal to the number of masses.
     pub fn wall(&self) -> usize {
         self.masses().len()
     }
 
-    /// Returns the index of the base's node.
+    /// Returns the index of the base's node, which follows that of the wall.
     pub fn base_node(&self) -> usize {
         self.wall() + 1
     }
 
-    /// Returns the masses.
+    /// Returns the masses of the chain, in the order of the description.
     pub fn masses(&self) -> &[S] {
         self.masses.as_ref()
     }
 
-    /// Returns the contacts.
+    /// Returns the contacts of the chain, in the order of the description.
     pub fn contacts(&self) -> &[Contact<S>] {
         self.contacts.as_ref()
     }
 
-    /// Returns one contact.
+    /// Returns one contact of the chain, or `None` for an invalid index.
     pub fn contact(&self, contact: usize) -> Option<&Contact<S>> {
         self.contacts().get(contact)
     }
 
-    /// Returns the rows of the damping matrix.
+    /// Returns the rows of the matrix of modal or Rayleigh damping.
     pub fn damping_rows(&self) -> impl Iterator<Item = &[S]> {
         self.damping.as_ref().chunks(self.wall().max(1))
     }
 
     /// Returns one coefficient of the power series of the force on each node, without the contact forces. The arguments
-    /// are the coefficients of displacements and velocities. `load` returns the coefficient of each load. If `size` is
-    /// given, the function adds the absolute values of all terms to it.
+    /// are the coefficients of the displacements and the velocities. The function `load` returns the coefficient of
+    /// each load. If `size` is given, this function adds the absolute values of all terms to it.
     pub fn forces(
         &self,
         x: &[S],
@@ -162,19 +165,19 @@ impl<S: Float, Z: Size> Model<S, Z> {
         force
     }
 
-    /// Returns the power series of each load over a stretch.
+    /// Returns the power series of each load over a stretch (time interval).
     pub(super) fn load_terms(&self, time: S, length: S) -> impl Iterator<Item = Poly<S>> {
         let loads = self.loads.as_ref().iter();
         loads.map(move |(_, wave)| wave.terms(time, length, 0))
     }
 
-    /// Returns the value of a load at an instant.
+    /// Returns the value of a load at the instant `time`.
     pub fn load_value(&self, load: usize, time: S) -> S {
         let load = self.loads.as_ref().get(load);
         load.map_or(S::constant(0.0), |(_, wave)| wave.value(time, 0))
     }
 
-    /// Replaces a load by another function of time. Returns the jump of its value at the given instant.
+    /// Replaces a load by another function of time. Returns the jump of the load's value at the instant `time`.
     pub(super) fn change_load(&mut self, load: usize, to: Wave<S>, time: S) -> Option<S> {
         let (_, wave) = self.loads.as_mut().get_mut(load)?;
         let jump = to.value(time, 0) - wave.value(time, 0);
@@ -182,7 +185,7 @@ impl<S: Float, Z: Size> Model<S, Z> {
         Some(jump)
     }
 
-    /// Returns the power of all loads for the given velocities of the masses.
+    /// Returns the power of all loads. `v` contains the velocities of the masses.
     pub fn load_power(&self, time: S, v: &[S]) -> S {
         let loads = self.loads.as_ref().iter();
         loads.fold(S::constant(0.0), |power, (mass, wave)| {
@@ -190,8 +193,9 @@ impl<S: Float, Z: Size> Model<S, Z> {
         })
     }
 
-    /// Sets the longest stretch to 1/s, with an upper bound s on the rates of the motion. Gershgorin's theorem bounds
-    /// M⁻¹K and M⁻¹C, where elastic contacts count as springs. A rate s satisfies s² ≤ ‖M⁻¹C‖s + ‖M⁻¹K‖.
+    /// Sets the longest stretch to 1/s, where s is an upper bound on the rates of the motion. Gershgorin's theorem
+    /// gives upper bounds on M⁻¹K and M⁻¹C. In K, elastic contacts are springs. A rate s satisfies s² ≤ ‖M⁻¹C‖s +
+    /// ‖M⁻¹K‖.
     pub fn set_stretch(&mut self) {
         let mut stiff = self.size.nodes(S::constant(0.0));
         let mut slow = self.size.nodes(S::constant(0.0));
@@ -221,13 +225,13 @@ impl<S: Float, Z: Size> Model<S, Z> {
         self.stretch = S::constant(1.0) / crate::Scalar::max(motion, waves);
     }
 
-    /// Returns the largest quotient of a mass's number in `values` and the mass itself.
+    /// Divides each number in `values` by the mass with the same index. Returns the largest quotient.
     fn largest(&self, values: &[S]) -> S {
         let rates = values.iter().zip(self.masses()).map(|(k, m)| *k / *m);
         rates.fold(S::constant(0.0), crate::Scalar::max)
     }
 
-    /// Adds a spring or dashpot to the Gershgorin sums of its two nodes.
+    /// Adds a spring or a dashpot to the sums of Gershgorin's theorem for its two nodes.
     fn circle(&self, circles: &mut [S], (plus, minus, value): Link<S>) {
         let both = plus.max(minus) < self.wall();
         let value = if both {

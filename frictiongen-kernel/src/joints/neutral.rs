@@ -1,11 +1,12 @@
-//! Counts the motions of a chain that no force resists.
+//! Counts the motions of a chain that change no force.
 
 use super::model::Model;
 use super::size::Size;
 use crate::Float;
 
-/// Returns the number of independent motions that change no force. These are displacements of parts that neither a
-/// spring nor a contact holds in position, and constant velocities of parts without any connection to a support.
+/// Returns the number of independent motions that change no force. Motions of this kind are displacements of parts that
+/// neither a spring nor a contact holds in position. Constant velocities of parts without any connection to a support
+/// are also motions of this kind.
 pub(super) fn neutral<S: Float, Z: Size>(
     model: &Model<S, Z>,
     keeps: impl Fn(usize) -> bool,
@@ -34,8 +35,8 @@ pub(super) fn neutral<S: Float, Z: Size>(
     places + moving.count()
 }
 
-/// Marks two nodes as belonging to one part. The number of a part is the largest index of its nodes. Supports have the
-/// largest indices, so that the number shows whether a part contains a support.
+/// Joins the parts of a chain to which two nodes belong. The number of a part is the largest index of its nodes. The
+/// wall and the base have the largest indices, so that the number shows whether the part contains a support.
 fn join(parts: &mut [usize], (plus, minus): (usize, usize)) {
     let of = |node: usize| parts.get(node).copied().unwrap_or(node);
     let (one, other) = (of(plus), of(minus));
@@ -45,12 +46,12 @@ fn join(parts: &mut [usize], (plus, minus): (usize, usize)) {
     }
 }
 
-/// Returns the numbers of all parts that contain no support.
+/// Returns the numbers of all parts of the chain that contain neither the wall nor the base.
 fn roots<S: Float, Z: Size>(model: &Model<S, Z>, parts: &[usize]) -> impl Iterator<Item = usize> {
     (0..model.wall()).filter(move |root| parts.contains(root))
 }
 
-/// Returns true if the damping matrix resists a motion of a part without deformation.
+/// Returns true if the damping matrix resists a common motion of all nodes of a part.
 fn is_damped<S: Float, Z: Size>(model: &Model<S, Z>, parts: &[usize], root: usize) -> bool {
     let belongs = |node: usize| parts.get(node) == Some(&root);
     let small = S::constant(if S::EPSILON < 1e-10 { 1e-9 } else { 1e-4 });

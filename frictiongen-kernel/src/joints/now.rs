@@ -1,4 +1,4 @@
-//! Motion of masses and contacts at one instant.
+//! Motion of the masses and the contacts of a chain at one instant.
 
 use super::run::Motion;
 use super::size::{Size, at};
@@ -14,20 +14,20 @@ pub struct MassState<S> {
 }
 
 impl<S: Float> MassState<S> {
-    /// Returns the displacement of the mass.
+    /// Returns the displacement of the mass at this instant.
     #[must_use]
     pub fn displacement(&self) -> S {
         self.displacement
     }
 
-    /// Returns the velocity of the mass.
+    /// Returns the velocity of the mass at this instant.
     #[must_use]
     pub fn velocity(&self) -> S {
         self.velocity
     }
 }
 
-/// Motion and force of one of several contacts at one instant.
+/// Motion and force of one contact at one instant, in a chain with several contacts.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct ContactState<S> {
@@ -38,26 +38,27 @@ pub struct ContactState<S> {
 }
 
 impl<S: Float> ContactState<S> {
-    /// Returns the relative displacement of both sides.
+    /// Returns the relative displacement of the contact's two sides at this instant.
     #[must_use]
     pub fn displacement(&self) -> S {
         self.displacement
     }
 
-    /// Returns the relative velocity of both sides. It is exactly 0 while a rigid contact sticks.
+    /// Returns the relative velocity of the contact's two sides at this instant. It is exactly 0 while a rigid contact
+    /// sticks.
     #[must_use]
     pub fn velocity(&self) -> S {
         self.velocity
     }
 
-    /// Returns the force of the contact. A positive force opposes sliding in the positive direction.
+    /// Returns the force of the contact at this instant. A positive force opposes sliding in the positive direction.
     #[must_use]
     pub fn force(&self) -> S {
         self.force
     }
 
-    /// Returns true if the contact sticks. An elastic contact that sticks moves with its spring. A contact with the
-    /// friction force 0 does not stick.
+    /// Returns true if the contact sticks at this instant. An elastic contact that sticks moves with its spring. A
+    /// contact whose friction force is 0 does not stick.
     #[must_use]
     pub fn is_sticking(&self) -> bool {
         self.is_sticking
@@ -65,7 +66,7 @@ impl<S: Float> ContactState<S> {
 }
 
 impl<S: Float, Z: Size> Motion<S, Z> {
-    /// Returns displacement and velocity of a mass.
+    /// Returns the present displacement and velocity of a mass.
     pub fn mass(&self, mass: usize) -> MassState<S> {
         MassState {
             displacement: at(self.state().x.as_ref(), mass),
@@ -73,7 +74,7 @@ impl<S: Float, Z: Size> Motion<S, Z> {
         }
     }
 
-    /// Returns motion and force of a contact.
+    /// Returns the present motion and force of a contact.
     pub fn contact(&self, contact: usize) -> ContactState<S> {
         let (velocity, displacement) = self.relative(contact);
         ContactState {

@@ -1,7 +1,8 @@
-//! Steady states and the stuck state of a chain with several contacts at one frequency, in non-dimensional groups.
+//! Steady states of a chain with several contacts at one frequency, and its stuck state. All results are
+//! non-dimensional groups.
 //!
-//! Displacements are over P/k₁ (over Y for base motion), forces are over P (over k₁Y), and energies are over P²/k₁
-//! (over k₁Y²).
+//! Displacements are divided by P/k₁ (by Y for base motion). Forces are divided by P (by k₁Y), and energies by P²/k₁
+//! (by k₁Y²).
 
 use super::cycle::ContactCycle;
 use super::model::Model;
@@ -17,7 +18,8 @@ use crate::{Float, Scalar};
 /// A chain with several contacts at one frequency.
 #[derive(Clone, Debug)]
 pub struct At<S: Float, Z: Size> {
-    /// The chain. The level (kinetic friction force) of each contact is its share of the common friction.
+    /// Constants of the chain. The level (kinetic friction force) of each contact is its fraction of the common
+    /// friction.
     model: Model<S, Z>,
     reference: Reference<S>,
     r: S,
@@ -25,12 +27,12 @@ pub struct At<S: Float, Z: Size> {
 }
 
 impl<S: Float, Z: Size> At<S, Z> {
-    /// Evaluates a chain at the frequency ratio r. The level (kinetic friction force) of each contact in `model` is its
-    /// share of the common friction. `contacts` has the names of the contacts.
+    /// Evaluates a chain at the frequency ratio r. In `model`, the level (kinetic friction force) of each contact is
+    /// its fraction of the common friction. `contacts` contains the names of the contacts.
     ///
     /// # Errors
     ///
-    /// [`OutOfDomain`] unless r is positive and finite.
+    /// [`OutOfDomain`] if r is not positive and finite.
     pub fn new(
         model: Model<S, Z>,
         reference: Reference<S>,
@@ -46,16 +48,17 @@ impl<S: Float, Z: Size> At<S, Z> {
         })
     }
 
-    /// Returns the frequency ratio r.
+    /// Returns the frequency ratio r at which the chain is evaluated.
     pub fn r(&self) -> S {
         self.r
     }
 
-    /// Returns the state in which no contact slides, in closed form. No earlier motion has left a force in a contact.
+    /// Returns the state in which no contact slides, from a closed form. No earlier motion has left a force in a
+    /// contact.
     ///
     /// # Errors
     ///
-    /// [`StuckResonance`] on an undamped resonance of the chain with its contacts stuck.
+    /// [`StuckResonance`] if r is an undamped resonance of the chain with its contacts stuck.
     pub fn stuck(&self) -> Result<StuckState<S, Z>, StuckResonance> {
         let omega = self.r * self.reference.rate;
         let mut model = self.model.clone();
@@ -68,12 +71,13 @@ impl<S: Float, Z: Size> At<S, Z> {
         })
     }
 
-    /// Returns the steady state that the motion from rest, or from the given state, reaches at the common friction β.
+    /// Returns the steady state at the common friction ratio β. It is the state that the motion from rest or from the
+    /// given state reaches.
     ///
     /// # Errors
     ///
-    /// [`NoOrbit::OutOfDomain`] for a β that is negative or not finite, for a state that is not finite, and, with its
-    /// cause, if the motion exceeds a bound. [`NoOrbit::Unsettled`] if the motion does not settle.
+    /// [`NoOrbit::OutOfDomain`] if β is negative or not finite, or if the given state is not finite. The same error,
+    /// with its cause, if the motion exceeds a bound. [`NoOrbit::Unsettled`] if the motion does not settle.
     pub fn orbit(&self, beta: S, state: Option<Start<'_, S>>) -> Result<Orbit<S, Z>, NoOrbit> {
         let model = self.model.clone();
         let start = self.reference.start(model, (self.r, beta), state);
@@ -93,7 +97,7 @@ impl<S: Float, Z: Size> At<S, Z> {
 
 impl<S: Float, Z: Size> Steady<S, Z> {
     /// Returns true if the motion repeats with the opposite sign after half a period. `motion` is any motion of the
-    /// chain. The function replaces its state.
+    /// chain, whose state the function replaces.
     ///
     /// # Errors
     ///
@@ -118,13 +122,13 @@ impl<S: Float, Z: Size> Steady<S, Z> {
         };
         let end = motion.state();
         let speeds = opposite(self.state.v.as_ref(), end.v.as_ref(), size * omega);
-        // Where nothing holds the chain, its place is arbitrary.
+        // If nothing holds the chain, its position is arbitrary, and the code does not compare it.
         let places = self.neutral > 0 || opposite(self.state.x.as_ref(), end.x.as_ref(), size);
         Ok(speeds && places)
     }
 }
 
-/// The state of a chain in which no contact slides.
+/// State of a chain with several contacts in which no contact slides.
 #[derive(Clone, Debug)]
 pub struct StuckState<S: Float, Z: Size> {
     response: StuckResponse<S, Z>,
@@ -133,27 +137,28 @@ pub struct StuckState<S: Float, Z: Size> {
 }
 
 impl<S: Float, Z: Size> StuckState<S, Z> {
-    /// Returns X, the complex amplitude of a mass. Its motion is x̄ = Re X exp(iτ).
+    /// Returns X, the complex amplitude of a mass. The motion of the mass is x̄ = Re X exp(iτ), in units of P/k₁ (of Y
+    /// for base motion).
     pub fn mass(&self, mass: usize) -> Complex<S> {
         let zero = S::constant(0.0);
         let found = self.response.displacements.as_ref().get(mass).copied();
         found.unwrap_or(Complex::new(zero, zero))
     }
 
-    /// Returns the amplitude of the force of a contact.
+    /// Returns the amplitude of the force in a contact, in units of P (of k₁Y for base motion).
     pub fn contact(&self, contact: usize) -> S {
         at(self.response.forces.as_ref(), contact) / self.stiffness
     }
 
-    /// Returns β*_lim, the smallest common friction at which no contact slides. It is the largest |f|/(μ·share) of the
-    /// contacts.
+    /// Returns β*_lim, the smallest common friction ratio at which no contact slides. It is the largest value of
+    /// |f|/(μ·share) of all contacts. f is the force of a contact, and `share` its fraction of the common friction.
     pub fn limit(&self) -> S {
         let limit = self.response.limit;
         limit.map_or(S::constant(0.0), |(limit, _)| limit)
     }
 
-    /// Returns the name of the contact that slides first if the friction falls below the limit. The name is empty if the
-    /// scene has no contact.
+    /// Returns the name of the contact that slides first if the friction ratio falls below β*_lim. The name is empty if
+    /// the scene has no contact.
     pub fn first(&self) -> &'static str {
         let first = self.response.limit.map_or(0, |(_, first)| first);
         self.contacts.get(first).copied().unwrap_or_default()
@@ -170,53 +175,53 @@ pub struct Orbit<S: Float, Z: Size> {
 }
 
 impl<S: Float, Z: Size> Orbit<S, Z> {
-    /// Returns the period in cycles of the load, at most [`MAX_PERIOD`](super::MAX_PERIOD).
+    /// Returns the period of the steady state in cycles of the load. It is at most [`MAX_PERIOD`](super::MAX_PERIOD).
     pub fn period(&self) -> usize {
         self.steady.period
     }
 
-    /// Returns the Floquet multipliers of a period, in descending order of their modulus. The list omits the
-    /// multipliers 1 of marginal directions.
+    /// Returns the Floquet multipliers of a period, in the order of decreasing absolute value. The list does not
+    /// contain the multipliers 1 of marginal directions.
     pub fn multipliers(&self) -> &[Complex<S>] {
         self.steady.multipliers()
     }
 
-    /// Returns true if every small deviation decays, except along marginal directions. A deviation along a marginal
-    /// direction stays constant.
+    /// Returns true if every small deviation from the steady state decays, except along marginal directions. A
+    /// deviation along a marginal direction stays constant.
     pub fn is_stable(&self) -> bool {
         self.steady.is_stable()
     }
 
-    /// Returns true if the motion repeats with the opposite sign after half a period.
+    /// Returns true if the steady motion repeats with the opposite sign after half a period.
     pub fn is_symmetric(&self) -> bool {
         self.is_symmetric
     }
 
-    /// Returns true if the steady state depends on the initial state. This occurs if a contact never slides and keeps
-    /// its position, or if a part of the chain has no path of springs to a support.
+    /// Returns true if the steady state depends on the initial state. This is the case if a contact never slides and
+    /// keeps its position. It is also the case if a part of the chain has no path of springs to a support.
     pub fn is_marginal(&self) -> bool {
         self.steady.neutral > 0 || self.steady.marginal.as_ref().contains(&true)
     }
 
-    /// Returns the number of marginal directions of parts without a path of springs to a support. They are
-    /// displacements and constant velocities of these parts.
+    /// Returns the number of marginal directions that belong to parts without a path of springs to a support. These
+    /// directions are displacements and constant velocities of these parts.
     pub fn free_directions(&self) -> usize {
         self.steady.neutral
     }
 
-    /// Returns the largest difference between the state at the start and at the end of a period, relative to the size
+    /// Returns the largest difference between the states at the start and at the end of a period, divided by the size
     /// of the state.
     pub fn residual(&self) -> S {
         self.steady.residual
     }
 
-    /// Returns the regime. It is *stuck* if no contact slides, and *continuous* if all contacts slide all the time.
-    /// Otherwise it is *stick-slip*.
+    /// Returns the regime of the steady state. It is *stuck* if no contact slides, and *continuous* if all contacts
+    /// slide all the time. In every other case it is *stick-slip*.
     pub fn regime(&self) -> Regime {
         self.steady.cycle.regime()
     }
 
-    /// Returns the motion of a mass over the period.
+    /// Returns the motion of a mass in a period of the steady state.
     pub fn mass(&self, mass: usize) -> MassOrbit<S> {
         let Steady { cycle, state, .. } = &self.steady;
         let (largest, centred) = (
@@ -235,7 +240,7 @@ impl<S: Float, Z: Size> Orbit<S, Z> {
         }
     }
 
-    /// Returns the motion of a contact over the period.
+    /// Returns the motion of a contact in a period of the steady state.
     pub fn contact(&self, contact: usize) -> ContactOrbit<S> {
         let found = self.steady.cycle.contacts.as_ref().get(contact).copied();
         ContactOrbit {
@@ -246,7 +251,7 @@ impl<S: Float, Z: Size> Orbit<S, Z> {
     }
 }
 
-/// Motion of a mass over the period of a steady state.
+/// Motion of a mass in a period of a steady state.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct MassOrbit<S> {
     amplitude: S,
@@ -256,29 +261,30 @@ pub struct MassOrbit<S> {
 }
 
 impl<S: Float> MassOrbit<S> {
-    /// Returns the amplitude, the largest |x̄|. If a part of the chain has no path of springs to a support, the result is
-    /// the centred amplitude about the mean motion, (max − min)/2.
+    /// Returns the amplitude of the mass: its largest |x̄| in the period, in units of P/k₁ (of Y for base motion). If a
+    /// part of the chain has no path of springs to a support, the result is the centred amplitude (max x̄ − min x̄)/2
+    /// about the mean motion.
     pub fn amplitude(&self) -> S {
         self.amplitude
     }
 
-    /// Returns the centred amplitude, (max − min)/2.
+    /// Returns the centred amplitude (max x̄ − min x̄)/2 of the mass, in units of P/k₁ (of Y for base motion).
     pub fn centred_amplitude(&self) -> S {
         self.centred
     }
 
-    /// Returns displacement x̄ and velocity dx̄/dτ at a maximum of the load.
+    /// Returns the displacement x̄ and the velocity dx̄/dτ of the mass at a maximum of the load.
     pub fn state(&self) -> (S, S) {
         (self.displacement, self.velocity)
     }
 }
 
-/// Motion of a contact over the period of a steady state.
+/// Motion of a contact in a period of a steady state.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct ContactOrbit<S> {
     cycle: ContactCycle<S>,
     is_marginal: bool,
-    /// Unit of the contact's force.
+    /// Unit of the contact's force in the results.
     unit: S,
 }
 
@@ -288,33 +294,34 @@ impl<S: Float> ContactOrbit<S> {
         self.cycle.stops
     }
 
-    /// Returns the number of changes of the sliding direction without a stop, in a period.
+    /// Returns the number of reversals of the contact in a period. A reversal is a change of the sliding direction
+    /// without a stop.
     pub fn reversals(&self) -> usize {
         self.cycle.reversals
     }
 
-    /// Returns the fraction of the period in which the contact sticks. An elastic contact that sticks moves with its
-    /// spring.
+    /// Returns the fraction of the period during which the contact sticks. An elastic contact that sticks moves with
+    /// its spring.
     pub fn stuck_fraction(&self) -> S {
         self.cycle.stuck_fraction
     }
 
-    /// Returns the distance that the slider travels in a period, added over both directions.
+    /// Returns the distance that the contact's slider travels in a period, added over both directions.
     pub fn slip(&self) -> S {
         self.cycle.slip
     }
 
-    /// Returns the largest absolute relative displacement of the two sides.
+    /// Returns the largest absolute relative displacement of the contact's two sides in a period.
     pub fn displacement(&self) -> S {
         self.cycle.displacement
     }
 
-    /// Returns the largest absolute force.
+    /// Returns the largest absolute force of the contact in a period.
     pub fn force(&self) -> S {
         self.cycle.force / self.unit
     }
 
-    /// Returns the energy that friction dissipates in a period.
+    /// Returns the energy that friction dissipates in the contact in a period.
     pub fn energy(&self) -> S {
         self.cycle.energy / self.unit
     }
@@ -324,7 +331,8 @@ impl<S: Float> ContactOrbit<S> {
         self.cycle.regime()
     }
 
-    /// Returns true if the contact never slides and keeps the force or the position that the earlier motion has left.
+    /// Returns true if the contact never slides in the period. The contact then keeps the force or the position that
+    /// the earlier motion has left.
     pub fn is_marginal(&self) -> bool {
         self.is_marginal
     }

@@ -1,15 +1,15 @@
-//! Finds the first instant at which a polynomial on [0, 1] becomes negative.
+//! Finds the first instant at which a polynomial on the interval [0, 1] becomes negative.
 
 use super::poly::{Poly, TERMS, terms_of, value};
 use crate::Float;
 
-/// Number of bisections after which both bounds of the interval are equal within rounding.
+/// Number of bisections after which the two ends of the interval are equal apart from rounding.
 fn halvings<S: Float>() -> u32 {
     if S::EPSILON < 1e-10 { 52 } else { 23 }
 }
 
-/// Returns the first τ in [0, 1] after which the polynomial is negative. The first `zeros` coefficients are exactly 0
-/// by the event at the start. The function therefore ignores their rounding errors.
+/// Returns the first point τ in [0, 1] after which the polynomial is negative. Because of the event at the start, the
+/// first `zeros` coefficients are exactly 0. The function therefore ignores their rounding errors.
 pub fn first_negative<S: Float>(terms: &Poly<S>, zeros: usize) -> Option<S> {
     let zero = S::constant(0.0);
     let terms = terms.get(zeros..terms_of::<S>())?;
@@ -28,9 +28,9 @@ pub fn first_negative<S: Float>(terms: &Poly<S>, zeros: usize) -> Option<S> {
     search(terms)
 }
 
-/// Bisects [0, 1], with the polynomial in Bernstein form, until each subinterval has at most one root. A subinterval
-/// extends from index/2^depth to (index + 1)/2^depth. The code computes its Bernstein form again from the form on [0,
-/// 1] when the search returns to it, so that no stack is needed.
+/// Bisects the interval [0, 1] until each subinterval has at most one root of the polynomial. The polynomial is in
+/// Bernstein form. A subinterval extends from index/2^depth to (index + 1)/2^depth. When the search returns to a
+/// subinterval, the code computes its Bernstein form again from the form on [0, 1], so that it needs no stack.
 fn search<S: Float>(terms: &[S]) -> Option<S> {
     let half = S::constant(0.5);
     let whole = Form::new(terms);
@@ -72,10 +72,10 @@ struct Form<S> {
 }
 
 impl<S: Float> Form<S> {
-    /// Returns the Bernstein coefficients b_i = Σ_{k≤i} C(i, k)/C(n, k) a_k on [0, 1], from the coefficients a_k of the
-    /// powers.
+    /// Returns the Bernstein coefficients b_i = Σ_{k≤i} C(i, k)/C(n, k) a_k of a polynomial on [0, 1]. `terms` contains
+    /// the coefficients a_k of the powers.
     fn new(terms: &[S]) -> Self {
-        // Differences are undone one after the other: the triangle of a_k/C(n, k) by sums.
+        // The numbers a_k/C(n, k) are differences of the Bernstein coefficients. Repeated sums give the coefficients.
         let degree = terms.len().saturating_sub(1);
         let mut values = [S::constant(0.0); TERMS];
         let mut binomial = S::constant(1.0);
@@ -109,14 +109,16 @@ impl<S: Float> Form<S> {
             .is_some_and(|value| *value > S::constant(0.0))
     }
 
-    /// Returns the number of sign changes in the coefficients, which bounds the number of roots.
+    /// Returns the number of sign changes in the Bernstein coefficients. The polynomial has at most this number of
+    /// roots in the interval.
     fn changes(&self) -> usize {
         let zero = S::constant(0.0);
         let pairs = self.used().zip(self.used().skip(1));
         pairs.filter(|(a, b)| (**a > zero) != (**b > zero)).count()
     }
 
-    /// Divides the interval in the middle, and returns the coefficients for both halves (de Casteljau).
+    /// Divides the interval at its middle, and returns the Bernstein coefficients for both halves (de Casteljau's
+    /// algorithm).
     fn halves(mut self) -> (Self, Self) {
         let half = S::constant(0.5);
         let (mut left, mut right) = (self, self);
@@ -140,7 +142,8 @@ impl<S: Float> Form<S> {
         (left, right)
     }
 
-    /// Returns the coefficients for the subinterval `index` of 2^`depth` equal ones.
+    /// Returns the Bernstein coefficients for one of 2^`depth` subintervals of equal length. `index` is the index of
+    /// the subinterval.
     fn part(self, depth: u32, index: u64) -> Self {
         (0..depth).rev().fold(self, |form, level| {
             let (left, right) = form.halves();
@@ -149,7 +152,8 @@ impl<S: Float> Form<S> {
     }
 }
 
-/// Finds by bisection the point at which the polynomial changes its sign from positive to negative.
+/// Finds by bisection the point between `low` and `high` at which the polynomial changes its sign from positive to
+/// negative.
 fn bisect<S: Float>(terms: &[S], mut low: S, mut high: S) -> S {
     for _ in 0..halvings::<S>() + 8 {
         let middle = S::constant(0.5) * (low + high);

@@ -11,29 +11,29 @@ use super::wave::Wave;
 use crate::Float;
 use crate::errors::Halt;
 
-/// Returns the time, as a fraction of a stretch, within which two events count as simultaneous.
+/// Returns the largest time between two events that are treated as simultaneous, divided by the length of the stretch.
 fn same<S: Float>() -> S {
     S::constant(if S::EPSILON < 1e-10 { 1e-11 } else { 1e-4 })
 }
 
 /// Observer of a motion. The solver calls it for every stretch (interval of one power series) and for every event.
 pub trait Observe<S: Float, Z: Size> {
-    /// Receives the motion from the start of a stretch to the fraction `end` of it. The phases of `state` hold during
-    /// this time.
+    /// Receives the motion from the start of a stretch to the fraction `end` of the stretch. During this time the
+    /// contacts have the phases in `state`.
     fn stretch(&mut self, series: &Series<S, Z>, end: S, state: &State<S, Z>);
 
-    /// Receives the phases of all contacts before and after an event.
+    /// Receives the phases of all contacts (sticking or sliding) before and after an event.
     fn event(&mut self, time: S, before: &Z::Contacts<i8>, after: &Z::Contacts<i8>);
 }
 
-/// An observer that ignores the motion.
+/// The unit type is an observer that ignores the motion.
 impl<S: Float, Z: Size> Observe<S, Z> for () {
     fn stretch(&mut self, _: &Series<S, Z>, _: S, _: &State<S, Z>) {}
 
     fn event(&mut self, _: S, _: &Z::Contacts<i8>, _: &Z::Contacts<i8>) {}
 }
 
-/// An observer that counts the events.
+/// Observer of a motion that counts the events.
 pub(super) struct Count(pub(super) u32);
 
 impl<S: Float, Z: Size> Observe<S, Z> for Count {
@@ -44,16 +44,16 @@ impl<S: Float, Z: Size> Observe<S, Z> for Count {
     }
 }
 
-/// Upper bounds on the work of one call.
+/// Largest amounts of work in one call.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Bounds {
-    /// Largest number of events in the call.
+    /// Largest number of events in one call.
     pub events: usize,
-    /// Largest number of stretches (intervals of one power series) in the call.
+    /// Largest number of stretches (intervals of one power series) in one call.
     pub stretches: usize,
 }
 
-/// Motion in time of a chain with several contacts.
+/// Motion of a chain with several contacts as a function of time.
 #[derive(Clone, Debug)]
 pub struct Motion<S: Float, Z: Size> {
     pub(super) model: Model<S, Z>,
@@ -64,7 +64,8 @@ pub struct Motion<S: Float, Z: Size> {
 }
 
 impl<S: Float, Z: Size> Motion<S, Z> {
-    /// Starts a motion at time 0 with given displacements and velocities. Elastic contacts start without force.
+    /// Starts a motion at time 0 with the displacements `x` and the velocities `v` of the masses. At the start elastic
+    /// contacts have no force.
     ///
     /// # Errors
     ///
@@ -85,22 +86,22 @@ impl<S: Float, Z: Size> Motion<S, Z> {
         Ok(motion)
     }
 
-    /// Returns the time since the start.
+    /// Returns the time since the start of the motion.
     pub fn time(&self) -> S {
         self.time
     }
 
-    /// Returns the state of masses and contacts.
+    /// Returns the present state of the masses and the contacts.
     pub fn state(&self) -> &State<S, Z> {
         &self.state
     }
 
-    /// Returns the chain with its numbered nodes.
+    /// Returns the constants of the chain, with its numbered nodes.
     pub fn model(&self) -> &Model<S, Z> {
         &self.model
     }
 
-    /// Returns the relative velocity of a contact, then its relative displacement.
+    /// Returns the present relative velocity of a contact, and then its relative displacement.
     pub fn relative(&self, contact: usize) -> (S, S) {
         let (x, v) = self.nodes();
         let Some(c) = self.model.contact(contact) else {
@@ -115,7 +116,7 @@ impl<S: Float, Z: Size> Motion<S, Z> {
         (c.across(v.as_ref()), place)
     }
 
-    /// Returns the present force of each contact.
+    /// Returns the present force of each contact, in the order of the description.
     pub fn forces(&self) -> Z::Contacts<S> {
         let (mut x, mut v) = self.nodes();
         let places = self.state.places.as_ref();
@@ -139,7 +140,7 @@ impl<S: Float, Z: Size> Motion<S, Z> {
         forces
     }
 
-    /// Restarts at time 0 from a state of this chain.
+    /// Restarts the motion at time 0 from a state of this chain.
     pub fn restart(&mut self, state: State<S, Z>) {
         self.time = S::constant(0.0);
         self.state = state;
@@ -152,7 +153,7 @@ impl<S: Float, Z: Size> Motion<S, Z> {
         self.state.keep_speeds(v.as_ref());
     }
 
-    /// Sets the time of the present instant to 0, without a change of the state.
+    /// Sets the time of the present instant to 0. The state does not change.
     pub(super) fn rewind(&mut self) {
         let time = self.time;
         let contacts = self.model.contacts.as_mut().iter_mut();
@@ -170,7 +171,7 @@ impl<S: Float, Z: Size> Motion<S, Z> {
     ///
     /// # Errors
     ///
-    /// [`Halt::Level`] if the contact cannot have this force. Another [`Halt`] if the solver cannot decide which
+    /// [`Halt::Level`] if the contact cannot have the force `level`. Another [`Halt`] if the solver cannot decide which
     /// contacts stick.
     pub fn set_level(&mut self, contact: usize, level: Wave<S>) -> Result<(), Halt> {
         let (x, v) = self.nodes();
@@ -209,11 +210,12 @@ impl<S: Float, Z: Size> Motion<S, Z> {
         self.decide_at_once()
     }
 
-    /// Changes a load from the present instant on, for instance to the straight line to the next sample of a record.
+    /// Changes a load from the present instant on. The new load may for instance be the straight line to the next
+    /// sample of a record.
     ///
     /// # Errors
     ///
-    /// [`Halt::Load`] if the load is not finite, or if there is no such load.
+    /// [`Halt::Load`] if the load is not finite, or if no load has this index.
     pub fn set_load(&mut self, load: usize, to: Wave<S>) -> Result<(), Halt> {
         if !to.is_finite() {
             return Err(Halt::Load);
@@ -227,8 +229,8 @@ impl<S: Float, Z: Size> Motion<S, Z> {
         Ok(())
     }
 
-    /// Prepares the rigid contacts for a jump of the accelerations at the present instant. The forces that hold sticking
-    /// contacts jump too. Velocities and the forces of elastic contacts do not.
+    /// Prepares the rigid contacts for a jump of the accelerations at the present instant. The forces of sticking rigid
+    /// contacts jump too. Velocities and the forces of elastic contacts do not jump.
     pub(super) fn accelerations_jump(&mut self) {
         for (j, contact) in self.model.contacts().iter().enumerate() {
             let sticks = self.state.phase(j) == STUCK;
@@ -240,12 +242,13 @@ impl<S: Float, Z: Size> Motion<S, Z> {
         }
     }
 
-    /// Changes a load from now on to a line that starts at its present value.
+    /// Changes a load from the present instant on. The new function of time starts at the present value of the load.
     pub(super) fn lead_load(&mut self, load: usize, to: Wave<S>) {
         self.model.change_load(load, to, self.time);
     }
 
-    /// Shortens the stretches so that the power series also represents a new function of time.
+    /// Shortens the stretches (intervals of one power series) so that the power series can represent the function
+    /// `wave`.
     fn shorten(&mut self, wave: &Wave<S>) {
         let longest = wave.longest_stretch();
         self.model.stretch = crate::Scalar::min(self.model.stretch, longest);
@@ -255,8 +258,8 @@ impl<S: Float, Z: Size> Motion<S, Z> {
     ///
     /// # Errors
     ///
-    /// [`Halt::Events`] and [`Halt::Stretches`] beyond the bounds, [`Halt::NotFinite`] if the motion exceeds the range
-    /// of numbers, and any [`Halt`] of a decision on which contacts stick.
+    /// [`Halt::Events`] or [`Halt::Stretches`] if the call exceeds a bound on its work. [`Halt::NotFinite`] if the
+    /// motion exceeds the range of the number type. Another [`Halt`] if the solver cannot decide which contacts stick.
     pub fn run(
         &mut self,
         until: S,
@@ -280,7 +283,7 @@ impl<S: Float, Z: Size> Motion<S, Z> {
         Err(Halt::Stretches)
     }
 
-    /// Advances to the end of a stretch, or to the next event. Returns true if the motion passed an event.
+    /// Advances the motion to the end of a stretch, or to the next event. Returns true if the motion passed an event.
     fn step(&mut self, until: S, watch: &mut impl Observe<S, Z>) -> Result<bool, Halt> {
         let one = S::constant(1.0);
         let left = until - self.time;
@@ -326,7 +329,7 @@ impl<S: Float, Z: Size> Motion<S, Z> {
         Ok(true)
     }
 
-    /// Fails if a number of the state is infinite or NaN.
+    /// Returns an error if a number of the state is infinite or NaN.
     fn finite(&self) -> Result<(), Halt> {
         let numbers = self.state.x.as_ref().iter().chain(self.state.v.as_ref());
         let mut numbers = numbers.chain(self.state.forces.as_ref());
@@ -337,7 +340,7 @@ impl<S: Float, Z: Size> Motion<S, Z> {
         }
     }
 
-    /// Sets the state to the motion at a fraction of a stretch.
+    /// Sets the present state to the motion at a fraction of a stretch.
     fn take(&mut self, series: &Series<S, Z>, fraction: S) {
         let (x, v) = series.motion(&self.model, fraction);
         self.state.x = x;
@@ -349,8 +352,8 @@ impl<S: Float, Z: Size> Motion<S, Z> {
         }
     }
 
-    /// Returns the next event of a contact in a stretch: the fraction of the stretch, and the sign of the force or
-    /// velocity at the event.
+    /// Returns the next event of the contact `j` in a stretch. The first result is the fraction of the stretch at which
+    /// the event occurs. The second result is the sign of the force or velocity at the event.
     fn next_event(&self, series: &Series<S, Z>, j: usize) -> Option<(S, i8)> {
         let contact = self.model.contact(j)?;
         let zeros = self.state.zeros.as_ref().get(j).copied();
@@ -378,19 +381,19 @@ impl<S: Float, Z: Size> Motion<S, Z> {
         }
     }
 
-    /// Builds the trees of the masses that sticking contacts connect.
+    /// Builds the trees of the masses that sticking rigid contacts connect.
     pub(super) fn join(&mut self) {
         self.tree = Tree::new(&self.model, |j| self.state.phase(j) == STUCK);
     }
 
-    /// Returns displacements and velocities of all nodes.
+    /// Returns the present displacements and velocities of all nodes: the masses, the wall and the base.
     pub(super) fn nodes(&self) -> (Z::Nodes<S>, Z::Nodes<S>) {
         self.state.nodes(&self.model, self.time)
     }
 }
 
-/// Returns the power series of the distance between the force of a sticking contact and its static friction force, on
-/// one side.
+/// Returns the power series of the static friction force of a sticking contact minus its force times `side`. `side` is
+/// the sign of the force at which the contact would slide.
 fn margin<S: Float>(stiction: S, level: &Poly<S>, side: S, force: &Poly<S>) -> Poly<S> {
     let mut margin = level.map(|term| stiction * term);
     for (margin, force) in margin.iter_mut().zip(force) {

@@ -7,7 +7,7 @@ use super::state::{FREE, STUCK, State};
 use super::tree::Tree;
 use crate::Float;
 
-/// Power series of the motion of all nodes over one stretch.
+/// Power series of the motion of all nodes over one stretch. The nodes are the masses, the wall and the base.
 #[derive(Clone, Debug)]
 pub struct Series<S: Float, Z: Size> {
     /// Time at the start of the stretch.
@@ -20,7 +20,7 @@ pub struct Series<S: Float, Z: Size> {
 }
 
 impl<S: Float, Z: Size> Series<S, Z> {
-    /// Computes the power series from the state at the start of the stretch.
+    /// Computes the power series of the motion from the state at the start of the stretch.
     pub fn new(
         model: &Model<S, Z>,
         state: &State<S, Z>,
@@ -76,7 +76,7 @@ impl<S: Float, Z: Size> Series<S, Z> {
         series
     }
 
-    /// Returns displacements and velocities of the masses at a fraction of the stretch.
+    /// Returns the displacements and the velocities of the masses at the given fraction of the stretch.
     pub fn motion(&self, model: &Model<S, Z>, fraction: S) -> (Z::Masses<S>, Z::Masses<S>) {
         let values = |terms: &[Poly<S>]| {
             let mut values = model.size.masses(S::constant(0.0));
@@ -88,7 +88,7 @@ impl<S: Float, Z: Size> Series<S, Z> {
         (values(self.x.as_ref()), values(self.v.as_ref()))
     }
 
-    /// Returns the displacement and the velocity of the base at a fraction of the stretch.
+    /// Returns the displacement and the velocity of the base at the given fraction of the stretch.
     pub fn base(&self, fraction: S) -> (S, S) {
         let last = |terms: &[Poly<S>]| {
             let terms = terms.last();
@@ -97,54 +97,55 @@ impl<S: Float, Z: Size> Series<S, Z> {
         (last(self.x.as_ref()), last(self.v.as_ref()))
     }
 
-    /// Returns the force of a contact at a fraction of the stretch.
+    /// Returns the force of a contact at the given fraction of the stretch.
     pub fn force(&self, contact: usize, fraction: S) -> S {
         value(&self.force_terms(contact), fraction)
     }
 
-    /// Returns the power series of the force of a contact.
+    /// Returns the power series of the force of a contact over the stretch.
     pub fn force_terms(&self, contact: usize) -> Poly<S> {
         terms(self.forces.as_ref(), contact)
     }
 
-    /// Returns the power series of the relative velocity of two nodes.
+    /// Returns the power series of the velocity of the node `plus` minus that of the node `minus`.
     pub fn speed_terms(&self, plus: usize, minus: usize) -> Poly<S> {
         difference(self.v.as_ref(), plus, minus)
     }
 
-    /// Returns the power series of the displacement of a mass.
+    /// Returns the power series of the displacement of a mass over the stretch.
     pub fn displacement_terms(&self, mass: usize) -> Poly<S> {
         terms(self.x.as_ref(), mass)
     }
 
-    /// Returns the power series of the velocity of a mass.
+    /// Returns the power series of the velocity of a mass over the stretch.
     pub fn velocity_terms(&self, mass: usize) -> Poly<S> {
         terms(self.v.as_ref(), mass)
     }
 
-    /// Returns the power series of the relative displacement of two nodes.
+    /// Returns the power series of the displacement of the node `plus` minus that of the node `minus`.
     pub fn place_terms(&self, plus: usize, minus: usize) -> Poly<S> {
         difference(self.x.as_ref(), plus, minus)
     }
 
-    /// Returns the relative displacement of two nodes at a fraction of the stretch.
+    /// Returns the displacement of the node `plus` minus that of the node `minus`, at the given fraction of the
+    /// stretch.
     pub fn place(&self, (plus, minus): (usize, usize), fraction: S) -> S {
         value(&self.place_terms(plus, minus), fraction)
     }
 }
 
-/// Returns the coefficients of one node, or zeros for an invalid index.
+/// Returns the coefficients of the power series of one node, or zeros for an invalid index.
 fn terms<S: Float>(series: &[Poly<S>], index: usize) -> Poly<S> {
     series.get(index).copied().unwrap_or(nothing())
 }
 
-/// Returns one coefficient of one node, or 0 for an invalid index.
+/// Returns one coefficient of the power series of one node, or 0 for an invalid index.
 fn term<S: Float>(series: &[Poly<S>], index: usize, order: usize) -> S {
     let terms = series.get(index);
     terms.map_or(S::constant(0.0), |terms| at(terms, order))
 }
 
-/// Returns the coefficients of one node minus those of another.
+/// Returns the coefficients of the node `plus` minus those of the node `minus`.
 fn difference<S: Float>(nodes: &[Poly<S>], plus: usize, minus: usize) -> Poly<S> {
     let mut difference = terms(nodes, plus);
     for (order, term) in nodes.get(minus).into_iter().flatten().enumerate() {
@@ -160,8 +161,8 @@ fn keep<S: Float>(series: &mut [Poly<S>], order: usize, values: &[S]) {
     }
 }
 
-/// Returns the power series of the contact forces that do not depend on the motion: the forces of sliding contacts, and
-/// the initial forces of sticking elastic contacts.
+/// Returns the power series of the contact forces that do not depend on the motion. These are the forces of sliding
+/// contacts, and the initial forces of sticking elastic contacts.
 fn contact_levels<S: Float, Z: Size>(
     model: &Model<S, Z>,
     state: &State<S, Z>,

@@ -1,4 +1,4 @@
-//! Newton's method for a periodic motion.
+//! Newton's method that finds a periodic motion of a chain with several contacts.
 
 use super::cycle::Watch;
 use super::least::{apart, solve, sort_by};
@@ -13,11 +13,11 @@ use crate::errors::Halt;
 use crate::number::complex::Complex;
 use crate::number::matrix::SquareMatrix;
 
-/// Largest number of Newton steps in an attempt.
+/// Largest number of Newton steps in one attempt to find a periodic motion.
 const NEWTON: usize = 12;
 
 impl<S: Float, Z: Size> Search<S, Z> {
-    /// Returns the conversion between states and unknowns.
+    /// Returns the conversion between states of the motion and unknowns of the search.
     fn unknowns(&self) -> Unknowns<'_, S, Z> {
         let rate = S::constant(core::f64::consts::TAU) / self.cycle;
         Unknowns {
@@ -27,7 +27,7 @@ impl<S: Float, Z: Size> Search<S, Z> {
         }
     }
 
-    /// Searches for a periodic motion near a state by Newton's method.
+    /// Searches for a periodic motion near a given state by Newton's method.
     pub(super) fn newton(
         &mut self,
         motion: &Motion<S, Z>,
@@ -78,7 +78,8 @@ impl<S: Float, Z: Size> Search<S, Z> {
         Ok(None)
     }
 
-    /// Returns the derivatives of the unknowns after a period with respect to the unknowns before it, column by column.
+    /// Returns the derivatives of the unknowns after a period with respect to the unknowns before the period. The
+    /// matrix is stored column by column.
     fn derivatives(
         &self,
         start: &Motion<S, Z>,
@@ -103,7 +104,7 @@ impl<S: Float, Z: Size> Search<S, Z> {
         Ok(matrix)
     }
 
-    /// Returns the steady state that belongs to a periodic motion. Overwrites the matrix.
+    /// Returns the steady state that belongs to a periodic motion. The function overwrites `matrix`.
     fn found(
         &self,
         start: &Motion<S, Z>,
@@ -118,7 +119,8 @@ impl<S: Float, Z: Size> Search<S, Z> {
         SquareMatrix::new(matrix.as_mut(), count).eigenvalues(multipliers.as_mut());
         let moving = self.moving.as_ref();
         let neutral = neutral(model, |j| moving.get(j) == Some(&false));
-        // Place and velocity of a free part are a double root, which the differences split.
+        // The position and the velocity of a part without a support give a double multiplier 1. The finite differences
+        // split it into two multipliers close to 1.
         let all = multipliers.as_mut();
         sort_by(all, from_one);
         let split = self.tolerances.split;
@@ -151,7 +153,7 @@ impl<S: Float, Z: Size> Search<S, Z> {
     }
 }
 
-/// Replaces a matrix M by 1 − M.
+/// Replaces a matrix M by 1 − M, where 1 is the unit matrix.
 fn subtract_from_one<S: Float>(matrix: &mut [S], size: usize) {
     for (index, entry) in matrix.iter_mut().enumerate() {
         let diagonal = size > 0 && index / size == index % size;

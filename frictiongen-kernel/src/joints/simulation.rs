@@ -1,4 +1,4 @@
-//! Exact motion in time under a harmonic load.
+//! Exact motion of a chain with several contacts as a function of time, under a harmonic load.
 
 use super::model::Model;
 use super::now::{ContactState, MassState};
@@ -13,23 +13,23 @@ pub const MAX_EVENTS: usize = 100_000;
 /// Largest number of stretches (intervals of one power series) in one call of [`Simulation::advance`].
 pub const MAX_STRETCHES: usize = 10_000_000;
 
-/// Physical units of a non-dimensional simulation.
+/// Physical units that a simulation in non-dimensional groups needs.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Reference<S> {
-    /// Reference angular frequency √(k₁/m₁), in rad per unit of time. It corresponds to r = 1.
+    /// Reference angular frequency √(k₁/m₁), in rad per unit of time. The excitation has this frequency at r = 1.
     pub rate: S,
-    /// Stiffness k₁ of the first spring.
+    /// Stiffness k₁ of the first spring, in the units of the description.
     pub stiffness: S,
-    /// True if the base moves. If false, the first load excites the chain.
+    /// True if the base moves and excites the chain. If false, the first load excites the chain.
     pub on_base: bool,
 }
 
 impl<S: Float> Reference<S> {
-    /// Returns the angular frequency ω at a frequency ratio r.
+    /// Returns the angular frequency ω of the excitation at the frequency ratio r.
     ///
     /// # Errors
     ///
-    /// [`OutOfDomain`] unless r is positive and finite.
+    /// [`OutOfDomain`] if r is not positive and finite.
     pub(super) fn omega(&self, r: S) -> Result<S, OutOfDomain> {
         if r > S::constant(0.0) && r.is_finite() && (S::constant(1.0) / r).is_finite() {
             Ok(r * self.rate)
@@ -38,8 +38,8 @@ impl<S: Float> Reference<S> {
         }
     }
 
-    /// Sets the load and the friction forces of a chain. Before the call, the level of each contact in `model` is its
-    /// share of the common friction.
+    /// Sets the load and the friction forces of a chain. Before the call, the level (kinetic friction force) of each
+    /// contact in `model` is its fraction of the common friction.
     pub(super) fn load<Z: Size>(&self, model: &mut Model<S, Z>, omega: S, beta: S) {
         if self.on_base {
             model.base = Wave::harmonic(S::constant(1.0), omega).into();
@@ -52,11 +52,11 @@ impl<S: Float> Reference<S> {
         model.set_stretch();
     }
 
-    /// Starts a motion at a maximum of the load, and returns it with its angular frequency.
+    /// Starts a motion at a maximum of the load. Returns the motion and the angular frequency of the load.
     ///
     /// # Errors
     ///
-    /// Same errors as [`Simulation::new`].
+    /// The errors of [`Simulation::new`].
     pub(super) fn start<Z: Size>(
         &self,
         mut model: Model<S, Z>,
@@ -87,8 +87,9 @@ impl<S: Float> Reference<S> {
     }
 }
 
-/// A motion in time in non-dimensional groups. Displacements are over P/k₁ (over Y for base motion), velocities are
-/// derivatives with respect to τ = ωt, and forces are over P (over k₁Y for base motion).
+/// Motion of a chain with several contacts as a function of time, in non-dimensional groups. Displacements are divided
+/// by P/k₁ (by Y for base motion). Velocities are derivatives with respect to τ = ωt. Forces are divided by P (by k₁Y
+/// for base motion).
 #[derive(Clone, Debug)]
 pub struct Simulation<S: Float, Z: Size> {
     motion: Motion<S, Z>,
@@ -96,16 +97,18 @@ pub struct Simulation<S: Float, Z: Size> {
     stiffness: S,
 }
 
-/// Displacements of all masses, then their velocities.
+/// Initial state of a motion. The first slice contains the displacements of all masses, and the second their
+/// velocities.
 pub(super) type Start<'s, S> = (&'s [S], &'s [S]);
 
 impl<S: Float, Z: Size> Simulation<S, Z> {
-    /// Starts a motion at a maximum of the load, from rest or from a given state. `model` contains the friction force
-    /// of each contact as a multiple of the common friction force.
+    /// Starts a motion at a maximum of the load, from rest or from a given state. In `model`, the friction force of
+    /// each contact is its fraction of the common friction force.
     ///
     /// # Errors
     ///
-    /// [`OutOfDomain`] unless r is positive and finite, β finite and not negative, and the state finite.
+    /// [`OutOfDomain`] if r is not positive and finite, if β is negative or not finite, or if the given state is not
+    /// finite.
     pub fn new(
         model: Model<S, Z>,
         reference: Reference<S>,
@@ -120,11 +123,11 @@ impl<S: Float, Z: Size> Simulation<S, Z> {
         })
     }
 
-    /// Advances by `reach` in the phase τ. Returns the number of events on the way.
+    /// Advances the motion by `reach` in the phase τ, in rad. Returns the number of events during this time.
     ///
     /// # Errors
     ///
-    /// [`OutOfDomain`] if `reach` is negative or not finite. [`OutOfDomain::Motion`] with the cause, if the motion
+    /// [`OutOfDomain`] if `reach` is negative or not finite. [`OutOfDomain::Motion`] with its cause, if the motion
     /// exceeds a bound. The motion then stays at the instant that it has reached.
     pub fn advance(&mut self, reach: S) -> Result<u32, OutOfDomain> {
         if !(reach >= S::constant(0.0) && reach.is_finite()) {
@@ -141,12 +144,12 @@ impl<S: Float, Z: Size> Simulation<S, Z> {
         Ok(count.0)
     }
 
-    /// Returns the phase τ = ωt of the load since the start.
+    /// Returns the phase τ = ωt of the load since the start of the motion, in rad.
     pub fn tau(&self) -> S {
         self.omega * self.motion.time()
     }
 
-    /// Returns displacement and velocity of a mass.
+    /// Returns the present displacement and velocity of a mass.
     pub fn mass(&self, mass: usize) -> MassState<S> {
         let MassState {
             displacement,
@@ -158,7 +161,7 @@ impl<S: Float, Z: Size> Simulation<S, Z> {
         }
     }
 
-    /// Returns motion and force of a contact.
+    /// Returns the present motion and force of a contact.
     pub fn contact(&self, contact: usize) -> ContactState<S> {
         let now = self.motion.contact(contact);
         ContactState {

@@ -1,32 +1,33 @@
-//! Arrays of a chain. They have a fixed length in emitted code, and are allocated at run time.
+//! Arrays for the numbers of a chain. They have a fixed length in emitted code, and are allocated at run time.
 
 use core::fmt::Debug;
 
-/// A value that an array can contain.
+/// A type whose values can be entries of the arrays.
 pub trait Value: Copy + Debug + PartialEq + 'static {}
 
 impl<T: Copy + Debug + PartialEq + 'static> Value for T {}
 
-/// An array that can be read and written.
+/// An array whose entries can be read and changed.
 pub trait Array<T>: AsRef<[T]> + AsMut<[T]> + Clone + Debug + PartialEq {}
 
 impl<T, A: AsRef<[T]> + AsMut<[T]> + Clone + Debug + PartialEq> Array<T> for A {}
 
-/// Numbers of masses, contacts and loads of a chain, and the arrays that have these lengths.
+/// Numbers of masses, contacts and loads of a chain. The trait also selects the arrays that have these lengths.
 pub trait Size: Clone + Debug + PartialEq {
-    /// Array with one entry for each mass.
+    /// Type of an array with one entry for each mass.
     type Masses<T: Value>: Array<T>;
-    /// Array with one entry for each node: the masses, the wall and the base, in this order.
+    /// Type of an array with one entry for each node: the masses, the wall and the base, in this order.
     type Nodes<T: Value>: Array<T>;
-    /// Array with one entry for each contact.
+    /// Type of an array with one entry for each contact.
     type Contacts<T: Value>: Array<T>;
-    /// Array with one entry for each load.
+    /// Type of an array with one entry for each load.
     type Loads<T: Value>: Array<T>;
-    /// Array with one entry for each unknown of a steady state: two entries for each mass, and two for each contact.
+    /// Type of an array with one entry for each unknown of a steady state. Each mass and each contact has two entries.
     type Unknowns<T: Value>: Array<T>;
-    /// Square matrix with a row and a column for each unknown, stored column by column.
+    /// Type of a square matrix with a row and a column for each unknown of a steady state. The matrix is stored column
+    /// by column.
     type Square<T: Value>: Array<T>;
-    /// Array of any length whose entries do not change.
+    /// Type of an array of any length whose entries do not change.
     type Constants<T: Value>: AsRef<[T]> + Clone + Debug;
 
     /// Returns an array that contains `value` for each mass.
@@ -37,14 +38,15 @@ pub trait Size: Clone + Debug + PartialEq {
     fn contacts<T: Value>(&self, value: T) -> Self::Contacts<T>;
     /// Returns an array that contains `value` for each load.
     fn loads<T: Value>(&self, value: T) -> Self::Loads<T>;
-    /// Returns an array that contains `value` for each unknown.
+    /// Returns an array that contains `value` for each unknown of a steady state.
     fn unknowns<T: Value>(&self, value: T) -> Self::Unknowns<T>;
-    /// Returns a square matrix whose entries are all `value`.
+    /// Returns a square matrix for the unknowns of a steady state. All its entries are `value`.
     fn square<T: Value>(&self, value: T) -> Self::Square<T>;
 }
 
-/// Size of an emitted chain with N masses, NODES = N + 2 nodes, M contacts and L loads. For steady states, U = 2N + 2M
-/// is the number of unknowns, and SQUARE = U² the number of entries of a matrix. For closed forms alone, U = 2N.
+/// Size of a chain in emitted code, with N masses, NODES = N + 2 nodes, M contacts and L loads. For steady states, U =
+/// 2N + 2M is the number of unknowns, and SQUARE = U² is the number of entries of a matrix. If the code needs only
+/// closed forms, U is 2N.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Fixed<
     const N: usize,
@@ -97,19 +99,19 @@ impl<
     }
 }
 
-/// Returns one entry of an array, or 0 for an invalid index. A checked chain has no invalid index.
+/// Returns one entry of an array, or 0 for an invalid index. In a checked chain no index is invalid.
 pub fn at<S: crate::Float>(values: &[S], index: usize) -> S {
     values.get(index).copied().unwrap_or(S::constant(0.0))
 }
 
-/// Adds a number to one entry of an array.
+/// Adds `value` to one entry of an array.
 pub fn add<S: crate::Float>(values: &mut [S], index: usize, value: S) {
     if let Some(entry) = values.get_mut(index) {
         *entry = *entry + value;
     }
 }
 
-/// Sets one entry of an array.
+/// Sets one entry of an array to `value`.
 pub fn set<T>(values: &mut [T], index: usize, value: T) {
     if let Some(entry) = values.get_mut(index) {
         *entry = value;

@@ -1,4 +1,4 @@
-//! State of a chain with several contacts: its motion, and the phase of each contact.
+//! State of a chain with several contacts: the motion of its masses, and the phase of each contact.
 
 use super::model::Model;
 use super::size::{Size, add, set};
@@ -6,30 +6,31 @@ use crate::Float;
 
 /// Phase of a contact that sticks.
 pub const STUCK: i8 = 0;
-/// Phase of a contact without force, whose kinetic friction force is 0.
+/// Phase of a contact that has no force, because its kinetic friction force is 0.
 pub const FREE: i8 = 2;
 
 /// State of a chain with several contacts at one instant.
 #[derive(Clone, Debug, PartialEq)]
 pub struct State<S: Float, Z: Size> {
-    /// Displacement of each mass.
+    /// Displacement of each mass, in the order of the description.
     pub x: Z::Masses<S>,
-    /// Velocity of each mass.
+    /// Velocity of each mass, in the order of the description.
     pub v: Z::Masses<S>,
     /// Force of each elastic contact, and 0 for each rigid contact.
     pub forces: Z::Contacts<S>,
-    /// Relative displacement of each rigid contact while it sticks.
+    /// Relative displacement of each rigid contact while the contact sticks.
     pub places: Z::Contacts<S>,
-    /// Phase of each contact: −1 or 1 while it slides with this sign of ż, 0 while it sticks, and 2 if its friction
-    /// force is 0.
+    /// Phase of each contact. It is −1 or 1 while the contact slides (the sign of ż), 0 while it sticks, and 2 if its
+    /// friction force is 0.
     pub phases: Z::Contacts<i8>,
-    /// For each contact, the polynomial whose root is its next event may begin with coefficients that are exactly 0.
-    /// The first number counts these coefficients. The second is the direction of sliding for which they are 0.
+    /// Zero coefficients of each contact. The next event of a contact is a root of a polynomial, which may begin with
+    /// coefficients that are exactly 0. The first number counts these coefficients. The second is the direction of
+    /// sliding for which they are 0.
     pub zeros: Z::Contacts<(usize, i8)>,
 }
 
 impl<S: Float, Z: Size> State<S, Z> {
-    /// Returns the state in which all displacements, velocities and forces are 0.
+    /// Returns the state of a chain in which all displacements, velocities and forces are 0.
     pub fn at_rest(size: &Z) -> Self {
         let zero = S::constant(0.0);
         Self {
@@ -42,13 +43,14 @@ impl<S: Float, Z: Size> State<S, Z> {
         }
     }
 
-    /// Returns the phase of a contact: −1 or 1 while it slides, 0 while it sticks, 2 if its friction
-    /// force is 0.
+    /// Returns the phase of a contact. It is −1 or 1 while the contact slides (the sign of ż), 0 while it sticks, and 2
+    /// if its friction force is 0.
     pub fn phase(&self, contact: usize) -> i8 {
         self.phases.as_ref().get(contact).copied().unwrap_or(FREE)
     }
 
-    /// Returns displacements and velocities of all nodes at an instant.
+    /// Returns the displacements and the velocities of all nodes at the instant `time`. The nodes are the masses, the
+    /// wall and the base.
     pub fn nodes(&self, model: &Model<S, Z>, time: S) -> (Z::Nodes<S>, Z::Nodes<S>) {
         let base = model.base_node();
         let of = |masses: &[S], derivative| {
@@ -64,14 +66,14 @@ impl<S: Float, Z: Size> State<S, Z> {
         (of(self.x.as_ref(), 0), of(self.v.as_ref(), 1))
     }
 
-    /// Sets the velocities of the masses from the velocities of the nodes.
+    /// Copies the velocities of the masses from `v`, which contains the velocities of all nodes.
     pub(super) fn keep_speeds(&mut self, v: &[S]) {
         for (mass, node) in self.v.as_mut().iter_mut().zip(v) {
             *mass = *node;
         }
     }
 
-    /// Sets the displacements of the masses from the displacements of the nodes.
+    /// Copies the displacements of the masses from `x`, which contains the displacements of all nodes.
     pub(super) fn keep_places(&mut self, x: &[S]) {
         for (mass, node) in self.x.as_mut().iter_mut().zip(x) {
             *mass = *node;

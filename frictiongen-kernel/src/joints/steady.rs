@@ -1,9 +1,9 @@
-//! Finds steady states, which are periodic motions, by the shooting method.
+//! Finds steady states (periodic motions) of a chain with several contacts by the shooting method.
 //!
-//! The unknowns are displacements and velocities at a maximum of the load, and positions of contacts. For an elastic
-//! contact, the position is that of its slider. For a rigid contact that sticks at this instant, it is the relative
-//! displacement. If a contact does not slide in the period, its position stays constant and is not an unknown. The
-//! steady state is then *marginal*: it depends on the position that the earlier motion has left.
+//! The unknowns are the displacements and velocities at a maximum of the load, and positions of contacts. For an
+//! elastic contact, the position is that of its slider. For a rigid contact that sticks at this instant, the position
+//! is its relative displacement. If a contact does not slide in the period, its position stays constant and is not an
+//! unknown. The steady state is then *marginal*: it depends on the position that the earlier motion has left.
 
 use super::cycle::{Cycle, Slid, Watch};
 use super::least::apart;
@@ -16,66 +16,67 @@ use crate::errors::Halt;
 use crate::number::complex::Complex;
 use crate::{Float, Scalar};
 
-/// Number of cycles from rest before the first attempt.
+/// Number of cycles from rest that the motion runs before the first attempt to find a steady state.
 const WARM: usize = 30;
-/// Largest number of attempts. Each attempt follows after twice as many cycles as the previous one.
+/// Largest number of attempts to find a steady state. Before each attempt the motion runs for twice as many cycles as
+/// before the previous one.
 const ATTEMPTS: usize = 6;
 /// Largest period of a steady state, in cycles of the load.
 pub const MAX_PERIOD: usize = 64;
-/// Number of cycles without sliding after which all contacts count as stuck for ever. An undamped free vibration of a
-/// chain whose contacts stick never decays.
+/// Number of cycles without sliding after which all contacts are assumed to stick for ever. This number is necessary
+/// because an undamped free vibration of a chain whose contacts stick never decays.
 const QUIET: usize = 128;
-/// The test of a periodic motion ends when the multipliers predict that the motion's distance from it has fallen to
-/// this fraction.
+/// Distance from a periodic motion at which the test of this motion ends, divided by the distance at the start of the
+/// test. The code predicts this ratio from the Floquet multipliers.
 const DECAY: f64 = 1e-3;
-/// Largest number of cycles over which the test of a periodic motion follows the motion.
+/// Largest number of cycles for which the test of a periodic motion follows the motion.
 const MAX_CONFIRM: usize = 256;
 
-/// Bounds on the work of one cycle.
+/// Largest numbers of events and stretches in one cycle.
 const BOUNDS: Bounds = Bounds {
     events: MAX_EVENTS,
     stretches: MAX_STRETCHES,
 };
 
-/// A steady state: a motion that repeats after some cycles of the load.
+/// A steady state of a chain with several contacts. Its motion repeats after one or several cycles of the load.
 #[derive(Clone, Debug)]
 pub struct Steady<S: Float, Z: Size> {
-    /// Length of the period in cycles of the load.
+    /// Length of the period, in cycles of the load.
     pub period: usize,
-    /// The state at a maximum of the load, where the period begins.
+    /// State at a maximum of the load, at which the period starts.
     pub state: State<S, Z>,
     /// Number of independent displacements and velocities of parts without a support. The steady state has the values
     /// that the motion from rest has reached.
     pub neutral: usize,
-    /// Floquet multipliers of a period, followed by unused entries.
+    /// Floquet multipliers of a period. The array also has unused entries at its end.
     pub(super) multipliers: Z::Unknowns<Complex<S>>,
-    /// Number of multipliers.
+    /// Number of Floquet multipliers in `multipliers`.
     pub(super) count: usize,
-    /// For each contact, true if it does not slide in the period. The steady state depends on the positions of these
-    /// contacts, or on the constant forces in them.
+    /// One value for each contact, which is true if the contact does not slide in the period. The steady state depends
+    /// on the positions of these contacts, or on the constant forces in them.
     pub marginal: Z::Contacts<bool>,
-    /// Amplitudes of the masses and results of the contacts over a period.
+    /// Amplitudes of the masses and results of the contacts in a period.
     pub cycle: Cycle<S, Z>,
-    /// Largest difference between the states at the start and at the end of a period, relative to the size of the
-    /// state.
+    /// Largest difference between the states at the start and at the end of a period, divided by the size of the state.
     pub residual: S,
 }
 
 impl<S: Float, Z: Size> Steady<S, Z> {
-    /// Returns the Floquet multipliers of a period, in descending order of modulus. The list omits the multipliers 1
-    /// that belong to `marginal` and `neutral`.
+    /// Returns the Floquet multipliers of a period, in the order of decreasing absolute value. The list does not
+    /// contain the multipliers 1 that belong to `marginal` and `neutral`.
     pub fn multipliers(&self) -> &[Complex<S>] {
         let all = self.multipliers.as_ref();
         all.get(..self.count).unwrap_or(all)
     }
 
-    /// Returns true if every small deviation decays, except deviations that belong to `marginal` and `neutral`.
+    /// Returns true if every small deviation from the steady state decays, except deviations that belong to `marginal`
+    /// and `neutral`.
     pub fn is_stable(&self) -> bool {
         let most = S::constant(1.0 - 1e-9);
         self.multipliers().iter().all(|m| modulus(m) < most)
     }
 
-    /// Returns true if no small deviation grows. `noise` is the error of a multiplier.
+    /// Returns true if no small deviation from the steady state grows. `noise` is the error of a multiplier.
     fn is_bounded(&self, noise: S) -> bool {
         let most = S::constant(1.0) + noise;
         self.multipliers().iter().all(|m| modulus(m) < most)
@@ -86,14 +87,14 @@ pub(super) fn modulus<S: Float>(number: &Complex<S>) -> S {
     number.re.hypot(number.im)
 }
 
-/// Returns the distance of a multiplier from 1.
+/// Returns the distance of a Floquet multiplier from 1 in the complex plane.
 pub(super) fn from_one<S: Float>(number: &Complex<S>) -> S {
     (number.re - S::constant(1.0)).hypot(number.im)
 }
 
 impl<S: Float, Z: Size> Motion<S, Z> {
-    /// Searches for the steady state that the motion reaches, under loads of the angular frequency ω. Returns `None` if
-    /// the motion does not settle on a period of at most [`MAX_PERIOD`] cycles.
+    /// Searches for the steady state that the motion reaches, under loads of the angular frequency ω. If the motion
+    /// does not settle, the function returns `None`. The period of a steady state is at most [`MAX_PERIOD`] cycles.
     ///
     /// The search follows at most 1890 cycles until the motion settles, 12 times 319 cycles to confirm a result, and 12
     /// times 12 periods for each unknown. If no contact slides for 128 cycles, the result is the state in which all
@@ -101,7 +102,7 @@ impl<S: Float, Z: Size> Motion<S, Z> {
     ///
     /// # Errors
     ///
-    /// [`Halt`], if the motion exceeds a bound.
+    /// [`Halt`] if the motion exceeds a bound.
     pub fn settle(&mut self, omega: S) -> Result<Option<Steady<S, Z>>, Halt> {
         let mut search = Search::new(self, omega, S::constant(1.0));
         let mut cycles = WARM;
@@ -125,12 +126,12 @@ impl<S: Float, Z: Size> Motion<S, Z> {
 
 impl<S: Float, Z: Size> Motion<S, Z> {
     /// Searches for a periodic motion near the present state by Newton's method alone, under loads of the angular
-    /// frequency ω. `place` is the size of the displacements, by which the search divides them. Returns `None` if
-    /// Newton's method does not converge.
+    /// frequency ω. The search divides displacements by `place`, which must have the size of the displacements. Returns
+    /// `None` if Newton's method does not converge.
     ///
     /// # Errors
     ///
-    /// [`Halt`], if the motion exceeds a bound.
+    /// [`Halt`] if the motion exceeds a bound.
     pub fn refine(
         &self,
         omega: S,
@@ -142,11 +143,11 @@ impl<S: Float, Z: Size> Motion<S, Z> {
 
 /// Search for a periodic motion by the shooting method.
 pub(super) struct Search<S: Float, Z: Size> {
-    /// Duration of a cycle of the load.
+    /// Duration of one cycle of the load.
     pub(super) cycle: S,
-    /// Size of the displacements in the motion, by which the search divides displacements.
+    /// Size of the displacements in the motion. The search divides displacements by it.
     pub(super) place: S,
-    /// For each contact, true if it slides in a period.
+    /// One value for each contact, which is true if the contact slides in a period.
     pub(super) moving: Z::Contacts<bool>,
     /// Number of cycles since a contact last slid.
     quiet: usize,
@@ -164,8 +165,8 @@ impl<S: Float, Z: Size> Search<S, Z> {
         }
     }
 
-    /// Advances the motion by a number of cycles. Returns the shortest period after which the last states repeat, if
-    /// there is one.
+    /// Advances the motion by a number of cycles. Returns the shortest period after which the last states repeat, or
+    /// `None` if they do not repeat.
     fn warm(&mut self, motion: &mut Motion<S, Z>, cycles: usize) -> Result<Option<usize>, Halt> {
         let window = MAX_PERIOD.min(cycles / 2);
         let skipped = cycles.saturating_sub(window);
@@ -188,7 +189,7 @@ impl<S: Float, Z: Size> Search<S, Z> {
         let amplitudes = watch.cycle(self.cycle).amplitudes;
         let place = amplitudes.as_ref().iter().copied();
         let place = place.fold(zero, Scalar::max);
-        // Where nothing moves, any size will do.
+        // If nothing moves, the size of the displacements is arbitrary.
         self.place = if place > zero {
             place
         } else {
@@ -199,12 +200,13 @@ impl<S: Float, Z: Size> Search<S, Z> {
         Ok(aways.position(|away| *away <= near).map(|place| place + 1))
     }
 
-    /// Counts the cycles without sliding.
+    /// Updates the number of cycles without sliding.
     fn note(&mut self, slides: bool, cycles: usize) {
         self.quiet = if slides { 0 } else { self.quiet + cycles };
     }
 
-    /// Returns true if the motion settles on a periodic motion, or vibrates about it for ever while all contacts stick.
+    /// Returns true if the motion settles on a periodic motion. The result is also true if all contacts stick and the
+    /// motion vibrates about the periodic motion for ever.
     fn accepts(&self, motion: &mut Motion<S, Z>, steady: &Steady<S, Z>) -> Result<bool, Halt> {
         if steady.period > 1 && self.repeats_earlier(motion, steady)? {
             return Ok(false);
@@ -229,14 +231,16 @@ impl<S: Float, Z: Size> Search<S, Z> {
         Ok(false)
     }
 
-    /// Returns the distance between two states: the largest difference of displacements, or of velocities over ω.
+    /// Returns the distance between two states. It is the largest difference of two displacements, or of two velocities
+    /// divided by ω.
     fn between(&self, one: &State<S, Z>, other: &State<S, Z>) -> S {
         let rate = S::constant(core::f64::consts::TAU) / self.cycle;
         let speeds = apart(one.v.as_ref(), other.v.as_ref()) / rate;
         Scalar::max(apart(one.x.as_ref(), other.x.as_ref()), speeds)
     }
 
-    /// Advances the motion by a number of cycles, from a maximum of the load. The time of this maximum becomes 0.
+    /// Advances the motion by a number of cycles. The motion must be at a maximum of the load. At the start of each
+    /// cycle the time is set to 0.
     pub(super) fn advance(
         &self,
         motion: &mut Motion<S, Z>,
@@ -251,12 +255,12 @@ impl<S: Float, Z: Size> Search<S, Z> {
         Ok(())
     }
 
-    /// Returns the duration of a number of cycles.
+    /// Returns the duration of a number of cycles of the load.
     pub(super) fn length(&self, cycles: usize) -> S {
         S::constant(cycles as f64) * self.cycle
     }
 
-    /// Subtracts the constant velocities of masses without a support from their displacements.
+    /// Subtracts the motion with constant velocity of masses without a support from their displacements.
     fn about_its_mean(
         &self,
         motion: &Motion<S, Z>,
@@ -280,8 +284,8 @@ impl<S: Float, Z: Size> Search<S, Z> {
         Ok(steady)
     }
 
-    /// Returns true if the motion approaches a periodic motion as fast as its multipliers predict. A contact that has not
-    /// slid for some cycles may slide again while the motion settles.
+    /// Returns true if the motion approaches a periodic motion as fast as its Floquet multipliers predict. A contact
+    /// that has not slid for some cycles may slide again while the motion settles.
     fn confirm(&self, motion: &mut Motion<S, Z>, steady: &Steady<S, Z>) -> Result<bool, Halt> {
         let one = S::constant(1.0);
         let floor = S::constant(DECAY);
@@ -308,8 +312,8 @@ impl<S: Float, Z: Size> Search<S, Z> {
         Ok(after <= self.tolerances.close || falls)
     }
 
-    /// Returns the largest difference between a state and a periodic motion, relative to the sizes of the unknowns. For
-    /// parts that can move without a force, only the velocities count.
+    /// Returns the largest difference between a state and a periodic motion, divided by the sizes of the unknowns. For
+    /// parts that can move without a force, the code compares only the velocities.
     fn away(&self, state: &State<S, Z>, steady: &Steady<S, Z>) -> S {
         let rate = S::constant(core::f64::consts::TAU) / self.cycle;
         let away = if steady.neutral > 0 {

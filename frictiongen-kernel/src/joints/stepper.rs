@@ -1,4 +1,5 @@
-//! Motion under forces that are known sample by sample, with a friction force of its own for each contact.
+//! Motion of a chain with several contacts under forces that are known sample by sample. Each contact has its own
+//! friction force.
 
 use super::base::Curve;
 use super::model::Model;
@@ -13,11 +14,11 @@ use crate::errors::{Given, Halt, OutOfDomain};
 
 /// Largest number of events that the stepper follows in one step.
 pub const MAX_STEP_EVENTS: usize = 64;
-/// Upper bound on the time step of a stepper, in stretches. A stretch is one radian of an upper bound on the fastest
-/// angular frequency.
+/// Largest time step of a stepper, in stretches. A stretch is one radian of an upper bound on the fastest angular
+/// frequency.
 pub const MAX_STEP: f64 = 1024.0;
 
-/// Bounds on the work of one step. Every event ends a stretch, even if no contact changes its phase. A step may
+/// Largest amounts of work in one step. Every event ends a stretch, even if no contact changes its phase. A step may
 /// therefore have more stretches than its length alone requires.
 const BOUNDS: Bounds = Bounds {
     events: MAX_STEP_EVENTS,
@@ -29,15 +30,15 @@ const BOUNDS: Bounds = Bounds {
 pub struct Stepper<S: Float, Z: Size> {
     motion: Motion<S, Z>,
     dt: S,
-    /// True if a force is constant during a step. If false, it changes linearly from the previous sample.
+    /// True if each force is constant during a step. If false, each force changes linearly from the previous sample.
     holds: bool,
-    /// Forces at the end of the last step.
+    /// Force of each load at the end of the last step.
     forces: Z::Loads<S>,
     /// Displacement and velocity of the base at the end of the last step.
     base: [S; 2],
 }
 
-/// Counts the events of a step, and passes the motion to another observer.
+/// Observer that counts the events of a step, and passes the motion to another observer.
 struct Counted<'w, W> {
     events: u32,
     watch: &'w mut W,
@@ -55,12 +56,13 @@ impl<S: Float, Z: Size, W: Observe<S, Z>> Observe<S, Z> for Counted<'_, W> {
 }
 
 impl<S: Float, Z: Size> Stepper<S, Z> {
-    /// Starts from rest. The friction force of each contact is 0 until an input sets it. With `holds`, a force is
-    /// constant over a step. Without `holds`, a force changes linearly from the previous sample.
+    /// Starts a stepper from rest, with the time step `dt`. The friction force of each contact is 0 until an input sets
+    /// it. If `holds` is true, each force is constant during a step. If `holds` is false, each force changes linearly
+    /// from the previous sample.
     ///
     /// # Errors
     ///
-    /// [`OutOfDomain::Step`] for a step that is not positive and finite, or longer than [`MAX_STEP`] stretches.
+    /// [`OutOfDomain::Step`] if the step is not positive and finite, or is longer than [`MAX_STEP`] stretches.
     pub fn new(mut model: Model<S, Z>, dt: S, holds: bool) -> Result<Self, OutOfDomain> {
         model.base = Curve::zero();
         for contact in model.contacts.as_mut() {
@@ -84,12 +86,12 @@ impl<S: Float, Z: Size> Stepper<S, Z> {
         })
     }
 
-    /// Sets the input at the start of the first step. Without this call that input is 0. A linear input begins at this
-    /// value. The parameters are those of [`advance`](Self::advance).
+    /// Sets the input at the start of the first step. Without this call this input is 0. An input that changes linearly
+    /// starts at this value. The parameters are those of [`advance`](Self::advance).
     ///
     /// # Errors
     ///
-    /// Same errors as [`advance`](Self::advance). The stepper is then unchanged. The caller must not call this method
+    /// The errors of [`advance`](Self::advance). The stepper is then unchanged. The caller must not call this method
     /// after the first step.
     pub fn begin(
         &mut self,
@@ -105,15 +107,16 @@ impl<S: Float, Z: Size> Stepper<S, Z> {
         Ok(())
     }
 
-    /// Advances by one step. `base` contains displacement and velocity of the base at the end of the step, `forces` the
-    /// force of each load, and `frictions` the kinetic friction force of each contact during the step. Over the step the
-    /// displacement of the base is a cubic polynomial between the last sample and this one. With `holds`, it starts at the
-    /// new sample and changes with the constant velocity of this sample. Returns the number of events.
+    /// Advances the motion by one step. `base` contains the displacement and the velocity of the base at the end of the
+    /// step. `forces` contains the force of each load, and `frictions` the kinetic friction force of each contact
+    /// during the step. During the step the displacement of the base is a cubic polynomial from the last sample to this
+    /// one. If `holds` is true, it starts at the new sample and changes with the constant velocity of this sample.
+    /// Returns the number of events.
     ///
     /// # Errors
     ///
-    /// [`OutOfDomain`] for a base motion or a force that is not finite, and for a friction force that is negative or not
-    /// finite. [`OutOfDomain::Motion`] with the cause, if the motion exceeds a bound. The stepper is then unchanged.
+    /// [`OutOfDomain`] if a base motion or a force is not finite, or if a friction force is negative or not finite.
+    /// [`OutOfDomain::Motion`] with its cause, if the motion exceeds a bound. The stepper is then unchanged.
     pub fn advance(
         &mut self,
         base: [S; 2],
@@ -123,12 +126,12 @@ impl<S: Float, Z: Size> Stepper<S, Z> {
         self.advance_with(base, (forces, frictions), &mut ())
     }
 
-    /// Advances by one step, as [`advance`](Self::advance) does, and passes each stretch and each event to `watch`. A
-    /// stretch is the time interval of one power series. The pair of slices is `forces` and `frictions`.
+    /// Advances the motion by one step, as [`advance`](Self::advance) does, and passes each stretch and each event to
+    /// `watch`. A stretch is the time interval of one power series. The two slices are `forces` and `frictions`.
     ///
     /// # Errors
     ///
-    /// Same errors as [`advance`](Self::advance). After an error `watch` may have received a part of the step.
+    /// The errors of [`advance`](Self::advance). After an error `watch` may have received a part of the step.
     pub fn advance_with(
         &mut self,
         base: [S; 2],
@@ -144,7 +147,7 @@ impl<S: Float, Z: Size> Stepper<S, Z> {
         Ok(count.events)
     }
 
-    /// Sets the motion and the input at the end of a step.
+    /// Stores the motion and the input at the end of a step.
     fn keep(&mut self, motion: Motion<S, Z>, base: [S; 2], forces: &[S]) {
         self.motion = motion;
         self.base = base;
@@ -153,7 +156,7 @@ impl<S: Float, Z: Size> Stepper<S, Z> {
         }
     }
 
-    /// Advances a copy of the motion by one step, so that an error leaves the stepper unchanged.
+    /// Advances a copy of the motion by one step. If an error occurs, the stepper is therefore unchanged.
     fn follow(
         &self,
         motion: &mut Motion<S, Z>,
@@ -182,28 +185,28 @@ impl<S: Float, Z: Size> Stepper<S, Z> {
         motion.run(self.dt, BOUNDS, watch)
     }
 
-    /// Returns the motion at the end of the last step.
+    /// Returns the motion of the chain at the end of the last step.
     pub fn motion(&self) -> &Motion<S, Z> {
         &self.motion
     }
 
-    /// Returns displacement and velocity of a mass at the end of the last step.
+    /// Returns the displacement and the velocity of a mass at the end of the last step.
     pub fn mass(&self, mass: usize) -> MassState<S> {
         self.motion.mass(mass)
     }
 
-    /// Returns motion and force of a contact at the end of the last step.
+    /// Returns the motion and the force of a contact at the end of the last step.
     pub fn contact(&self, contact: usize) -> ContactState<S> {
         self.motion.contact(contact)
     }
 
-    /// Returns the length of a step.
+    /// Returns the time step of the stepper.
     pub fn dt(&self) -> S {
         self.dt
     }
 }
 
-/// Fails for a base motion or a force that is not finite, and for a friction force that is negative or not finite.
+/// Returns an error if a base motion or a force is not finite, or if a friction force is negative or not finite.
 fn check<S: Float>(base: [S; 2], forces: &[S], frictions: &[S]) -> Result<(), OutOfDomain> {
     if let Some(number) = base.iter().find(|number| !number.is_finite()) {
         return Err(OutOfDomain::BaseMotion(Given::of(*number)));
@@ -233,7 +236,8 @@ fn start<S: Float, Z: Size>(
     set_levels(motion, frictions)
 }
 
-/// Sets the friction forces that differ from the present ones.
+/// Changes the friction forces of the contacts to the values in `frictions`. Forces that are already equal to these
+/// values do not change.
 fn set_levels<S: Float, Z: Size>(motion: &mut Motion<S, Z>, frictions: &[S]) -> Result<(), Halt> {
     for (contact, friction) in frictions.iter().enumerate() {
         let level = motion.model().contact(contact).map(|c| c.level.constant);

@@ -1,4 +1,5 @@
-//! Response of a chain while no contact slides. The chain is then linear, and the response has a closed form.
+//! Response of a chain with several contacts if no contact slides. The chain is then linear, and the response has a
+//! closed form.
 
 use super::model::Model;
 use super::size::{Size, add, at, set};
@@ -8,19 +9,20 @@ use crate::Float;
 use crate::number::complex::Complex;
 use crate::number::matrix::SquareMatrix;
 
-/// Response while no contact slides, under loads of one frequency.
+/// Response of a chain with several contacts if no contact slides. All loads have the same frequency.
 #[derive(Clone, Debug)]
 pub struct StuckResponse<S: Float, Z: Size> {
-    /// Complex amplitude X of each mass: x = Re X exp(iωt).
+    /// Complex amplitude X of the displacement of each mass: x = Re X exp(iωt).
     pub displacements: Z::Masses<Complex<S>>,
-    /// Amplitude of the force in each contact.
+    /// Amplitude of the force in each contact, in the order of the description.
     pub forces: Z::Contacts<S>,
     /// Factor on all friction forces at which the first contact is about to slide, and the index of this contact.
     /// `None` if no contact has a friction force.
     pub limit: Option<(S, usize)>,
 }
 
-/// Complex amplitudes of the displacements of all nodes, as real and imaginary parts.
+/// Complex amplitudes of the displacements of all nodes, as real and imaginary parts. The nodes are the masses, the
+/// wall and the base.
 struct Shape<S: Float, Z: Size> {
     re: Z::Nodes<S>,
     im: Z::Nodes<S>,
@@ -35,7 +37,7 @@ impl<S: Float, Z: Size> Shape<S, Z> {
         }
     }
 
-    /// Adds a complex amplitude to the displacement of every node of a tree.
+    /// Adds a complex amplitude to the displacement of every node that belongs to one tree (nodes that move together).
     fn lift(&mut self, tree: &Tree<S, Z>, root: usize, (re, im): (S, S)) {
         for node in 0..self.re.as_ref().len() {
             if tree.root(node) == root {
@@ -45,7 +47,8 @@ impl<S: Float, Z: Size> Shape<S, Z> {
         }
     }
 
-    /// Returns the sums of the real and of the imaginary parts over the nodes of a tree.
+    /// Returns the sum of the real parts and the sum of the imaginary parts over the nodes of one tree (nodes that move
+    /// together).
     fn sums(&self, tree: &Tree<S, Z>, root: usize) -> (S, S) {
         let sum = |values: &[S]| {
             let nodes = values.iter().enumerate();
@@ -55,7 +58,7 @@ impl<S: Float, Z: Size> Shape<S, Z> {
         (sum(self.re.as_ref()), sum(self.im.as_ref()))
     }
 
-    /// Adds the complex amplitudes of the loads.
+    /// Adds the complex amplitudes of the loads to the forces on the nodes.
     fn load(&mut self, model: &Model<S, Z>) {
         for (mass, load) in model.loads.as_ref() {
             let (re, im) = amplitude(load);
@@ -64,7 +67,8 @@ impl<S: Float, Z: Size> Shape<S, Z> {
         }
     }
 
-    /// Returns the forces of springs, dashpots and elastic contacts for vibrating displacements.
+    /// Returns the complex amplitudes of the forces of springs, dashpots and elastic contacts, for vibrating
+    /// displacements.
     fn pulls(&self, model: &Model<S, Z>, omega: S) -> Self {
         let pulls = |place: &Z::Nodes<S>, quarter: &Z::Nodes<S>, rate: S| {
             let mut speed = quarter.clone();
@@ -88,16 +92,16 @@ impl<S: Float, Z: Size> Shape<S, Z> {
     }
 }
 
-/// Returns the complex amplitude of the harmonic in a function of time.
+/// Returns the complex amplitude of the harmonic part of a function of time, as its real and imaginary part.
 fn amplitude<S: Float>(wave: &Wave<S>) -> (S, S) {
     let (sin, cos) = (wave.phase * S::inverse_pi()).sin_cos_pi();
     (wave.amplitude * cos, wave.amplitude * sin)
 }
 
 impl<S: Float, Z: Size> Model<S, Z> {
-    /// Returns the response while no contact slides, under loads of the angular frequency ω. The response does not
-    /// include constant loads, and no earlier motion has left a constant force in an elastic contact. Contacts without
-    /// a friction force have no effect. Returns `None` on an undamped resonance.
+    /// Returns the response if no contact slides, under loads of the angular frequency ω. The response does not include
+    /// constant loads, and no earlier motion has left a constant force in an elastic contact. Contacts without a
+    /// friction force have no effect. Returns `None` at an undamped resonance.
     pub fn stuck(&self, omega: S) -> Option<StuckResponse<S, Z>> {
         let free = |j: usize| self.contact(j).is_none_or(|contact| contact.is_free());
         let tree = Tree::new(self, |j| !free(j));
@@ -109,7 +113,7 @@ impl<S: Float, Z: Size> Model<S, Z> {
         }
         let roots = roots.as_ref().iter().take(count).copied();
         let (zero, one) = (S::constant(0.0), S::constant(1.0));
-        // The real and the imaginary parts of the complex equations, one after the other.
+        // The real parts of the complex equations come first, and their imaginary parts second.
         let size = 2 * count;
         let mut matrix = self.size.square(zero);
         let mut known = self.size.unknowns(zero);
@@ -141,7 +145,7 @@ impl<S: Float, Z: Size> Model<S, Z> {
             set(known.as_mut(), row, re);
             set(known.as_mut(), count + row, im);
         }
-        // Every mass may be held by a support.
+        // If sticking contacts hold every mass at a support, the system has no equations.
         if !SquareMatrix::new(matrix.as_mut(), size).solve_shifted(zero, known.as_mut()) {
             return None;
         }
@@ -156,7 +160,7 @@ impl<S: Float, Z: Size> Model<S, Z> {
         Some(self.stuck_with(&tree, &shape, omega))
     }
 
-    /// Computes the contact forces and the limit of the stuck state from the displacements.
+    /// Computes the contact forces and the limit of the stuck state from the complex displacements of the nodes.
     fn stuck_with(&self, tree: &Tree<S, Z>, shape: &Shape<S, Z>, omega: S) -> StuckResponse<S, Z> {
         let zero = S::constant(0.0);
         let mut pulls = shape.pulls(self, omega);

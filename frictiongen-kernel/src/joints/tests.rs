@@ -1,5 +1,5 @@
-//! Checks the energy balance of the stepper: the work of loads and base equals the change of the stored energy, plus the
-//! energy that friction, dashpots and damping dissipate.
+//! Checks the energy balance of the stepper. The work of the loads and of the base must equal the change of the stored
+//! energy plus the energy that friction, dashpots and damping dissipate.
 
 use super::{Contact, Curve, Fixed, Model, Observe, Series, State, Stepper, Wave, value};
 use fuzzing::Random;
@@ -13,12 +13,13 @@ const DT: f64 = 0.01;
 const MASSES: [f64; 3] = [2.0, 1.5, 1.0];
 const SPRINGS: [(usize, usize, f64); 3] = [(0, BASE, 900.0), (1, 0, 700.0), (2, 1, 500.0)];
 const DASHPOTS: [(usize, usize, f64); 2] = [(0, BASE, 1.5), (2, 1, 0.8)];
-/// Rayleigh damping on absolute velocities, 0.1 M.
+/// Matrix of Rayleigh damping 0.1 M, row after row. It acts on absolute velocities.
 const DAMPING: [f64; 9] = [0.2, 0.0, 0.0, 0.0, 0.15, 0.0, 0.0, 0.0, 0.1];
-/// Masses with a load.
+/// Indices of the masses on which a load acts.
 const LOADED: [usize; 2] = [0, 2];
 
-/// Returns three masses with two elastic and two rigid contacts. One of each kind has μ > 1.
+/// Returns a chain of three masses with two elastic and two rigid contacts. Two of the contacts, one elastic and one
+/// rigid, have μ > 1.
 fn chain() -> Chain {
     let contact = |(plus, minus), stiction, stiffness| Contact {
         plus,
@@ -46,8 +47,8 @@ fn chain() -> Chain {
     }
 }
 
-/// Points and weights of the Gaussian rule of 12 points on [0, 1]. Newton's method finds the roots of Legendre's
-/// polynomial. The rule is exact for polynomials of degree 23.
+/// Returns the points and the weights of the Gaussian rule with 12 points on [0, 1]. The points are roots of Legendre's
+/// polynomial, which Newton's method finds. The rule is exact for polynomials up to degree 23.
 fn gauss() -> Vec<(f64, f64)> {
     let count = 12;
     let nodes = (0..count).map(|index| {
@@ -68,24 +69,24 @@ fn gauss() -> Vec<(f64, f64)> {
     nodes.collect()
 }
 
-/// Sums of the energy balance.
+/// Sums of the energy balance over the steps.
 struct Account {
     gauss: Vec<(f64, f64)>,
     model: Chain,
     /// Force of each load at the start and at the end of the step.
     forces: [[f64; 2]; 2],
-    /// Friction forces in this step.
+    /// Friction force of each contact in this step.
     levels: [f64; 4],
     load: f64,
     friction: f64,
     damping: f64,
-    /// Sum of the absolute values of all works.
+    /// Sum of the absolute values of all amounts of work.
     size: f64,
     events: usize,
 }
 
 impl Account {
-    /// Returns the power of loads and base, and the power that dashpots and damping dissipate.
+    /// Returns the power of the loads and of the base, and the power that dashpots and damping dissipate.
     fn powers(&self, series: &Series<f64, Size>, at: f64) -> (f64, f64) {
         let (x, v) = series.motion(&self.model, at);
         let (y, dy) = series.base(at);
@@ -96,7 +97,7 @@ impl Account {
         for ([before, after], mass) in self.forces.iter().zip(LOADED) {
             input += (before + (after - before) * time / DT) * v[mass];
         }
-        // The node `minus` of each part of the first floor is the base.
+        // The first spring, dashpot and contact have the base as their node `minus`.
         input += SPRINGS[0].2 * (x[BASE] - x[0]) * dy + DASHPOTS[0].2 * (v[BASE] - v[0]) * dy;
         input -= series.force(0, at) * dy;
         let dashpots = DASHPOTS.iter();
@@ -105,7 +106,7 @@ impl Account {
         (input, dashpots.chain(damping).sum())
     }
 
-    /// Returns kinetic and elastic energy at the end of a step.
+    /// Returns the kinetic and the elastic energy at the end of a step.
     fn stored(&self, stepper: &Stepper<f64, Size>, base: f64) -> f64 {
         let state = stepper.motion().state();
         let x = [state.x[0], state.x[1], state.x[2], 0.0, base];
@@ -140,7 +141,7 @@ impl Observe<f64, Size> for Account {
 
     fn event(&mut self, _: f64, before: &[i8; 4], after: &[i8; 4]) {
         self.events += 1;
-        // The force of an elastic contact that breaks away drops from μF to F at once.
+        // If an elastic contact breaks away, its force drops from μF to F at once.
         for (j, contact) in self.model.contacts.iter().enumerate() {
             if let Some(stiffness) = contact.stiffness
                 && (before[j], after[j].abs()) == (0, 1)
@@ -173,7 +174,8 @@ fn ten_thousand_random_steps_keep_their_energy() {
             force = force.map(|_: f64| random.between(-40.0, 40.0));
         }
         if step % 50 == 0 {
-            // The energy in an elastic contact would change with its friction force.
+            // These contacts are rigid. A change of the friction force would change the energy stored in an elastic
+            // contact.
             account.levels[1] = random.between(-1.0, 8.0).max(0.0);
             account.levels[3] = random.between(-1.0, 4.0).max(0.0);
         }
@@ -198,6 +200,6 @@ fn ten_thousand_random_steps_keep_their_energy() {
     );
     assert!(account.events > 2000, "{}", account.events);
     assert!(account.friction > 0.3 * account.load);
-    // Each step adds some roundings of 1e-16 of the energy in motion, and the works add up.
+    // Each step adds some rounding errors of 1e-16 of the kinetic energy. These errors add up.
     assert!(worst < 1e-12, "{worst}");
 }

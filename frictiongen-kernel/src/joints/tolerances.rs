@@ -1,18 +1,18 @@
-//! Tolerances of the search for a steady state, which depend on the precision of the number type.
+//! Tolerances of the search for a steady state. They depend on the precision of the number type.
 
 use crate::Float;
 
 /// Tolerances of the search for a steady state in one number type.
 pub(super) struct Tolerances<S> {
-    /// Two states count as equal if their relative difference is below this value.
+    /// Relative difference of two states below which they are treated as equal.
     pub(super) same: S,
-    /// Step of the finite differences, relative to the size of the unknowns.
+    /// Step of the finite differences, divided by the size of the unknowns.
     pub(super) step: S,
-    /// A direction counts as neutral (without any effect on forces) if its singular value is below this value.
+    /// Singular value below which a direction is neutral. A deviation in a neutral direction changes no force.
     pub(super) rank: S,
-    /// A multiplier may belong to a neutral direction if its distance from 1 is at most this value.
+    /// Largest distance of a Floquet multiplier from 1 at which the multiplier may belong to a neutral direction.
     pub(super) split: S,
-    /// The search accepts a periodic motion at once if the distance of the motion from it is below this value.
+    /// Distance of the motion from a periodic motion below which the search accepts the periodic motion at once.
     pub(super) close: S,
 }
 
@@ -21,7 +21,8 @@ impl<S: Float> Tolerances<S> {
         let [same, step, rank, split, close] = if S::EPSILON < 1e-10 {
             [2e-13, 1e-6, 1e-7, 1e-3, 1e-9]
         } else {
-            // A cycle has a rounding error of some 1e-6, which the differences divide by their step.
+            // In `f32` a cycle has a rounding error of about 1e-6. The finite differences divide this error by their
+            // step.
             [2e-6, 2e-3, 2e-3, 0.1, 1e-4]
         };
         Self {

@@ -1,5 +1,5 @@
-//! Groups of masses that sticking rigid contacts connect, so that they move together. Such contacts never form a loop,
-//! so that each group is a tree.
+//! Groups of masses that sticking rigid contacts connect, so that the masses of a group move together. These contacts
+//! never form a loop. Each group is therefore a tree.
 
 use super::model::{Contact, Model};
 use super::size::{Size, add, at, set};
@@ -8,13 +8,13 @@ use crate::Float;
 /// Mark for a node that does not belong to a tree yet.
 const NONE: usize = usize::MAX;
 
-/// A contact in a tree, between a node (child) and its neighbour on the way to the root (parent).
+/// A contact in a tree. It connects a node (child) to its neighbour on the way to the root (parent).
 #[derive(Clone, Copy, Debug, PartialEq)]
 struct Branch {
     child: usize,
     parent: usize,
     contact: usize,
-    /// True if the child is the contact's node `plus`.
+    /// True if the child is the node `plus` of the contact.
     child_is_plus: bool,
 }
 
@@ -24,22 +24,22 @@ impl Branch {
     }
 }
 
-/// The trees for one set of sticking contacts.
+/// Trees of the masses that sticking rigid contacts connect, for one set of sticking contacts.
 #[derive(Clone, Debug)]
 pub struct Tree<S: Float, Z: Size> {
-    /// Contacts of all trees, each after the contacts between it and the root. Unused entries follow.
+    /// Contacts of all trees. Each contact follows the contacts between it and the root. Unused entries are at the end.
     branches: Z::Contacts<Branch>,
-    /// Number of branches.
+    /// Number of contacts in all trees.
     count: usize,
-    /// Root of the tree that contains each node.
+    /// For each node, the root of the tree that contains the node.
     roots: Z::Nodes<usize>,
-    /// Total mass of each tree, stored at its root.
+    /// Total mass of each tree. The array has it at the index of the tree's root.
     masses: Z::Nodes<S>,
 }
 
 impl<S: Float, Z: Size> Tree<S, Z> {
-    /// Builds the trees of the masses that sticking contacts connect. If a tree contains the wall or the base, this
-    /// support is its root.
+    /// Builds the trees of the masses that sticking rigid contacts connect. If a tree contains the wall or the base,
+    /// this support is its root.
     pub fn new(model: &Model<S, Z>, sticks: impl Fn(usize) -> bool) -> Self {
         let unused = Branch {
             child: NONE,
@@ -60,8 +60,8 @@ impl<S: Float, Z: Size> Tree<S, Z> {
         tree
     }
 
-    /// Adds all nodes that sticking contacts connect to a root. The contacts of this root serve as the queue of nodes
-    /// to visit.
+    /// Adds all nodes that sticking contacts connect to the node `root`. The list of contacts also serves as the queue
+    /// of nodes to visit.
     fn grow(&mut self, model: &Model<S, Z>, sticks: &impl Fn(usize) -> bool, root: usize) {
         if self.root_of(root) != NONE {
             return;
@@ -84,7 +84,7 @@ impl<S: Float, Z: Size> Tree<S, Z> {
         }
     }
 
-    /// Adds a contact as a branch at a node, unless its other node already belongs to a tree.
+    /// Adds a contact to the tree of a node, unless the other node of the contact already belongs to a tree.
     fn hang(&mut self, index: usize, contact: &Contact<S>, node: usize) {
         let (child, child_is_plus) = match node {
             node if node == contact.plus => (contact.minus, false),
@@ -118,13 +118,13 @@ impl<S: Float, Z: Size> Tree<S, Z> {
         self.root_of(node)
     }
 
-    /// Returns the total mass of the tree with the given root.
+    /// Returns the total mass of the tree with the root `root`.
     pub fn mass(&self, root: usize) -> S {
         at(self.masses.as_ref(), root)
     }
 
-    /// Computes the displacements of all nodes from those of the roots, and gives all nodes of a tree the velocity of
-    /// the root.
+    /// Computes the displacements of all nodes from those of the roots. Gives all nodes of a tree the velocity of its
+    /// root.
     pub fn place(&self, x: &mut [S], v: &mut [S], places: &[S]) {
         for branch in self.branches() {
             let (place, speed) = (at(x, branch.parent), at(v, branch.parent));
@@ -134,8 +134,8 @@ impl<S: Float, Z: Size> Tree<S, Z> {
         }
     }
 
-    /// Gives all nodes of a tree one velocity, so that the momentum of the tree does not change. A tree with a support
-    /// gets the velocity of the support.
+    /// Gives all nodes of a tree the same velocity, so that the momentum of the tree does not change. All nodes of a
+    /// tree with a support get the velocity of the support.
     pub fn meet(&self, model: &Model<S, Z>, v: &mut [S]) {
         let mut moments = model.size.nodes(S::constant(0.0));
         let mut differ = model.size.nodes(false);

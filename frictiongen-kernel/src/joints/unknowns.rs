@@ -1,19 +1,20 @@
-//! The unknowns of a steady state: the displacements and velocities of the masses, and the position of each contact
-//! that slides in the period. The position of an elastic contact is that of its slider. The position of a rigid contact
-//! is the relative displacement at which it sticks.
+//! Unknowns in the search for a steady state of a chain with several contacts. They are the displacements and
+//! velocities of the masses, and the position of each contact that slides in the period. The position of an elastic
+//! contact is that of its slider. The position of a rigid contact is the relative displacement at which it sticks.
 
 use super::run::Motion;
 use super::size::{Size, at, set, sign};
 use super::state::{FREE, STUCK};
 use crate::{Float, Scalar};
 
-/// Sizes by which the unknowns of a steady state are divided, and the contacts that slide in the period.
+/// Conversion between the state of a motion and the unknowns of the search for a steady state. It contains the sizes by
+/// which the code divides the unknowns, and the contacts that slide in the period.
 pub(super) struct Unknowns<'s, S: Float, Z: Size> {
-    /// Size of displacements and of positions of contacts.
+    /// Size of the displacements and of the positions of contacts. The code divides these unknowns by it.
     pub(super) place: S,
-    /// Size of velocities.
+    /// Size of the velocities. The code divides these unknowns by it.
     pub(super) speed: S,
-    /// For each contact, true if it slides in a period.
+    /// One value for each contact, which is true if the contact slides in a period.
     pub(super) moving: &'s Z::Contacts<bool>,
 }
 
@@ -22,7 +23,7 @@ impl<S: Float, Z: Size> Unknowns<'_, S, Z> {
         self.moving.as_ref().get(contact) == Some(&true)
     }
 
-    /// Returns the unknowns that correspond to the state of a motion.
+    /// Returns the unknowns that correspond to the present state of a motion.
     pub(super) fn read(&self, motion: &Motion<S, Z>) -> Z::Unknowns<S> {
         let state = motion.state();
         let masses = motion.model().masses().len();

@@ -1,32 +1,32 @@
-//! A function of time: a straight line plus one harmonic.
+//! A function of time that is the sum of a straight line and one harmonic.
 
 use super::poly::{Poly, TERMS, terms_of};
 use super::size::at;
 use crate::Float;
 
-/// A straight line plus one harmonic: c + bt + a cos(ωt + φ).
+/// A straight line plus one harmonic: c + bt + a cos(ωt + φ), where t is the time.
 #[derive(Clone, Copy, Debug, PartialEq, Default)]
 pub struct Wave<S> {
-    /// The constant c.
+    /// Constant c in the function c + bt + a cos(ωt + φ).
     pub constant: S,
-    /// The slope b, per unit of time.
+    /// Slope b of the straight line in c + bt + a cos(ωt + φ), in its unit divided by the unit of time.
     pub slope: S,
-    /// The amplitude a.
+    /// Amplitude a of the harmonic in c + bt + a cos(ωt + φ).
     pub amplitude: S,
-    /// The frequency ω in rad per unit of time.
+    /// Angular frequency ω of the harmonic in c + bt + a cos(ωt + φ), in rad per unit of time.
     pub omega: S,
-    /// The phase φ in rad.
+    /// Phase φ of the harmonic in c + bt + a cos(ωt + φ), in rad.
     pub phase: S,
 }
 
 impl<S: Float> Wave<S> {
-    /// Returns the function 0.
+    /// Returns the function that is 0 at every instant.
     #[must_use]
     pub fn zero() -> Self {
         Self::constant(S::constant(0.0))
     }
 
-    /// Returns a function with the same value at all times.
+    /// Returns the function that has the value `constant` at every instant.
     #[must_use]
     pub fn constant(constant: S) -> Self {
         let zero = S::constant(0.0);
@@ -39,7 +39,7 @@ impl<S: Float> Wave<S> {
         }
     }
 
-    /// Returns the function a cos ωt.
+    /// Returns the function a cos ωt, with the amplitude a and the angular frequency ω.
     #[must_use]
     pub fn harmonic(amplitude: S, omega: S) -> Self {
         Self {
@@ -49,7 +49,7 @@ impl<S: Float> Wave<S> {
         }
     }
 
-    /// Returns the straight line through two samples (time, value).
+    /// Returns the straight line through two samples. Each sample is a pair (time, value).
     #[must_use]
     pub fn line((start, first): (S, S), (end, last): (S, S)) -> Self {
         let slope = (last - first) / (end - start);
@@ -59,13 +59,13 @@ impl<S: Float> Wave<S> {
         }
     }
 
-    /// Returns true if the value is 0 at every instant.
+    /// Returns true if the function is 0 at every instant.
     #[must_use]
     pub fn is_zero(&self) -> bool {
         self.constant.is_zero() && self.slope.is_zero() && self.amplitude.is_zero()
     }
 
-    /// Returns true if all numbers of the function are finite.
+    /// Returns true if all coefficients of the function are finite.
     #[must_use]
     pub fn is_finite(&self) -> bool {
         let numbers = [
@@ -78,20 +78,21 @@ impl<S: Float> Wave<S> {
         numbers.iter().all(|number| number.is_finite())
     }
 
-    /// Moves the origin of time to the instant `time`.
+    /// Changes the coefficients of the function so that the instant `time` becomes the instant 0.
     pub(super) fn shift(&mut self, time: S) {
         self.constant = self.constant + self.slope * time;
         self.phase = self.phase + self.omega * time;
     }
 
-    /// Returns the function (`derivative` 0) or its first or second derivative at an instant.
+    /// Returns the value of the function or of a derivative at the instant `time`. `derivative` is the order of the
+    /// derivative: 0 (the function itself), 1 or 2.
     #[must_use]
     pub fn value(&self, time: S, derivative: usize) -> S {
         at(&self.terms(time, S::constant(0.0), derivative), 0)
     }
 
-    /// Returns the power series of the function, or of its first or second derivative, over a stretch. The variable is
-    /// the elapsed fraction of the stretch.
+    /// Returns the power series of the function, or of its first or second derivative, over a stretch (time interval).
+    /// The variable of the series is the elapsed fraction of the stretch, from 0 to 1.
     #[must_use]
     pub fn terms(&self, time: S, length: S, derivative: usize) -> Poly<S> {
         let mut terms = [S::constant(0.0); TERMS];
@@ -119,7 +120,8 @@ impl<S: Float> Wave<S> {
         terms
     }
 
-    /// Returns the longest stretch over which the power series of the function converges as fast as that of the motion.
+    /// Returns the duration of the longest stretch in which the power series of the function converges as fast as that
+    /// of the motion.
     pub(super) fn longest_stretch(&self) -> S {
         S::constant(1.0) / self.fastest()
     }

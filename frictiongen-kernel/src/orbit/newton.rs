@@ -10,38 +10,37 @@ use crate::number::scalar::Float;
 
 const NEWTON_STEPS: u32 = 12;
 
-/// Two computations of the same state or instant count as equal if their relative difference is below this value.
+/// Largest relative difference at which two computations of the same state or instant are treated as equal.
 const AGREEMENT: f64 = 1e-9;
-/// Smallest tolerance at which two computations count as equal, in rounding units. The tolerance is large because the
-/// rounding errors of all events of a cycle add up. It exceeds `AGREEMENT` only in `f32`.
+/// Smallest tolerance with which the code compares two computations, in rounding units. The tolerance is large because
+/// the rounding errors of all events of a cycle add up. It exceeds `AGREEMENT` only in `f32`.
 const AGREEING_ROUNDINGS: f64 = 1024.0;
-/// A Newton step counts as small if it is below this fraction of the state.
+/// Largest size of a small Newton step, divided by the size of the state.
 const SMALL_STEP: f64 = 1e-11;
-/// Smallest bound below which a Newton step counts as small, in rounding units. This bound exceeds `SMALL_STEP` only in
-/// `f32`.
+/// Smallest limit for a small Newton step, in rounding units. This limit exceeds `SMALL_STEP` only in `f32`.
 const SMALL_ROUNDINGS: f64 = 256.0;
-/// Shortest meaningful Newton step, in rounding units of the state.
+/// Size of a Newton step that is only rounding error, in rounding units of the state.
 const LEAST_ROUNDINGS: f64 = 4.0;
-/// The method ends if a small Newton step is more than this fraction of the previous step. A step that shrinks no
-/// faster is only rounding error.
+/// Largest ratio of a small Newton step to the previous step at which Newton's method continues. A step that shrinks
+/// less is only rounding error.
 const STALLED: f64 = 0.25;
-/// The method also ends by quadratic convergence, if a Newton step is below this fraction of the state and no larger
-/// than the square of the previous step.
+/// Largest Newton step at which the method can end by quadratic convergence, divided by the size of the state. The step
+/// must also be no larger than the square of the previous step.
 const QUADRATIC: f64 = 1e-9;
-/// Lower bound on the size of a state, so that a division by that size stays finite.
+/// Lower bound for the size of a state. A division by this size then stays finite.
 const SMALLEST_SCALE: f64 = 1e-290;
 
-/// Returns the relative difference below which two numbers differ by rounding only.
+/// Returns the largest relative difference between two numbers that may be caused by rounding alone.
 pub(super) fn agreement<S: Float>() -> S {
     S::constant(AGREEMENT.max(AGREEING_ROUNDINGS * S::EPSILON))
 }
 
-/// Returns the largest difference of two states of size `scale` that differ by rounding only.
+/// Returns the largest difference between two states of size `scale` that may be caused by rounding alone.
 pub(super) fn same<S: Float>(scale: S) -> S {
     scale * agreement::<S>()
 }
 
-/// Memory for Newton's method: the matrix, two states, and the multipliers.
+/// Memory for Newton's method: the matrix, two states, and the Floquet multipliers.
 pub(super) struct Workspace<'m, S> {
     pub matrix: &'m mut [S],
     pub state: &'m mut [S],
@@ -50,8 +49,8 @@ pub(super) struct Workspace<'m, S> {
 }
 
 impl<'m, S: Float> Workspace<'m, S> {
-    /// Divides the memory of an orbit ([`numbers`](super::numbers)) into the states of its segments and the workspace.
-    /// `size` is the number of scalars in a state.
+    /// Divides the memory of an orbit ([`numbers`](super::numbers)) into two parts: the states of its segments, and the
+    /// working memory of Newton's method. `size` is the number of scalars in a state.
     pub fn divided(
         numbers: &'m mut [S],
         multipliers: &'m mut [Complex<S>],
@@ -71,23 +70,23 @@ impl<'m, S: Float> Workspace<'m, S> {
     }
 }
 
-/// Map of a state over half a period or over a whole period.
+/// Map that advances a state by half a period or by a whole period.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct PeriodMap {
-    /// Period in cycles of the excitation.
+    /// Period of the motion, in cycles of the excitation.
     pub period: u32,
-    /// True if the map covers half a period and changes the sign of the state.
+    /// True if the map advances a state by half a period and then changes its sign.
     pub symmetric: bool,
 }
 
 impl PeriodMap {
-    /// Map of a symmetric state that repeats after one cycle.
+    /// Half-period map of a symmetric motion that repeats after one cycle.
     pub const HALF_CYCLE: Self = Self {
         period: 1,
         symmetric: true,
     };
 
-    /// Returns the number of half cycles that the map covers.
+    /// Returns the number of half cycles by which the map advances a state.
     pub fn halves(self) -> u32 {
         if self.symmetric {
             self.period
@@ -97,8 +96,8 @@ impl PeriodMap {
     }
 }
 
-/// Applies Newton's method from the state of the cycle map. Returns the events during the map, and leaves the cycle map
-/// at the fixed point. Returns `None` if the method does not converge.
+/// Applies Newton's method to the map, starting at the state of the cycle map. Leaves the cycle map at the fixed point,
+/// and returns the events during one application of the map. Returns `None` if the method does not converge.
 pub(super) fn newton<S: Float, K: ContactChain<S>>(
     cycle_map: &mut CycleMap<'_, '_, S, K>,
     workspace: &mut Workspace<'_, S>,
@@ -117,8 +116,8 @@ pub(super) fn newton<S: Float, K: ContactChain<S>>(
             return Ok(None);
         };
         if (image == Contact::Stuck) != (contact_state.contact == Contact::Stuck) {
-            // At the section the contact state has changed between sticking and sliding. The method starts again with
-            // the contact state that the contact has after the map.
+            // At the section the contact state has changed from sticking to sliding, or from sliding to sticking. The
+            // method starts again with the contact state that the contact has after the map.
             contact_state.contact = image;
             contact_state.t = start.t;
             cycle_map.save(workspace.other);
@@ -128,7 +127,7 @@ pub(super) fn newton<S: Float, K: ContactChain<S>>(
             cycle_map.restore(workspace.other, &contact_state);
             continue;
         }
-        // `other` receives δ = (1 − A)⁻¹(F(x) − x).
+        // `other` receives δ = (1 − A)⁻¹(F(x) − x), where F is the map and A is its derivative.
         let scale = cycle_map.scale().max(S::constant(SMALLEST_SCALE));
         let sign = if symmetric { -one } else { one };
         let start_force = cycle_map.subtract(workspace.other, sign);
@@ -145,10 +144,10 @@ pub(super) fn newton<S: Float, K: ContactChain<S>>(
         contact_state.t = start.t;
         cycle_map.restore(workspace.other, &contact_state);
         let small = S::constant(SMALL_STEP.max(SMALL_ROUNDINGS * S::EPSILON)) * scale;
-        // A contact that hardly slides moves by far less than P/k₁, but its rounding error is that of a motion of size
-        // P/k₁.
+        // A contact that hardly slides moves by far less than P/k₁. Its rounding error is still that of a motion of
+        // size P/k₁.
         let small = step <= small.max(S::constant(LEAST_ROUNDINGS * S::EPSILON));
-        // The method ends in three cases: the step is below rounding, rounding prevents smaller steps, or the
+        // The method ends in three cases: the step is smaller than rounding, rounding prevents smaller steps, or the
         // convergence is quadratic.
         if step <= scale * S::constant(LEAST_ROUNDINGS * S::EPSILON)
             || (small && last * S::constant(STALLED) < step)
@@ -161,7 +160,8 @@ pub(super) fn newton<S: Float, K: ContactChain<S>>(
     Ok(None)
 }
 
-/// Applies the map to the state and its deviations. Returns the contact's state after the map, and the events.
+/// Applies the map to the state of the cycle map and to its deviations. Returns the state of the contact after the map,
+/// and the events during the map.
 pub(super) fn mapped<S: Float, K: ContactChain<S>>(
     cycle_map: &mut CycleMap<'_, '_, S, K>,
     columns: &mut [S],
@@ -186,8 +186,8 @@ pub(super) fn negate<S: Float>(numbers: &mut [S]) {
     }
 }
 
-/// Computes the Floquet multipliers of the period, for a cycle map at a fixed point. The cycle map stays at the fixed
-/// point. Returns the largest modulus of the map's multipliers.
+/// Computes the Floquet multipliers of the period. The cycle map must be at a fixed point, and stays there. Returns the
+/// largest absolute value of the map's multipliers.
 pub(super) fn multipliers<S: Float, K: ContactChain<S>>(
     cycle_map: &mut CycleMap<'_, '_, S, K>,
     workspace: &mut Workspace<'_, S>,

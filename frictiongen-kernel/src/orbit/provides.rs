@@ -1,4 +1,4 @@
-//! The methods of a scene that return its steady states.
+//! Methods of a scene that return its steady states.
 
 use super::scene::ProvidesOrbit;
 use super::start::Start;
@@ -9,11 +9,11 @@ use crate::response::At;
 use crate::table::{Compiled, Tabled};
 
 impl<T: ProvidesOrbit> At<T> {
-    /// Returns the steady state at β = F/P in which motion from rest ends, in any regime.
+    /// Returns the steady state at the friction ratio β = F/P that the motion from rest reaches, in any regime.
     ///
-    /// At the start the excitation is at its maximum, and every mass is at x̄ = 0 without velocity. A moving base is
-    /// then at Y. A contact with the moving base therefore starts at the relative displacement z = −Y, and may stick
-    /// there.
+    /// At the start the excitation is at its maximum, and every mass has the displacement x̄ = 0 and no velocity. A
+    /// moving base is then at Y. A contact with the moving base therefore starts at the relative displacement z = −Y,
+    /// and may stick there.
     ///
     /// # Errors
     /// [`NoOrbit`] gives the reason why there is no steady state.
@@ -22,23 +22,25 @@ impl<T: ProvidesOrbit> At<T> {
         T::settled(self, beta, Start::Rest, false)
     }
 
-    /// Returns the steady state of [`orbit`](Self::orbit). If the motion from rest does not settle, returns its last 64
-    /// cycles. In this case `is_settled()` is false, and an amplitude is the largest in the last 64 cycles.
+    /// Returns the steady state that the motion from rest reaches ([`orbit`](Self::orbit)). If this motion does not
+    /// settle, the function returns its last 64 cycles. In this case `is_settled()` is false, and an amplitude is the
+    /// largest amplitude in the last 64 cycles.
     ///
     /// # Errors
     /// [`NoOrbit`] if β is negative or not finite, if the motion is unbounded, or if an undamped mode never settles.
-    /// Too many events in a cycle, or too many search steps of the motion, give an error as well.
+    /// The function also returns an error if a cycle has too many events, or if the search for the motion needs too
+    /// many steps.
     #[inline]
     pub fn orbit_or_last_cycles(&self, beta: T::Scalar) -> Result<T::Orbit, NoOrbit> {
         T::settled(self, beta, Start::Rest, true)
     }
 
-    /// Returns the steady state that a motion from a given state reaches. The state has x̄ and dx̄/dτ of every mass, at
-    /// a maximum of the excitation.
+    /// Returns the steady state that the motion from a given state reaches. The state consists of the displacement x̄
+    /// and the velocity dx̄/dτ of every mass, at a maximum of the excitation.
     ///
     /// # Errors
-    /// [`NoOrbit`] gives the reason why there is no steady state. A state that does not have one finite number for each
-    /// mass gives an error as well.
+    /// [`NoOrbit`] gives the reason why there is no steady state. The function also returns an error if the state does
+    /// not have one finite number for each mass.
     #[inline]
     pub fn orbit_from(
         &self,
@@ -49,12 +51,13 @@ impl<T: ProvidesOrbit> At<T> {
         T::settled(self, beta, start, false)
     }
 
-    /// Returns the steady state of [`orbit_from`](Self::orbit_from). If the motion does not settle, returns its last 64
-    /// cycles, as [`orbit_or_last_cycles`](Self::orbit_or_last_cycles) does.
+    /// Returns the steady state that the motion from a given state reaches ([`orbit_from`](Self::orbit_from)). If this
+    /// motion does not settle, the function returns its last 64 cycles, as
+    /// [`orbit_or_last_cycles`](Self::orbit_or_last_cycles) does.
     ///
     /// # Errors
-    /// Same errors as [`orbit_or_last_cycles`](Self::orbit_or_last_cycles). A state that does not have one finite
-    /// number for each mass gives an error as well.
+    /// The errors of [`orbit_or_last_cycles`](Self::orbit_or_last_cycles). The function also returns an error if the
+    /// state does not have one finite number for each mass.
     #[inline]
     pub fn orbit_or_last_cycles_from(
         &self,
@@ -65,11 +68,12 @@ impl<T: ProvidesOrbit> At<T> {
         T::settled(self, beta, start, true)
     }
 
-    /// Returns stable steady states at β, one at a time. The search starts from a fixed list of initial states.
+    /// Returns stable steady states at the friction ratio β, one at a time. The search starts from a fixed list of
+    /// initial states.
     ///
-    /// The initial states are rest, the stuck state, the closed form, and motions at neighbouring friction ratios. The
-    /// first result is the state of [`orbit`](Self::orbit), unless motion from rest does not settle. With μ = 1 only
-    /// one state, or one continuum of states, exists.
+    /// The initial states are rest, the stuck state, the closed form, and motions at neighbouring friction ratios. If
+    /// the motion from rest settles, the first result is the state that [`orbit`](Self::orbit) returns. With μ = 1 only
+    /// one steady state, or one continuum of steady states, exists.
     ///
     /// # Errors
     /// [`OutOfDomain`] for NaN, negative and infinite β.
@@ -78,9 +82,9 @@ impl<T: ProvidesOrbit> At<T> {
     }
 }
 
-/// Methods that return the steady states of a scene with tables. They use the exact formulas, not the tables.
+/// Methods that return the steady states of a scene with tables. The methods use the exact formulas, not the tables.
 impl<T: Tabled + ProvidesOrbit> Compiled<T> {
-    /// Returns the steady state at β = F/P in which motion from rest ends, in any regime.
+    /// Returns the steady state at the friction ratio β = F/P that the motion from rest reaches, in any regime.
     ///
     /// # Errors
     /// [`NoOrbit`] gives the reason why there is no steady state.
@@ -88,19 +92,19 @@ impl<T: Tabled + ProvidesOrbit> Compiled<T> {
         self.exact().orbit(beta)
     }
 
-    /// Returns the steady state, or the last 64 cycles of a motion that does not settle, as
-    /// [`At::orbit_or_last_cycles`] does.
+    /// Returns the steady state that the motion from rest reaches. If this motion does not settle, the function returns
+    /// its last 64 cycles, as [`At::orbit_or_last_cycles`] does.
     ///
     /// # Errors
-    /// Same errors as [`At::orbit_or_last_cycles`].
+    /// The errors of [`At::orbit_or_last_cycles`].
     pub fn orbit_or_last_cycles(&self, beta: T::Scalar) -> Result<T::Orbit, NoOrbit> {
         self.exact().orbit_or_last_cycles(beta)
     }
 
-    /// Returns the steady state that a motion from a given state reaches, as [`At::orbit_from`] does.
+    /// Returns the steady state that the motion from a given state reaches, as [`At::orbit_from`] does.
     ///
     /// # Errors
-    /// Same errors as [`At::orbit_from`].
+    /// The errors of [`At::orbit_from`].
     pub fn orbit_from(
         &self,
         beta: T::Scalar,
@@ -109,10 +113,10 @@ impl<T: Tabled + ProvidesOrbit> Compiled<T> {
         self.exact().orbit_from(beta, state)
     }
 
-    /// Returns stable steady states at β, as [`At::states`] does.
+    /// Returns stable steady states at the friction ratio β, one at a time, as [`At::states`] does.
     ///
     /// # Errors
-    /// Same errors as [`At::states`].
+    /// The errors of [`At::states`].
     pub fn states(&self, beta: T::Scalar) -> Result<States<T>, OutOfDomain> {
         self.exact().states(beta)
     }

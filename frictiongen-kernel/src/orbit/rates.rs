@@ -1,33 +1,35 @@
-//! Finds the largest velocity and acceleration within a segment.
+//! Finds the largest velocity and the largest acceleration within a segment of a steady motion.
 //!
-//! The search samples sixteen instants in a half-turn of the fastest oscillation, and refines every local maximum of
-//! the samples. It can miss a maximum only within one sampling step of another maximum. Two maxima so close together
-//! differ by less than a thousandth of their value.
+//! The search evaluates sixteen instants in half a turn of the fastest oscillation, and refines every local maximum of
+//! these samples. The search can miss a maximum only if another maximum lies within one sampling step. Two maxima so
+//! close together differ by less than a thousandth of their value.
 
 use crate::motion::OscillatorSum;
 use crate::number::scalar::Float;
 
-/// Number of samples in a half-turn of the fastest oscillation.
+/// Number of samples in half a turn of the fastest oscillation.
 const PLACES: f64 = 16.0;
-/// Lower bound on the number of samples in a segment.
+/// Smallest number of samples in a segment.
 const FEWEST: f64 = 8.0;
-/// Upper bound on the number of samples in a segment.
+/// Largest number of samples in a segment.
 const MOST: f64 = 4096.0;
-/// Number of steps of a golden-section search. Each step keeps 0.62 of the interval. After the last step, the interval
-/// is only as long as a rounding error.
+/// Number of steps of a golden-section search. Each step reduces the interval to 0.62 of its length. After the last
+/// step, the interval is as short as a rounding error.
 const STEPS: usize = 40;
 
-/// Returns the largest |f′| of a sum f over oscillators, within the searched length of the sum.
+/// Returns the largest |f′| of a function f within the length `reach` of the sum. The function f is the given sum over
+/// oscillators.
 pub(super) fn largest_slope<S: Float>(sum: &OscillatorSum<'_, S>) -> S {
     largest(sum, |tau| sum.local(tau).slope.abs())
 }
 
-/// Returns the largest |f″| of a sum f over oscillators, within the searched length of the sum.
+/// Returns the largest |f″| of a function f within the length `reach` of the sum. The function f is the given sum over
+/// oscillators.
 pub(super) fn largest_curve<S: Float>(sum: &OscillatorSum<'_, S>) -> S {
     largest(sum, |tau| sum.local(tau).curve.abs())
 }
 
-/// Returns the largest value of `size` within the searched length of a sum.
+/// Returns the largest value of the function `size` within the length `reach` of the sum.
 fn largest<S: Float>(sum: &OscillatorSum<'_, S>, size: impl Fn(S) -> S) -> S {
     let (zero, one) = (S::constant(0.0), S::constant(1.0));
     let wanted = sum.rate * sum.reach * S::inverse_pi() * S::constant(PLACES);
@@ -35,8 +37,8 @@ fn largest<S: Float>(sum: &OscillatorSum<'_, S>, size: impl Fn(S) -> S) -> S {
     let step = sum.reach / places;
     let (mut before, mut here) = (zero, size(zero));
     let mut best = here;
-    // A maximum next to an end of the segment does not lie between three sampled instants. The first and the last step
-    // are therefore searched separately.
+    // A maximum next to an end of the segment does not lie between three samples. The code therefore searches the first
+    // and the last sampling step separately.
     for from in [zero, sum.reach - step] {
         best = best.max(summit(from, from + step, &size));
     }
@@ -53,7 +55,7 @@ fn largest<S: Float>(sum: &OscillatorSum<'_, S>, size: impl Fn(S) -> S) -> S {
     best
 }
 
-/// Returns the largest value between two instants, by golden-section search.
+/// Returns the largest value of the function `size` between the instants `low` and `high`, by golden-section search.
 fn summit<S: Float>(mut low: S, mut high: S, size: &impl Fn(S) -> S) -> S {
     let golden = S::constant(0.618_033_988_749_894_8);
     let (mut a, mut b) = (high - (high - low) * golden, low + (high - low) * golden);

@@ -1,8 +1,8 @@
 //! Records a steady state, segment by segment.
 //!
-//! A record has room for [`MAX_SEGMENTS`] marks, where a mark is the start of a segment. If a period has more segments,
-//! the record keeps every second mark, then every fourth, and so on. The code computes the segments without a mark
-//! again when it needs them.
+//! A record has room for [`MAX_SEGMENTS`] marks. A mark is the start of a segment. If a period has more segments, the
+//! record keeps every second mark, then every fourth, and so on. The code computes a segment without a mark again when
+//! it needs the segment.
 
 use super::cycle_map::CycleMap;
 use super::newton::agreement;
@@ -11,36 +11,37 @@ use crate::errors::NoOrbit;
 use crate::motion::{ContactChain, ContactState, Event, leap};
 use crate::number::scalar::Float;
 
-/// Record of a steady state during the recording.
+/// Record of a steady state, while the code fills it.
 pub(super) struct OrbitRecord<'s, S> {
     marks: &'s mut [SegmentStart<S>; MAX_SEGMENTS],
     count: usize,
-    /// The oscillators' states at the marks (starts of segments).
+    /// States of the oscillators at the marks (starts of segments).
     states: &'s mut [S],
-    /// Number of scalars in a state.
+    /// Number of scalars in a state of the oscillators.
     size: usize,
-    /// Number of segments between two successive marks.
+    /// Number of segments from one mark to the next.
     stride: u32,
     segments: usize,
     stops: usize,
     reversals: usize,
-    /// Relative displacement z̄ at the end of the last recorded segment, if the contact sticks in that segment.
+    /// Relative displacement z̄ at the end of the last recorded segment. `None` if the contact does not stick in that
+    /// segment.
     stuck_at: Option<S>,
     /// Start of the segment in which the relative displacement z̄ begins to fall from its largest value.
     top: Option<SegmentStart<S>>,
 }
 
-/// Recorded period of a steady state.
+/// Data of a steady state after the recording of its period.
 pub(super) struct RecordedPeriod<S> {
     pub count: usize,
     pub stops: usize,
     pub reversals: usize,
-    /// Phase in half-turns, and number of the excitation's cycle, at τ = 0.
+    /// Phase of the excitation at τ = 0 in half-turns (π rad), and the number of the excitation's cycle at τ = 0.
     pub origin: (S, S),
 }
 
 impl<'s, S: Float> OrbitRecord<'s, S> {
-    /// Creates an empty record.  `size` is the number of scalars in a state.
+    /// Creates an empty record. `size` is the number of scalars in a state.
     pub(super) fn new(
         marks: &'s mut [SegmentStart<S>; MAX_SEGMENTS],
         states: &'s mut [S],
@@ -60,8 +61,8 @@ impl<'s, S: Float> OrbitRecord<'s, S> {
         }
     }
 
-    /// Records a contact that sticks during the whole cycle. `offset` is the relative displacement z̄ of a rigid
-    /// contact.
+    /// Records a steady state in which the contact sticks during the whole cycle. `offset` is the relative displacement
+    /// z̄ of a rigid contact.
     pub(super) fn stuck<K: ContactChain<S>>(
         &mut self,
         cycle_map: &CycleMap<'_, '_, S, K>,
@@ -81,7 +82,8 @@ impl<'s, S: Float> OrbitRecord<'s, S> {
         self.count = 1;
     }
 
-    /// Follows the motion from event to event through a period of `period` cycles, and records its segments.
+    /// Follows the motion from event to event through a period of `period` cycles, and records the segments of the
+    /// period.
     pub(super) fn follow<K: ContactChain<S>>(
         &mut self,
         cycle_map: &mut CycleMap<'_, '_, S, K>,
@@ -106,7 +108,7 @@ impl<'s, S: Float> OrbitRecord<'s, S> {
             cycle_map.spend(end.steps)?;
             mark.length = within(end.tau, left);
             left = left - mark.length;
-            // A segment of length zero is an unsuccessful attempt of the contact to leave zero velocity.
+            // A segment of length zero occurs if the contact tries to leave zero velocity and fails.
             if zero < mark.length {
                 self.note(mark, end.event);
             }
@@ -116,7 +118,7 @@ impl<'s, S: Float> OrbitRecord<'s, S> {
         Ok(())
     }
 
-    /// Returns the start of the segment that now begins. Stores the oscillators' state if the segment starts at a mark.
+    /// Returns the start of the segment that now begins. Stores the state of the oscillators if the start is a mark.
     fn begin<K: ContactChain<S>>(
         &mut self,
         cycle_map: &CycleMap<'_, '_, S, K>,
@@ -143,7 +145,7 @@ impl<'s, S: Float> OrbitRecord<'s, S> {
         }
     }
 
-    /// Returns true if the next segment starts at a mark.
+    /// Returns true if the start of the next segment is a mark.
     fn is_due(&self) -> bool {
         let last = self.count.checked_sub(1);
         let last = last.and_then(|last| self.marks.get(last));
@@ -169,7 +171,7 @@ impl<'s, S: Float> OrbitRecord<'s, S> {
         }
     }
 
-    /// Removes every second mark, which frees half of the room.
+    /// Removes every second mark. Half of the room is then free again.
     fn thin(&mut self) {
         let (half, size) = (MAX_SEGMENTS / 2, self.size);
         for index in 0..half {
@@ -219,13 +221,14 @@ impl<'s, S: Float> OrbitRecord<'s, S> {
     }
 }
 
-/// Returns the largest time in τ by which rounding may make a segment longer than the rest of the period.
+/// Returns the largest time (in rad of the excitation, τ) by which rounding may make a segment longer than the rest of
+/// the period.
 pub(super) fn slack<S: Float>() -> S {
     agreement()
 }
 
-/// Returns the length of a segment, given the remaining length `left` of the period. If the segment ends at the end of
-/// the period within rounding, the result is exactly `left`.
+/// Returns the length of a segment. `left` is the remaining length of the period. If the segment ends at the end of the
+/// period apart from rounding, the result is exactly `left`.
 pub(super) fn within<S: Float>(length: S, left: S) -> S {
     if left - slack() < length {
         left
@@ -234,8 +237,8 @@ pub(super) fn within<S: Float>(length: S, left: S) -> S {
     }
 }
 
-/// Returns the number of cycles of the excitation that begin between two contact states. The second state is a time τ
-/// later than the first.
+/// Returns the number of excitation cycles that begin between the contact states `from` and `to`. `to` is a time τ
+/// later than `from`.
 pub(super) fn passed<S: Float>(from: &ContactState<S>, tau: S, to: &ContactState<S>) -> S {
     let half = S::constant(0.5);
     let turns = (from.t + tau * S::inverse_pi() - to.t) * half;

@@ -1,10 +1,11 @@
-//! Implicit Euler method from cycle to cycle. The method is for motions that approach their steady state too slowly for
-//! a search that follows every cycle.
+//! Implicit Euler method from cycle to cycle. The search uses this method for motions that approach their steady state
+//! very slowly.
 //!
-//! Motions as slow as this occur close to a resonance of the masses that the contact does not move. For most cycles the
-//! events are not those of the steady state, so that Newton's method alone does not converge. With μ = 1 the distance
-//! of two motions never grows. Each step x′ = x + (F(x′) − x′)/σ, with the half-cycle map F, therefore has exactly one
-//! solution. For any step length 1/σ, the solution is closer to the steady state than x.
+//! Very slow motions occur close to a resonance of the masses that the contact does not move. In most cycles of such a
+//! motion the events are not those of the steady state, so that Newton's method alone does not converge. With μ = 1 the
+//! distance between two motions never grows. Each step x′ = x + (F(x′) − x′)/σ therefore has exactly one solution x′.
+//! Here x is the state before the step, x′ the state after the step, F the half-cycle map, and 1/σ the step length. For
+//! any step length, x′ is closer to the steady state than x.
 
 use super::cycle_map::{CycleMap, unit};
 use super::newton::{PeriodMap, Workspace, mapped, negate};
@@ -14,26 +15,28 @@ use crate::number::matrix::SquareMatrix;
 use crate::number::pairs::{pairs, pairs_mut};
 use crate::number::scalar::Float;
 
-/// Upper bound on the steps of the implicit Euler method.
+/// Largest number of steps of the implicit Euler method.
 const MOST_STEPS: u32 = 64;
-/// Upper bound on the Newton steps within one Euler step.
+/// Largest number of Newton steps within one Euler step.
 const NEWTON_STEPS: u32 = 10;
-/// A Newton step is small enough if it is below this fraction of the whole Euler step.
+/// Size of the last Newton step at which an Euler step is accurate enough, divided by the length of the whole Euler
+/// step.
 const SMALL: f64 = 1e-3;
-/// First value of σ. The Euler step is then 16 half cycles long.
+/// First value of σ, the inverse of the step length. The Euler step is then 16 half cycles long.
 const FIRST_SHIFT: f64 = 0.0625;
-/// Factor on σ after a successful Euler step. A smaller σ makes the next step longer.
+/// Factor by which the code multiplies σ after a successful Euler step. A smaller σ makes the next step longer.
 const LONGER: f64 = 0.25;
-/// Factor on σ after a failed Euler step. A larger σ makes the next attempt shorter.
+/// Factor by which the code multiplies σ after a failed Euler step. A larger σ makes the next attempt shorter.
 const SHORTER: f64 = 8.0;
-/// Upper bound on σ. With σ = 64 an Euler step is 1/64 of a half cycle long. If a step fails and the next σ would
-/// exceed this bound, the method ends.
+/// Largest value of σ, the inverse of the step length. With σ = 64 an Euler step is 1/64 of a half cycle long. The
+/// method ends if a step fails and the next σ would exceed this value.
 const LARGEST_SHIFT: f64 = 64.0;
-/// The search changes to Newton's method on the half-cycle map if the state changes by less than this fraction during
-/// half a cycle.
+/// Relative change of the state in half a cycle below which the search continues with Newton's method on the half-cycle
+/// map.
 const NEAR: f64 = 1e-11;
 
-/// Moves the cycle map towards the symmetric steady state that repeats after one cycle. `last` has room for one state.
+/// Moves the cycle map towards the symmetric steady state that repeats after one cycle. `last` is working memory for
+/// one state.
 pub(super) fn relax<S: Float, K: ContactChain<S>>(
     cycle_map: &mut CycleMap<'_, '_, S, K>,
     workspace: &mut Workspace<'_, S>,
@@ -61,7 +64,7 @@ pub(super) fn relax<S: Float, K: ContactChain<S>>(
     Ok(())
 }
 
-/// Makes one Euler step from the state `last`. Returns false if Newton's method does not find the new state.
+/// Makes one Euler step from the state `last`. Returns false if Newton's method does not find the state after the step.
 fn step<S: Float, K: ContactChain<S>>(
     cycle_map: &mut CycleMap<'_, '_, S, K>,
     workspace: &mut Workspace<'_, S>,

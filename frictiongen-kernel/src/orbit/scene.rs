@@ -1,4 +1,4 @@
-//! Trait of a scene that provides steady states, and a comparison of two steady states.
+//! Trait of scenes that provide steady states, and a comparison of two steady states.
 
 use super::start::Start;
 use super::types::Orbit;
@@ -9,11 +9,11 @@ use crate::number::scalar::Float;
 use crate::response::{At, Scene};
 use core::ops::Deref;
 
-/// Two steady states count as the same if their amplitudes and stuck fractions differ relatively by less than this
-/// value.
+/// Relative difference of the amplitudes and of the stuck fractions below which two steady states are treated as the
+/// same.
 const ALIKE: f64 = 1e-6;
 
-/// Numbers of a steady state for a comparison with another steady state.
+/// Numbers of a steady state with which the code compares it to another steady state.
 #[derive(Clone, Copy, Debug)]
 pub struct Print<S> {
     sticks: bool,
@@ -21,12 +21,12 @@ pub struct Print<S> {
     sizes: [S; 2],
 }
 
-/// Steady state that [`States`](super::States) returns.
+/// Steady state that the iterator [`States`](super::States) returns.
 pub trait KnownState {
-    /// Scalar type of the steady state.
+    /// Scalar type of the numbers of the steady state.
     type Scalar: Float;
 
-    /// Returns the numbers of the steady state for a comparison.
+    /// Returns the numbers with which the code compares the steady state to another one.
     fn print(&self) -> Print<Self::Scalar>;
 }
 
@@ -50,8 +50,8 @@ where
 }
 
 impl<S: Float> Print<S> {
-    /// Returns true if two steady states are the same.  Two stuck states always count as the same, because the stuck
-    /// states form one continuum with different offsets.
+    /// Returns true if two steady states are the same. The code treats two stuck states always as the same, because the
+    /// stuck states form one continuum with different offsets.
     pub(super) fn is_alike(&self, other: &Self) -> bool {
         let near = |(a, b): (&S, &S)| (*a - *b).abs() <= a.abs().max(b.abs()) * S::constant(ALIKE);
         let mut sizes = self.sizes.iter().zip(&other.sizes);
@@ -60,15 +60,15 @@ impl<S: Float> Print<S> {
     }
 }
 
-/// Trait of a scene that provides `orbit`, its steady state.
+/// Trait of scenes that provide a steady state through the method `orbit`.
 pub trait ProvidesOrbit: Scene {
-    /// Type of the steady state, with a method for each mass.
+    /// Type of the steady state. In addition to the common methods, it has a method for each mass.
     type Orbit: Deref<Target: KnownState>;
-    /// Type of the displacements or velocities of all masses, with one number for each mass.
+    /// Type of the displacements or the velocities of all masses. It contains one number for each mass.
     type State: AsRef<[Self::Scalar]> + ?Sized;
 
-    /// Returns the steady state that a motion from `start` reaches. If the motion does not settle and `last` is true,
-    /// returns its last 64 cycles.
+    /// Returns the steady state that the motion from `start` reaches. If the motion does not settle and `last` is true,
+    /// the function returns its last 64 cycles.
     ///
     /// # Errors
     /// [`NoOrbit`] gives the reason why there is no steady state.

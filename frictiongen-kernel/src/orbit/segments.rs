@@ -1,7 +1,7 @@
 //! Iterates over the segments of a steady state.
 //!
 //! A *mark* is a segment whose initial state is stored. If a period has many segments, only some of them are marks. The
-//! iterator computes the segments that are not marks again.
+//! iterator computes the other segments again.
 
 use super::cycle_map::MOST_EVENTS;
 use super::record::{passed, slack, within};
@@ -14,13 +14,14 @@ use crate::number::scalar::Float;
 /// Iterator over the segments of a steady state.
 pub(super) struct Segments<'o, 'a, S, P, V, C, K> {
     orbit: &'o Orbit<'a, S, P, V, C, K>,
-    /// Oscillators for the segment returned last. `None` until the caller has requested their states.
+    /// Oscillators of the segment that the iterator has returned last. `None` until the caller has requested their
+    /// states.
     parts: Option<P>,
-    /// True if the oscillators have the state at the start of `last`.
+    /// True if the oscillators have their state at the start of the segment `last`.
     placed: bool,
-    /// The segment returned last.
+    /// Segment that the iterator has returned last.
     last: Option<SegmentStart<S>>,
-    /// Index of the next mark.  `more` is the number of segments to compute before that mark.
+    /// Index of the next mark. The field `more` is the number of segments that the iterator computes before that mark.
     next: usize,
     more: u32,
 }
@@ -33,7 +34,7 @@ where
     C: AsRef<[Complex<S>]> + AsMut<[Complex<S>]>,
     K: ContactChain<S>,
 {
-    /// Creates an iterator that starts at the mark with this index.
+    /// Creates an iterator that starts at the mark with the index `mark`.
     pub(super) fn from(orbit: &'o Orbit<'a, S, P, V, C, K>, mark: usize) -> Self {
         Self {
             orbit,
@@ -45,15 +46,15 @@ where
         }
     }
 
-    /// Returns the segment that contains the instant τ, counted from the orbit's origin. Also returns the time from the
-    /// segment's start to the instant.
+    /// Returns the segment that contains the instant τ, where τ = 0 is the origin of the orbit. Also returns the time
+    /// from the start of the segment to the instant.
     pub(super) fn at(
         orbit: &'o Orbit<'a, S, P, V, C, K>,
         tau: S,
     ) -> Option<(Self, SegmentStart<S>, S)> {
         let two = S::constant(2.0);
         let t = orbit.origin + tau * S::inverse_pi();
-        // `found` is the last mark before the instant.
+        // `found` is the last mark before the instant τ.
         let mut found: Option<(usize, S)> = None;
         for (index, mark) in orbit.marks().iter().enumerate() {
             let since =
@@ -74,7 +75,8 @@ where
         None
     }
 
-    /// Returns the oscillators in the state at the start of the segment returned last.
+    /// Returns the oscillators of the segment that the iterator has returned last. They have their state at the start
+    /// of this segment.
     pub(super) fn parts(&mut self) -> &mut [Part<S>] {
         let orbit = self.orbit;
         let parts = self.parts.get_or_insert_with(|| orbit.parts.clone());
@@ -95,12 +97,13 @@ where
         parts.as_mut()
     }
 
-    /// Returns true if the next segment is not a mark. The iterator then computes it from the last segment.
+    /// Returns true if the next segment is not a mark. The iterator then computes it from the segment that it has
+    /// returned last.
     pub(super) fn follows(&self) -> bool {
         0 < self.more
     }
 
-    /// Returns the segment that starts at the next mark.
+    /// Returns the segment that starts at the next mark, or `None` after the last mark.
     fn next_mark(&mut self) -> Option<SegmentStart<S>> {
         let mark = *self.orbit.marks().get(self.next)?;
         self.placed = false;
@@ -109,7 +112,7 @@ where
         Some(mark)
     }
 
-    /// Computes the segment after the last one.
+    /// Computes the segment that follows the segment `last`.
     fn compute_next(&mut self, last: &SegmentStart<S>) -> Option<SegmentStart<S>> {
         let zero = S::constant(0.0);
         let orbit = self.orbit;
@@ -117,8 +120,8 @@ where
         let end = orbit.marks().first()?.contact_state.t + S::constant(2.0) * orbit.cycles();
         let (modes, stuck_modes) = setting.split(self.parts());
         let mut mark = *last;
-        // The first pass of the loop covers the last segment. Further passes skip segments of length zero, in which the
-        // contact fails to leave zero velocity.
+        // The first pass of the loop advances through the segment `last`. Further passes skip segments of length zero,
+        // in which the contact fails to leave zero velocity.
         for _ in 0..MOST_EVENTS {
             let left = (end - mark.contact_state.t - S::constant(2.0) * mark.cycle) * S::pi();
             let reach = left + slack();

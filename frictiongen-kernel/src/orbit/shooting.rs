@@ -1,5 +1,5 @@
-//! Searches for the steady state as a fixed point of the half-period map times −1, or of the period map. The period is
-//! one or several cycles of the excitation.
+//! Searches for the steady state as a fixed point of a map. The map is the half-period map times −1, or the period map.
+//! The period is one or several cycles of the excitation.
 
 use super::candidate::{Candidate, CandidateVerdict, FoundState, MAX_PERIOD};
 use super::cycle_map::{CycleMap, EventPattern};
@@ -12,23 +12,22 @@ use crate::errors::NoOrbit;
 use crate::motion::{ContactChain, Law};
 use crate::number::scalar::Float;
 
-/// Largest number of cycles that the search follows from a start that may be near a steady state. Starts of this kind
-/// are the stuck state, the closed form, and a motion at a neighbouring friction ratio.
+/// Largest number of cycles that the search follows from an initial state that may be near a steady state. Initial
+/// states of this kind are the stuck state, the closed form, and a motion at a neighbouring friction ratio.
 const MAX_CYCLES_NEAR: u32 = 128;
 /// Largest number of possible periods that one search for a subharmonic state tests.
 const MOST_TRIED: u32 = 3;
 /// Number of cycles after which the search first tests for a subharmonic state.
 const FIRST_ASKED: u32 = 16;
-/// A number n of cycles is a possible period if two states n cycles apart differ by less than this fraction of the size
-/// of the motion.
+/// Largest difference of two states n cycles apart at which n is a possible period, divided by the size of the motion.
 const NEARLY_BACK: f64 = 1e-2;
-/// A number of cycles counts as a possible period if the motion comes back much closer to its state than after any
-/// smaller number of cycles. The distance between the two states must then be at most this fraction of the smallest
-/// distance after fewer cycles.
+/// Largest distance between two states n cycles apart at which n is a possible period, divided by the smallest distance
+/// after fewer than n cycles. The motion thus comes back much closer to its state than after any smaller number of
+/// cycles.
 const NEARER: f64 = 0.1;
 
 impl<S> Start<'_, S> {
-    /// Returns the largest number of cycles that the search follows from this start.
+    /// Returns the largest number of cycles that the search follows from this initial state.
     pub(super) fn most_cycles(&self) -> u32 {
         match self {
             Self::Rest | Self::State(..) => MAX_CYCLES,
@@ -37,21 +36,21 @@ impl<S> Start<'_, S> {
     }
 }
 
-/// Result of following a motion towards its steady state.
+/// Result of a search that follows a motion towards its steady state.
 pub(super) enum Settled<S> {
     Found(FoundState<S>),
     /// The contact sticks for ever, at this relative displacement z̄.
     Stuck(S),
-    /// The search found no steady state before it reached its bound on the number of cycles. The [`NoOrbit`] gives the
+    /// The search found no steady state before it reached its largest number of cycles. The [`NoOrbit`] gives the
     /// reason.
     Not(NoOrbit),
 }
 
 /// Follows the motion until it reaches a steady state. If the search finds a steady state, it leaves the cycle map at
-/// that state. Otherwise the cycle map is in the last state of the motion.
+/// that state. If not, the cycle map has the last state of the motion.
 ///
-/// `holding` is |V/H|, the amplitude of the contact force in the stuck state, if β is large enough for the stuck state.
-/// Otherwise `holding` is `None`. The search follows at most `most` cycles. `spare` has room for two states.
+/// If β is large enough for a stuck state, `holding` is |V/H|, the amplitude of the contact force in the stuck state.
+/// Otherwise `holding` is `None`. The search follows at most `most` cycles. `spare` is working memory for two states.
 pub(super) fn settle<S: Float, K: ContactChain<S>>(
     cycle_map: &mut CycleMap<'_, '_, S, K>,
     workspace: &mut Workspace<'_, S>,
@@ -70,9 +69,9 @@ pub(super) fn settle<S: Float, K: ContactChain<S>>(
     let mut failure = NoOrbit::Unsettled;
     let (mut cycles, mut wanted) = (0, 2);
     let mut halves = [EventPattern::default(); 4];
-    // Numbers of successive half cycles with unchanged events. The first number counts half cycles whose events equal
-    // those of the previous half cycle. The second counts half cycles whose events equal those of the half cycle one
-    // cycle earlier.
+    // Numbers of successive half cycles with unchanged events. The first number counts half cycles with the events of
+    // the previous half cycle. The second number counts half cycles with the events of the half cycle one cycle
+    // earlier.
     let mut settled = [0u32; 2];
     while cycles < most {
         while cycles < wanted {
@@ -92,12 +91,12 @@ pub(super) fn settle<S: Float, K: ContactChain<S>>(
             cycles += 1;
         }
         if monotone && hold.is_some() {
-            // With μ = 1 the distance of two motions never grows, and a stuck state exists. No other state can
-            // therefore be steady.
+            // With μ = 1 the distance between two motions never grows, and a stuck state exists. Therefore no other
+            // state can be steady.
             wanted = cycles * 2;
             continue;
         }
-        // The section is placed in the middle of the longest segment, far from all events.
+        // The code places the section at the middle of the longest segment, far from all events.
         let middle = cycle_map.middle * S::pi();
         cycle_map.advance(middle, None)?;
         let [last, before, ..] = halves;
@@ -132,8 +131,8 @@ pub(super) fn settle<S: Float, K: ContactChain<S>>(
             }
             cycle_map.restore(workspace.state, &candidate.here);
         }
-        // With μ = 1 the distance of two motions never grows. A motion that repeats only after several cycles therefore
-        // belongs to a continuum.
+        // With μ = 1 the distance between two motions never grows. A motion that repeats only after several cycles
+        // therefore belongs to a continuum of steady states.
         if FIRST_ASKED <= cycles && (!monotone || most <= cycles * 2) {
             match several(cycle_map, workspace, &mut cycles, failure)? {
                 Settled::Not(error) => failure = error,
@@ -152,8 +151,8 @@ pub(super) fn settle<S: Float, K: ContactChain<S>>(
     Ok(Settled::Not(failure))
 }
 
-/// Finds the only steady state of a scene with μ = 1, for a motion that approaches it too slowly. If it finds no steady
-/// state, the cycle map keeps the state of the motion.
+/// Finds the only steady state of a scene with μ = 1, if the motion approaches it very slowly. If the function finds no
+/// steady state, the cycle map keeps the state of the motion.
 fn slow<S: Float, K: ContactChain<S>>(
     cycle_map: &mut CycleMap<'_, '_, S, K>,
     workspace: &mut Workspace<'_, S>,
@@ -183,8 +182,8 @@ fn slow<S: Float, K: ContactChain<S>>(
     None
 }
 
-/// Finds a steady state that repeats after several cycles, close to the motion. If it finds no steady state, the cycle
-/// map keeps the state of the motion.
+/// Finds a steady state close to the motion that repeats after several cycles. If the function finds no steady state,
+/// the cycle map keeps the state of the motion.
 fn several<S: Float, K: ContactChain<S>>(
     cycle_map: &mut CycleMap<'_, '_, S, K>,
     workspace: &mut Workspace<'_, S>,
@@ -215,7 +214,7 @@ fn several<S: Float, K: ContactChain<S>>(
             if matches!(verdict, Ok(CandidateVerdict::Found(_)))
                 && let Some(sooner) = repeats_sooner(cycle_map, workspace, period)?
             {
-                // The search tries the same state again with the smaller number of cycles as the period.
+                // The search tries the same state again. The period is now the smaller number of cycles.
                 candidate.map.period = sooner;
                 verdict = match candidate
                     .wanted
@@ -241,9 +240,9 @@ fn several<S: Float, K: ContactChain<S>>(
     Ok(Settled::Not(failure))
 }
 
-/// Returns the smallest number of cycles below `period` after which the fixed point repeats. Returns `None` if no
-/// smaller number exists. A slowly decaying free vibration can look like a longer period. The cycle map is at the fixed
-/// point before and after the call.
+/// Returns the smallest number of cycles below `period` after which the motion of the fixed point repeats. Returns
+/// `None` if no smaller number exists. This test is necessary because a slowly decaying free vibration can look like a
+/// longer period. The cycle map is at the fixed point before and after the call.
 fn repeats_sooner<S: Float, K: ContactChain<S>>(
     cycle_map: &mut CycleMap<'_, '_, S, K>,
     workspace: &mut Workspace<'_, S>,
@@ -265,8 +264,8 @@ fn repeats_sooner<S: Float, K: ContactChain<S>>(
 }
 
 /// Finds the number of cycles after which the motion returns close to its present state. The number is more than
-/// `after` and at most `most`, and no smaller number brings the motion as close. Returns the number, and the events
-/// during these cycles.
+/// `after` and at most `most`. No smaller number brings the motion as close to its present state. Returns the number,
+/// and the events during these cycles.
 fn comes_back<S: Float, K: ContactChain<S>>(
     cycle_map: &mut CycleMap<'_, '_, S, K>,
     workspace: &mut Workspace<'_, S>,
@@ -291,9 +290,9 @@ fn comes_back<S: Float, K: ContactChain<S>>(
     Ok(None)
 }
 
-/// Returns the events that a map must have if a whole period has the events `total`. A symmetric map covers half a
-/// period, and has half of the events. If the period has an even number of cycles, the load has the same sign after
-/// half a period. No symmetric map then exists, and the result is `None`.
+/// Returns the events during one application of a map, for a whole period with the events `total`. A symmetric map
+/// advances a state by half a period, with half of the events. If the period has an even number of cycles, the load has
+/// the same sign after half a period. No symmetric map then exists, and the result is `None`.
 fn wanted(total: EventPattern, symmetric: bool, period: u32) -> Option<EventPattern> {
     if !symmetric {
         return Some(total);

@@ -8,28 +8,28 @@ use crate::errors::{NoOrbit, OutOfDomain};
 use crate::motion::ContactChain;
 use crate::number::scalar::Float;
 
-/// Number of cycles that a motion runs at a neighbouring friction ratio before it continues at β.
+/// Number of cycles that a motion runs at a neighbouring friction ratio before it continues at the given β.
 const NEIGHBOURING: u32 = 64;
 
-/// Initial state of a motion, with the excitation at its maximum.
+/// Initial state of a motion. The excitation is then at its maximum.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Start<'s, S> {
-    /// Every mass is at x̄ = 0 without velocity.
+    /// Every mass has the displacement x̄ = 0 and no velocity.
     Rest,
-    /// Displacements x̄ and velocities dx̄/dτ of the masses.
+    /// The masses have the given displacements x̄ (first slice) and velocities dx̄/dτ (second slice).
     State(&'s [S], &'s [S]),
-    /// The stuck state with z̄ = 0, which exists for β ≥ β*_lim.
+    /// The contact sticks at z̄ = 0. This state exists for β ≥ β*_lim.
     Stuck,
-    /// The state of the closed form at this friction ratio. At the given β the motion from this state may differ from
-    /// the closed form.
+    /// The state of the closed form at the given friction ratio. At the β of the search the motion from this state may
+    /// differ from the closed form.
     ClosedForm(S),
-    /// State of a motion from rest that has run at this neighbouring friction ratio for some cycles.
+    /// The state of a motion from rest that has run at the given neighbouring friction ratio for some cycles.
     Neighbour(S),
 }
 
 impl<S: Float> Start<'_, S> {
-    /// Sets the oscillators and the contact of the cycle map to this initial state. The caller sets the initial state
-    /// `Stuck` without this function.
+    /// Sets the oscillators and the contact of the cycle map to this initial state. The initial state `Stuck` does not
+    /// use this function.
     pub(super) fn set_start<K: ContactChain<S>>(
         self,
         cycle_map: &mut CycleMap<'_, '_, S, K>,
@@ -74,7 +74,7 @@ impl<S: Float> Start<'_, S> {
         Ok(())
     }
 
-    /// Returns the initial state, or an error if this state does not exist at β.
+    /// Returns this initial state, or an error if it does not exist at the given β.
     pub(super) fn checked(self, holds: bool) -> Result<Self, OutOfDomain> {
         if self == Self::Stuck && !holds {
             return Err(OutOfDomain::StuckStart);

@@ -8,15 +8,15 @@ use crate::number::scalar::{Float, Scalar};
 use crate::response::{At, Scene};
 use core::fmt;
 
-/// Upper bound on the number of starts in a search for steady states.
+/// Largest number of initial states in a search for steady states.
 const STARTS: usize = 9;
-/// Fractions of β_lim at which the closed form serves as an initial state, if β ≥ β_lim.
+/// Ratios β/β_lim at which the closed form gives an initial state, if the β of the search is at least β_lim.
 const FORMER: [f64; 2] = [0.98, 0.5];
-/// Factors that turn β into the neighbouring friction ratios of some initial states.
+/// Factors by which the code multiplies β. The results are the neighbouring friction ratios of some initial states.
 const NEIGHBOURS: [f64; 4] = [0.97, 1.03, 0.8, 1.25];
 
-/// Iterator over the steady states of [`At::states`]. The iterator computes a state when the caller requests the next
-/// item.
+/// Iterator over the steady states at one friction ratio, which [`At::states`] returns. The iterator searches for a
+/// state when the caller requests the next item.
 pub struct States<T: Scene> {
     at: At<T>,
     beta: T::Scalar,
@@ -44,7 +44,8 @@ impl<T: ProvidesOrbit> States<T> {
         };
         add(Some(Start::Rest));
         let zero = T::Scalar::constant(0.0);
-        // With μ = 1 the distance of two motions never grows, so that all initial states lead to the same steady state.
+        // With μ = 1 the distance between two motions never grows, so that all initial states lead to the same steady
+        // state.
         let law = at.scene().numbers().chain.law(beta);
         if law.is_contraction() || beta.is_zero() {
             return Ok(Self::from_starts(at, beta, starts));

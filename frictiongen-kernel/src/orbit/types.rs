@@ -4,33 +4,35 @@ use crate::contact::sums::Chain;
 use crate::motion::{Contact, ContactState, MotionSetting};
 use crate::number::scalar::Float;
 
-/// Largest number of segments in a cycle of a reported steady state. A period of n cycles may have n times this number.
+/// Largest number of segments in a cycle of a reported steady state. If the period has n cycles, the largest number is
+/// n times as large.
 pub const MAX_SEGMENTS: usize = 64;
 
 /// Largest number of cycles that the search follows from rest or from a given state.
 pub const MAX_CYCLES: u32 = 1024;
 
-/// Largest number of steps of all searches for events in one search for a steady state. Ordinary scenes need far fewer.
-/// A scene whose modes are a thousand times as fast as the excitation would need this number in every cycle.
+/// Largest number of steps that all searches for events may take in one search for a steady state. Ordinary scenes need
+/// far fewer steps. A scene whose modes are a thousand times as fast as the excitation would need this number in every
+/// cycle.
 pub const MAX_STEPS: u32 = 1 << 20;
 
-/// The start of one segment of the period.
+/// Start of one segment of the period.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct SegmentStart<S> {
-    /// State of the contact at the start, with the phase of the excitation within its cycle.
+    /// State of the contact at the start of the segment. It includes the phase of the excitation within its cycle.
     pub(super) contact_state: ContactState<S>,
-    /// Number of the cycle in which the segment starts, counted from the cycle of the first mark.
+    /// Number of the cycle in which the segment starts. The cycle of the first mark has the number 0.
     pub(super) cycle: S,
-    /// Length of the segment in τ.
+    /// Length of the segment in rad of the excitation (τ).
     pub(super) length: S,
     /// Relative displacement z̄ of the contact at the start of the segment.
     pub(super) relative: S,
-    /// Number of segments after this one that are not stored. The code computes them again from this segment.
+    /// Number of segments after this one that are not stored. The code computes these segments again from this one.
     pub(super) more: u32,
 }
 
 impl<S: Float> SegmentStart<S> {
-    /// Returns a segment start whose numbers are all 0, to initialise arrays.
+    /// Returns a segment start whose numbers are all 0. The code uses it to initialise arrays.
     pub(super) fn empty() -> Self {
         let zero = S::constant(0.0);
         Self {
@@ -42,21 +44,21 @@ impl<S: Float> SegmentStart<S> {
         }
     }
 
-    /// Returns the relative displacement z̄ at the end of a segment in which a rigid contact sticks. The result has the
-    /// same bits as z̄ at the start. Returns `None` if the contact slides or is elastic.
+    /// Returns the relative displacement z̄ at the end of a segment in which a rigid contact sticks. The result is
+    /// exactly the z̄ at the start. Returns `None` if the contact slides or is elastic.
     pub(super) fn stuck_at(&self) -> Option<S> {
         let rests = self.contact_state.contact == Contact::Stuck && !self.is_loaded();
         rests.then_some(self.relative)
     }
 
-    /// Returns true if an elastic contact sticks. A stuck elastic contact stores its force, and its spring lets it
-    /// move.
+    /// Returns true if the contact is elastic and sticks in this segment. A stuck elastic contact stores its force, and
+    /// its spring lets it move.
     pub(super) fn is_loaded(&self) -> bool {
         self.contact_state.contact == Contact::Stuck && self.contact_state.memory.is_some()
     }
 
-    /// Returns true if z̄ may fall from a maximum in this segment. The contact then slides backward, or is an elastic
-    /// contact that sticks under a positive force.
+    /// Returns true if the relative displacement z̄ may fall from a maximum in this segment. The contact then slides
+    /// backward, or is an elastic contact that sticks under a positive force.
     pub(super) fn leaves_top(&self) -> bool {
         let force = self.contact_state.memory.unwrap_or(S::constant(0.0));
         match self.contact_state.contact {
@@ -67,10 +69,11 @@ impl<S: Float> SegmentStart<S> {
     }
 }
 
-/// A steady state: a motion that repeats after one cycle of the excitation, or after [`Orbit::period`] cycles.
+/// A steady state. Its motion repeats after one cycle of the excitation, or after [`Orbit::period`] cycles.
 ///
-/// `P` owns the oscillators, `V` the scalars of memory ([`numbers`](super::numbers)), and `C` the multipliers, two for
-/// each mode that the contact drives. All three are arrays in emitted code and vectors at run time.
+/// `P` owns the oscillators. `V` owns the scalars of memory ([`numbers`](super::numbers)). `C` owns the Floquet
+/// multipliers, two for each mode that the contact drives. All three are arrays in emitted code and vectors at run
+/// time.
 #[derive(Clone, Debug)]
 pub struct Orbit<'a, S, P, V, C, K = Chain<S>> {
     pub(super) setting: MotionSetting<'a, S, K>,
@@ -79,17 +82,17 @@ pub struct Orbit<'a, S, P, V, C, K = Chain<S>> {
     pub(super) multipliers: C,
     pub(super) marks: [SegmentStart<S>; MAX_SEGMENTS],
     pub(super) count: usize,
-    /// Period in cycles of the excitation.
+    /// Period of the motion, in cycles of the excitation.
     pub(super) period: u32,
     pub(super) stops: usize,
     pub(super) reversals: usize,
     pub(super) symmetric: bool,
     pub(super) marginal: bool,
     pub(super) settled: bool,
-    /// Largest |offset| of the contact among all states of the continuum to which this state belongs, if known.
+    /// Largest absolute offset of the contact in the continuum to which this steady state belongs, if known.
     pub(super) offset_range: Option<S>,
-    /// The excitation's phase in half-turns at τ = 0, where the relative displacement z̄ leaves its maximum.
-    /// `origin_cycle` is the number of the cycle at that instant, counted as in [`SegmentStart`].
+    /// Phase of the excitation at τ = 0, in half-turns (π rad). At τ = 0 the relative displacement z̄ leaves its
+    /// maximum. `origin_cycle` is the number of the cycle at τ = 0, as [`SegmentStart`] defines it.
     pub(super) origin: S,
     pub(super) origin_cycle: S,
 }

@@ -1,12 +1,12 @@
-//! Formulas of a critically damped mode, ζ = 1.
+//! Formulas of a critically damped mode, whose damping ratio ζ is 1.
 
 use super::values::{
     Basis, Instant, ModeResponse, Turn, complement_and_factor, denominator, one_minus_d,
 };
 use crate::number::scalar::{Float, Scalar};
 
-/// Evaluates the response and damping functions of a mode at ζ = 1. The formulas are of first order in q² = 1 − ζ². q²
-/// itself is 0, but a dual number may have a derivative of q² with respect to ζ.
+/// Evaluates the response and damping functions of a mode at the damping ratio ζ = 1. The formulas include terms of
+/// first order in q² = 1 − ζ². The value of q² is 0, but for a dual number q² may have a derivative with respect to ζ.
 #[inline]
 pub(super) fn response<S: Scalar>(
     x: S,
@@ -18,7 +18,7 @@ pub(super) fn response<S: Scalar>(
     let (denominator, size) = denominator(x, zeta, at);
     let decay = (S::pi() * zeta * x).named("decay_exponent", "a = πζx with ζ = 1", at);
     let (m, e) = complement_and_factor(decay, at);
-    // `square` is θ² with θ = πqx.
+    // `square` is θ² with θ = πqx. x is the natural frequency divided by the excitation frequency.
     let angle = S::pi() * x;
     let square = angle * angle * ((one - zeta) * (one + zeta));
     let sinc_defect = square / S::constant(6.0);
@@ -47,8 +47,8 @@ pub(super) fn response<S: Scalar>(
     }
 }
 
-/// Evaluates the functions of time of a mode at one instant, to first order in q² = 1 − ζ². q² itself is 0, but
-/// derivatives with respect to ζ need the first order.
+/// Evaluates the functions of time [`Basis`] of a mode with ζ = 1 at one instant. The formulas include terms of first
+/// order in q² = 1 − ζ². The value of q² is 0, but derivatives with respect to ζ need the first order.
 pub(super) fn basis<S: Float>(x: S, zeta: S, at: &Instant<S>) -> Basis<S> {
     let one = S::constant(1.0);
     let time = x * at.tau;
@@ -67,7 +67,7 @@ pub(super) fn basis<S: Float>(x: S, zeta: S, at: &Instant<S>) -> Basis<S> {
     Basis::damped(x, zeta, free, slope, one_minus_d, at)
 }
 
-/// Returns the free motion of a critically damped mode during the time τ.
+/// Returns the free motion of a critically damped mode during the time τ, in rad of the excitation.
 #[inline]
 pub(super) fn turn<S: Float>(x: S, tau: S) -> Turn<S> {
     let decay_factor = (-(x * tau)).exp();

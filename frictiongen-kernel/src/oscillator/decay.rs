@@ -1,10 +1,11 @@
-//! Free motion of one mode in time. Each kind of damping has a closed form, and the forms agree at the bounds of their
-//! ranges of ζ.
+//! Free motion of one mode as a function of time. Each kind of damping has its own closed form. Two forms agree where
+//! their ranges of the damping ratio ζ meet.
 //!
-//! The free displacement that starts with unit speed from x̄ = 0 is p = e^{−ζxτ}·sin(qxτ)/(qx). The motion of a mode in
-//! a half period is a combination of p, its derivative p′ and three differences ([`Basis`]). Some of the differences
-//! vanish where p vanishes, others at the resonance of the mode. The code computes all differences without
-//! cancellation.
+//! The free displacement that starts with unit speed from 0 is p = e^{−ζxτ}·sin(qxτ)/(qx). Here ζ is the damping ratio,
+//! q = √(1 − ζ²), x the natural frequency divided by the excitation frequency, and τ the time in rad of the excitation.
+//! The motion of a mode in a half period is a combination of p, its derivative p′ and three differences ([`Basis`]).
+//! Some of the differences vanish where p vanishes, others at the resonance of the mode. The code computes all
+//! differences without cancellation.
 
 use super::mode::{Kind, Mode};
 pub(crate) use super::values::Turn;
@@ -15,7 +16,7 @@ use crate::number::scalar::Float;
 use crate::number::special::versine_beside;
 
 impl<S: Float> Instant<S> {
-    /// Creates the instant τ = πt from the phase t in half-turns.
+    /// Creates the instant τ = πt from the phase t in half-turns (π rad).
     #[inline]
     pub fn new(t: S) -> Self {
         let (sine, cosine) = t.sin_cos_pi();
@@ -28,7 +29,7 @@ impl<S: Float> Instant<S> {
         }
     }
 
-    /// Creates the instant τ = 0, the beginning of the half period.
+    /// Creates the instant τ = 0, the start of the half period.
     #[inline]
     pub(crate) fn start() -> Self {
         let zero = S::constant(0.0);
@@ -41,7 +42,7 @@ impl<S: Float> Instant<S> {
         }
     }
 
-    /// Creates the instant τ from the phase in rad. At τ = 0 it evaluates no sine.
+    /// Creates the instant τ from the phase in rad. For τ = 0 the code evaluates no sine.
     #[inline]
     pub(crate) fn from_start(tau: S) -> Self {
         if tau.is_zero() {
@@ -52,28 +53,29 @@ impl<S: Float> Instant<S> {
     }
 }
 
-/// Damping of the modes of a scene. The damping is a type parameter, so that the code of undamped scenes contains no
+/// Damping of the modes of a scene. The damping is a type parameter, so that the code for undamped scenes contains no
 /// exponentials.
 pub trait Decay<S: Float>: Copy {
-    /// Creates the damping from the kind of damping and the modal damping ratio of a mode.
+    /// Creates the damping of a mode from its kind of damping and its damping ratio.
     fn of(mode: &Mode<S>) -> Self;
-    /// Returns the kind of damping (undamped, underdamped, critical or overdamped), which selects the closed form.
+    /// Returns the kind of damping of the mode: undamped, underdamped, critical or overdamped. The kind selects the
+    /// closed form.
     fn kind(&self) -> Kind;
-    /// Returns the modal damping ratio ζ.
+    /// Returns the modal damping ratio ζ of the mode.
     fn zeta(&self) -> S;
-    /// Evaluates the free displacement p of a mode at one instant, and the other functions of time in [`Basis`]. x is
-    /// the natural frequency divided by the excitation frequency, 1/R.
+    /// Evaluates the functions of time [`Basis`] of a mode at one instant. One of them is the free displacement p. x is
+    /// the natural frequency divided by the excitation frequency.
     fn basis(&self, x: S, at: &Instant<S>) -> Basis<S>;
-    /// Evaluates the free displacement p and its derivative p′ at one instant, without the other functions of
-    /// [`Basis`].
+    /// Evaluates the free displacement p and its derivative p′ of a mode at one instant, without the other functions of
+    /// [`Basis`]. x is the natural frequency divided by the excitation frequency.
     fn free(&self, x: S, at: &Instant<S>) -> (S, S);
 }
 
-/// Damping of a mode with ζ = 0, for scenes without damping.
+/// Damping of a mode with the damping ratio ζ = 0, for scenes without damping.
 #[derive(Clone, Copy, Debug, Default)]
 pub struct Undamped;
 
-/// Damping of a mode with any modal damping ratio ζ, including 0.
+/// Damping of a mode with any damping ratio ζ, including 0.
 #[derive(Clone, Copy, Debug)]
 pub struct Damped<S> {
     kind: Kind,
@@ -142,7 +144,7 @@ impl<S: Float> Decay<S> for Damped<S> {
 }
 
 impl<S: Float> Damped<S> {
-    /// Creates the damping of a mode from its modal damping ratio ζ, from q = √|1 − ζ²|, and from the kind of damping.
+    /// Creates the damping of a mode from its kind of damping, its damping ratio ζ, and q = √|1 − ζ²|.
     pub(crate) fn new(kind: Kind, zeta: S, q: S) -> Self {
         Self {
             kind,
@@ -153,8 +155,8 @@ impl<S: Float> Damped<S> {
     }
 }
 
-/// Returns the free motion of a mode during the time τ = πt. The natural frequency of the mode is x times the
-/// excitation frequency.
+/// Returns the free motion of a mode during the time τ = πt, in rad of the excitation. The natural frequency of the
+/// mode is x times the excitation frequency.
 #[inline]
 pub(crate) fn turn<S: Float>(kind: Kind, zeta: S, q: S, x: S, (t, tau): (S, S)) -> Turn<S> {
     match kind {
@@ -166,7 +168,7 @@ pub(crate) fn turn<S: Float>(kind: Kind, zeta: S, q: S, x: S, (t, tau): (S, S)) 
 }
 
 /// Returns the two factors e^{x(−ζ ± iq)τ} by which the free motion of a mode grows or decays. Each factor belongs to
-/// one of the two complex solutions of the free motion. τ is the time of `turn`.
+/// one of the two complex solutions of the free motion. τ is the time of the argument `turn`.
 pub(crate) fn multipliers<S: Float>(kind: Kind, q: S, turn: &Turn<S>) -> [Complex<S>; 2] {
     let im = q * turn.s;
     match kind {

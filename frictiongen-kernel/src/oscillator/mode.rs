@@ -1,4 +1,4 @@
-//! One mode of the chain, with its constants, and its response and damping functions at a frequency.
+//! One mode of the chain: its constants, and its response and damping functions at a frequency.
 //!
 //! Every function of a single mode depends on x = √λ/r, the natural frequency of the mode divided by the excitation
 //! frequency. The code rounds x once. The response v and the half-period damping functions u and g (7.11, 7.12)
@@ -12,53 +12,56 @@ use super::{critical, overdamped, undamped, underdamped};
 use crate::number::complex;
 use crate::number::scalar::Scalar;
 
-/// Kind of damping of a mode. The kind selects the closed form in which the functions of the mode are evaluated.
+/// Kind of damping of a mode. The kind selects the closed form with which the code evaluates the functions of the mode.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Kind {
     /// No damping, ζ = 0.
     Undamped,
-    /// Light damping, 0 < ζ < 1/2. The mode stores 1 − q as well as q = √(1 − ζ²), since 1 − q computed from q would
-    /// lose digits for small ζ.
+    /// Light damping, 0 < ζ < 1/2. The mode stores 1 − q in addition to q = √(1 − ζ²), because 1 − q computed from q
+    /// would lose digits for small ζ.
     Light,
-    /// Heavy damping below critical, 1/2 ≤ ζ < 1.
+    /// Heavy damping below the critical damping, 1/2 ≤ ζ < 1.
     Heavy,
     /// Critical damping, ζ = 1.
     Critical,
-    /// Overdamped, ζ > 1. The free motion does not oscillate.
+    /// Damping above the critical damping, ζ > 1. The free motion does not oscillate.
     Over,
 }
 
-/// Constants of one mode of the chain. They depend on the scene alone, not on the frequency ratio r.
+/// Constants of one mode of the chain. They depend on the scene, not on the frequency ratio r.
 #[derive(Clone, Copy, Debug)]
 pub struct Mode<S> {
-    /// Kind of damping, which selects the closed form.
+    /// Kind of damping of the mode, which selects the closed form.
     pub kind: Kind,
-    /// True if the contact drives the mode, which means φᵀw ≠ 0 with the mode shape φ and the contact direction w.
+    /// True if the contact drives the mode. This is the case if φᵀw ≠ 0, where φ is the mode shape and w the contact
+    /// direction.
     pub in_contact: bool,
-    /// Resonance √λ: the frequency ratio r at which the mode resonates.
+    /// Natural frequency √λ of the mode, as a frequency ratio: the mode resonates at r = √λ.
     pub resonance: S,
-    /// Modal damping ratio ζ.
+    /// Damping ratio ζ of the mode.
     pub zeta: S,
-    /// Factor q = √|1 − ζ²| between the damped and the undamped natural frequency.
+    /// Damped natural frequency of the mode divided by its undamped natural frequency, q = √|1 − ζ²|.
     pub q: S,
-    /// 1 − q, to full relative accuracy. Only modes of [`Kind::Light`] use it.
+    /// 1 − q, with full relative accuracy, where q = √(1 − ζ²). Only modes of [`Kind::Light`] use this number.
     pub q_defect: S,
     /// Product φᵀp of the mode shape φ and the load vector p. The load drives the mode in proportion to this product.
     pub load: S,
     /// Product φᵀw of the mode shape φ and the contact direction w. The contact drives the mode in proportion to this
     /// product.
     pub contact: S,
-    /// Residue (φᵀw)(φᵀp) of the mode from load to contact. The residue is λ times the static residue.
+    /// Residue (φᵀw)(φᵀp) of the mode in the response of the contact to the load. The residue is λ times the static
+    /// residue.
     pub residue: S,
-    /// Square (φᵀw)², the term of this mode in the inverse effective mass m* of the contact.
+    /// Square (φᵀw)² of the product of the mode shape φ and the contact direction w. It is the term of this mode in the
+    /// inverse of the contact's effective mass m*.
     pub contact_squared: S,
-    /// Static residue (φᵀw)(φᵀp)/λ from load to contact: the term of this mode in the static displacement of the
-    /// contact under the load.
+    /// Static residue (φᵀw)(φᵀp)/λ of the mode. It is the term of this mode in the static displacement of the contact
+    /// under the load.
     pub static_residue: S,
 }
 
 impl<S: Scalar> ModeResponse<S> {
-    /// Creates a response whose numbers are all 0, as the initial content of an array.
+    /// Creates a mode response whose numbers are all 0. The code uses it as the initial content of an array.
     #[must_use]
     pub fn zero() -> Self {
         let zero = S::constant(0.0);
@@ -74,15 +77,15 @@ impl<S: Scalar> ModeResponse<S> {
 }
 
 impl<S: Scalar> Mode<S> {
-    /// Evaluates the response and damping functions of the mode at r = 1/`inverse_r`. `index` only names variables in
-    /// emitted code.
+    /// Evaluates the response and damping functions of the mode at the frequency ratio r = 1/`inverse_r`. `index` only
+    /// names variables in emitted code.
     #[inline]
     pub fn response(&self, inverse_r: S, index: usize) -> ModeResponse<S> {
         self.functions_of(self.kind, inverse_r, true, index)
     }
 
-    /// Evaluates the response and damping functions of the mode at r = 1/`inverse_r`. If `with_g` is false, the result
-    /// has g = 0, which saves half of the work. The limits of continuous and stuck motion do not need g.
+    /// Evaluates the response and damping functions of the mode at the frequency ratio r = 1/`inverse_r`. If `with_g`
+    /// is false, g is 0 in the result, which halves the work. The limits of continuous and stuck motion do not need g.
     #[inline(always)]
     pub(crate) fn functions(&self, inverse_r: S, with_g: bool) -> ModeResponse<S> {
         self.functions_of(self.kind, inverse_r, with_g, 0)
@@ -110,14 +113,15 @@ impl<S: Scalar> Mode<S> {
         }
     }
 
-    /// Evaluates the response and damping functions of an undamped mode at x = √λ/r.
+    /// Evaluates the response and damping functions of an undamped mode at x = √λ/r, its natural frequency divided by
+    /// the excitation frequency.
     #[inline(always)]
     pub(crate) fn undamped(x: S) -> ModeResponse<S> {
         undamped::response(x, None)
     }
 
-    /// Returns |x² − 1| + 2ζx of the mode at r = 1/`inverse_r`. The field `size` of [`response`](Self::response) is the
-    /// same number.
+    /// Returns |x² − 1| + 2ζx of the mode at the frequency ratio r = 1/`inverse_r`, where x = √λ/r. The field `size` of
+    /// [`response`](Self::response) is the same number.
     #[inline]
     pub(crate) fn size(&self, inverse_r: S) -> S {
         let x = self.resonance * inverse_r;
@@ -127,8 +131,8 @@ impl<S: Scalar> Mode<S> {
         }
     }
 
-    /// Returns |x² − 1| + 2ζx of a mode whose kind of damping the caller knows. The result is exactly 0 for an undamped
-    /// mode at its resonance.
+    /// Returns |x² − 1| + 2ζx of a mode whose kind of damping the caller knows, where x = √λ/r. For an undamped mode at
+    /// its resonance the result is exactly 0.
     #[inline(always)]
     pub(crate) fn size_but_zero(&self, kind: Kind, inverse_r: S) -> S {
         let x = self.resonance * inverse_r;

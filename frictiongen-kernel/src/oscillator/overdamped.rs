@@ -1,11 +1,12 @@
-//! Formulas of an overdamped mode, ζ > 1, with q = √(ζ² − 1). Its free motion is the sum of two decaying exponentials.
+//! Formulas of an overdamped mode, with the damping ratio ζ > 1 and q = √(ζ² − 1). The free motion of the mode is the
+//! sum of two decaying exponentials.
 
 use super::values::{Basis, Instant, ModeResponse, Turn, denominator};
 use crate::number::scalar::{Float, Scalar};
 use crate::number::special::exp_m1_minus;
 
-/// Evaluates the response and damping functions of a mode for ζ > 1. The function combines the exponentials
-/// e^{−πx(ζ∓q)} in a form in which neither can overflow.
+/// Evaluates the response and damping functions of a mode with the damping ratio ζ > 1. The function combines the
+/// exponentials e^{−πx(ζ∓q)} in a form in which neither exponential can overflow.
 #[inline]
 pub(super) fn response<S: Scalar>(
     x: S,
@@ -47,8 +48,8 @@ pub(super) fn response<S: Scalar>(
         at,
     );
     let a = -(-(S::constant(2.0) * pi * zeta * x)).exp_m1() * k;
-    // `defect` is 1 − e^{−2πζx} − (ζ/q)(e^{−slow} − e^{−fast}), written with terms of the third order in x. The
-    // subtracted term is at most two thirds of the sum of the other terms.
+    // `defect` is 1 − e^{−2πζx} − (ζ/q)(e^{−slow} − e^{−fast}). The code writes it with terms of the third order in x.
+    // The subtracted term is at most two thirds of the sum of the other terms.
     let defect = if with_g {
         let half = S::constant(0.5);
         let minus_one =
@@ -80,7 +81,7 @@ pub(super) fn response<S: Scalar>(
     }
 }
 
-/// Evaluates the functions of time of an overdamped mode at one instant.
+/// Evaluates the functions of time [`Basis`] of an overdamped mode at one instant.
 pub(super) fn basis<S: Float>(x: S, zeta: S, q: S, at: &Instant<S>) -> Basis<S> {
     let (one, half) = (S::constant(1.0), S::constant(0.5));
     let sum = zeta + q;
@@ -93,13 +94,13 @@ pub(super) fn basis<S: Float>(x: S, zeta: S, q: S, at: &Instant<S>) -> Basis<S> 
     let (free, slope) = (sinh / x, cosh - zeta * sinh);
     let decay = zeta * time;
     let one_minus_d = if S::constant(2.0) < sum && time < sum {
-        // The code computes e^a − 1 − a of both exponentials e^a, that is, their terms of second and higher order. In
-        // the formulas of the other branches, the terms would cancel to a fraction 1/ζ² of their size.
+        // For both exponentials e^a, the code computes e^a − 1 − a, which contains only terms of second and higher
+        // order in a. In the formulas of the other branches, the terms would cancel to a fraction 1/ζ² of their size.
         let (slow, fast) = (exp_m1_minus(-(time / sum)), exp_m1_minus(-(time * sum)));
         (fast / sum - slow * sum) * half / q
     } else if decay < half {
-        // 1 − d is e^{−a}(e^a − cosh b − (a/b) sinh b) with a = ζxτ and b = qxτ. All terms of this branch start at the
-        // second order in a and b.
+        // 1 − d is e^{−a}(e^a − cosh b − (a/b) sinh b) with a = ζxτ and b = qxτ. In this branch all terms are of second
+        // or higher order in a and b.
         let b = q * time;
         let (plus, minus) = (exp_m1_minus(b), exp_m1_minus(-b));
         let sinh_ratio = if b > S::constant(0.0) {
@@ -114,7 +115,7 @@ pub(super) fn basis<S: Float>(x: S, zeta: S, q: S, at: &Instant<S>) -> Basis<S> 
     Basis::damped(x, zeta, free, slope, one_minus_d, at)
 }
 
-/// Returns the free motion of an overdamped mode during the time τ.
+/// Returns the free motion of an overdamped mode during the time τ, in rad of the excitation.
 #[inline]
 pub(super) fn turn<S: Float>(x: S, zeta: S, q: S, tau: S) -> Turn<S> {
     let half = S::constant(0.5);

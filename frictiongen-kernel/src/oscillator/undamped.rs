@@ -1,21 +1,22 @@
-//! Formulas of an undamped mode, ζ = 0.
+//! Formulas of an undamped mode, whose damping ratio ζ is 0.
 
 use super::values::{Basis, Instant, ModeResponse, Turn, differences};
 use crate::number::complex;
 use crate::number::scalar::{Float, Scalar};
 use crate::number::special::versine_beside;
 
-/// Returns x² − 1 of an undamped mode. The result is a tiny number instead of an exact zero, so that it can be a
-/// divisor.
+/// Returns x² − 1 of an undamped mode, where x is the natural frequency divided by the excitation frequency. If x² − 1
+/// is exactly 0, the result is a tiny number, so that it can be a divisor.
 #[inline]
 pub(super) fn detuning<S: Scalar>(x: S) -> S {
     let one = S::constant(1.0);
     ((x - one) * (x + one)).detuning_off_pole()
 }
 
-/// Evaluates the response and damping functions of a mode for ζ = 0: v = x²/(x² − 1), u = x·tan(πx/2), g = 0. Both v
-/// and u have a pole at x = 1. The function u also has poles at x = 3, 5, 7 and all further odd x. The function
-/// replaces exact zeros of the two divisors by tiny numbers, so that no quotient is 0/0.
+/// Evaluates the response and damping functions of an undamped mode: v = x²/(x² − 1), u = x·tan(πx/2), g = 0. x is the
+/// natural frequency divided by the excitation frequency. Both v and u have a pole at x = 1. The function u also has
+/// poles at x = 3, 5, 7 and all further odd x. The code replaces exact zeros of the two divisors by tiny numbers, so
+/// that no quotient is 0/0.
 #[inline(always)]
 pub(super) fn response<S: Scalar>(x: S, at: Option<usize>) -> ModeResponse<S> {
     let zero = S::constant(0.0);
@@ -43,7 +44,7 @@ pub(super) fn response<S: Scalar>(x: S, at: Option<usize>) -> ModeResponse<S> {
     }
 }
 
-/// Evaluates the functions of time of an undamped mode at one instant.
+/// Evaluates the functions of time [`Basis`] of an undamped mode at one instant.
 #[inline]
 pub(super) fn basis<S: Float>(x: S, at: &Instant<S>) -> Basis<S> {
     let half_turns = x * at.t;
@@ -59,7 +60,7 @@ pub(super) fn basis<S: Float>(x: S, at: &Instant<S>) -> Basis<S> {
     }
 }
 
-/// Returns the free motion of an undamped mode during the time τ = πt.
+/// Returns the free motion of an undamped mode during the time τ = πt, in rad of the excitation.
 #[inline]
 pub(super) fn turn<S: Float>(x: S, t: S) -> Turn<S> {
     let (s, c) = (x * t).sin_cos_pi();

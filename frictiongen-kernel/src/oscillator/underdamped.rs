@@ -1,4 +1,5 @@
-//! Formulas of an underdamped mode, 0 < ζ < 1, with q = √(1 − ζ²). Its free motion is a decaying oscillation.
+//! Formulas of an underdamped mode, with the damping ratio 0 < ζ < 1 and q = √(1 − ζ²). The free motion of the mode is
+//! a decaying oscillation.
 
 use super::values::{
     Basis, Instant, ModeResponse, Turn, complement_and_factor, denominator, differences,
@@ -7,9 +8,10 @@ use super::values::{
 use crate::number::scalar::{Float, Scalar};
 use crate::number::special::versine_beside;
 
-/// Evaluates the response and damping functions of a mode for 0 < ζ < 1 (section 3 of `docs/derivation.md`). The
-/// denominator 1 + E, with E = e^{−πx(ζ−iq)}, is nearly 0 at some x. The code uses (1 + E)e^{−iθ/2} = (1 + e) cos(θ/2)
-/// − i m sin(θ/2), with θ = πqx, e = |E| and m = 1 − e. This form keeps its digits where the denominator is small.
+/// Evaluates the response and damping functions of a mode with the damping ratio 0 < ζ < 1 (section 3 of
+/// `docs/derivation.md`). The formulas have the denominator 1 + E with E = e^{−πx(ζ−iq)}, which is nearly 0 at some x.
+/// The code uses (1 + E)e^{−iθ/2} = (1 + e) cos(θ/2) − i m sin(θ/2) instead, with θ = πqx, e = |E| and m = 1 − e. This
+/// form keeps its digits where the denominator is small.
 #[inline(always)]
 pub(super) fn response<S: Scalar>(
     x: S,
@@ -55,7 +57,8 @@ pub(super) fn response<S: Scalar>(
         "size/(D·inverse_nearness)",
         at,
     );
-    // The division 4/q comes first, since 4/q is a constant of the scene. Emitted code then divides at compile time.
+    // The division 4/q comes first, because 4/q is a constant of the scene. The compiler of the emitted code then
+    // evaluates it at compile time.
     let b = (S::constant(4.0) / q * s * e * (c * inverse) * k).named(
         "u_times_r",
         "uR·size = (2e/q) sin(πqx)·size/D (7.11)",
@@ -85,8 +88,8 @@ pub(super) fn response<S: Scalar>(
     }
 }
 
-/// Evaluates the functions of time of a mode at one instant, for 0 < ζ < 1/2. The formulas have no cancellation close
-/// to the resonance x = 1.
+/// Evaluates the functions of time [`Basis`] of a mode at one instant, for a damping ratio 0 < ζ < 1/2. The formulas
+/// have no cancellation close to the resonance x = 1.
 pub(super) fn light<S: Float>(x: S, zeta: S, q: S, q_defect: S, at: &Instant<S>) -> Basis<S> {
     let (one, half) = (S::constant(1.0), S::constant(0.5));
     let decay = zeta * x * at.tau;
@@ -104,8 +107,8 @@ pub(super) fn light<S: Float>(x: S, zeta: S, q: S, q_defect: S, at: &Instant<S>)
     let one_minus_d = one_minus_d(decay, decay_factor, direct, versine, sinc_defect);
     let mut basis = Basis::damped(x, zeta, free, slope, one_minus_d, at);
     if (x - one).abs() < half {
-        // Each difference is the undamped difference plus the change due to damping. The code computes the undamped
-        // difference and the change without cancellation.
+        // Each difference is the undamped difference plus a change due to damping. The code computes both parts without
+        // cancellation.
         let (s0, c0) = turns.sin_cos_pi();
         let (forced, forced_slope) = differences(x, s0, versine_beside(turns, c0), at);
         let (half_s, _) = (defect * half).sin_cos_pi();
@@ -119,7 +122,7 @@ pub(super) fn light<S: Float>(x: S, zeta: S, q: S, q_defect: S, at: &Instant<S>)
     basis
 }
 
-/// Evaluates the functions of time of a mode at one instant, for 1/2 ≤ ζ < 1.
+/// Evaluates the functions of time [`Basis`] of a mode at one instant, for a damping ratio 1/2 ≤ ζ < 1.
 pub(super) fn heavy<S: Float>(x: S, zeta: S, q: S, at: &Instant<S>) -> Basis<S> {
     let one = S::constant(1.0);
     let decay = zeta * x * at.tau;
@@ -134,7 +137,7 @@ pub(super) fn heavy<S: Float>(x: S, zeta: S, q: S, at: &Instant<S>) -> Basis<S> 
     Basis::damped(x, zeta, free, slope, one_minus_d, at)
 }
 
-/// Returns the free motion of an underdamped mode during the time τ = πt.
+/// Returns the free motion of an underdamped mode during the time τ = πt, in rad of the excitation.
 #[inline]
 pub(super) fn turn<S: Float>(x: S, zeta: S, q: S, t: S, tau: S) -> Turn<S> {
     let decay_factor = (-(zeta * x * tau)).exp();

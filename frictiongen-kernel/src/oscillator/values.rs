@@ -4,62 +4,63 @@ use crate::number::complex::Complex;
 use crate::number::scalar::{Float, Scalar};
 use crate::number::special::exp_m1_minus;
 
-/// Response and damping functions of one mode at one frequency. The code multiplies u, g and `reversal` by `size`, so
-/// that they stay finite at the resonance x = 1.
+/// Response and damping functions of one mode at one frequency. The code multiplies u, g and `reversal` by `size`. They
+/// then stay finite at the resonance x = 1.
 #[derive(Clone, Copy, Debug)]
 pub struct ModeResponse<S> {
-    /// Natural frequency of the mode divided by the excitation frequency, x = √λ/r = 1/R.
+    /// Natural frequency of the mode divided by the excitation frequency, x = √λ/r. Its inverse is R = 1/x.
     pub x: S,
-    /// Denominator of the response v to the load, x² − 1 + 2iζx = x²/v.
+    /// Denominator of the mode's response v to the load, x² − 1 + 2iζx = x²/v.
     pub denominator: Complex<S>,
-    /// |Re| + |Im| of the denominator, which measures the distance from the resonance.
+    /// |Re| + |Im| of `denominator`. This number is a measure of the distance from the resonance.
     pub size: S,
-    /// Damping function u (7.11), multiplied by R² and by `size`. A square wave of friction force causes a response,
-    /// and u is the slope of this response at the reversal.
+    /// Damping function u (7.11) of the mode, multiplied by R² and by `size`. A square wave of friction force causes a
+    /// response of the mode. u is the slope of this response at the reversal.
     pub u: S,
-    /// Damping function g (7.12), multiplied by `size`. A square wave of friction force causes a response, and g is
-    /// this response at the reversal. Without damping g is 0.
+    /// Damping function g (7.12) of the mode, multiplied by `size`. A square wave of friction force causes a response
+    /// of the mode. g is the value of this response at the reversal. Without damping g is 0.
     pub g: S,
-    /// Damping term g + 2ζRu of the mode, multiplied by `size`. This term contributes to H_c in the break-away
-    /// condition at a reversal. Without damping it is 0.
+    /// Damping term g + 2ζRu of the mode, multiplied by `size`. It is a term of H_c in the break-away condition at a
+    /// reversal. Without damping it is 0.
     pub reversal: S,
 }
 
-/// An instant of the half period, with its phase τ = ωt from a maximum of z̄ and the sine and cosine of τ.
+/// An instant of the half period. It stores the phase τ = ωt from a maximum of z̄, and the sine and the cosine of τ.
 #[derive(Clone, Copy, Debug)]
 pub struct Instant<S> {
-    /// Phase in half-turns, t = τ/π.
+    /// Phase in half-turns (π rad), t = τ/π.
     pub t: S,
     /// Phase τ, in rad.
     pub tau: S,
-    /// sin τ.
+    /// Sine of the phase τ.
     pub sine: S,
-    /// cos τ.
+    /// Cosine of the phase τ.
     pub cosine: S,
-    /// 1 − cos τ.
+    /// 1 − cos τ, where τ is the phase.
     pub versine: S,
 }
 
-/// Functions of time of one mode, at one instant: the free displacement p and quantities derived from p. The motion of
-/// the mode in the half period is a linear combination of these functions.
+/// Functions of time of one mode at one instant: the free displacement p, and quantities that the code derives from p.
+/// The motion of the mode in the half period is a linear combination of these functions.
 #[derive(Clone, Copy, Debug)]
 pub struct Basis<S> {
-    /// Free displacement p = e^{−ζxτ} sin(qxτ)/(qx), which starts from 0 with unit speed. x is 1/R.
+    /// Free displacement p = e^{−ζxτ} sin(qxτ)/(qx) of the mode. It starts from 0 with unit speed. x is the natural
+    /// frequency divided by the excitation frequency.
     pub free: S,
-    /// Derivative p′ of the free displacement p with respect to τ.
+    /// Derivative p′ of the free displacement p with respect to the phase τ.
     pub slope: S,
-    /// Difference (sin τ − p), where p is the free displacement.
+    /// Difference sin τ − p, where p is the free displacement of the mode.
     pub forced: S,
-    /// Difference (cos τ − p′), the derivative of (sin τ − p), where p is the free displacement.
+    /// Difference cos τ − p′, where p is the free displacement of the mode. It is the derivative of sin τ − p.
     pub forced_slope: S,
-    /// (1 − d)/x², where d = p′ + 2ζx·p is the free motion that starts at rest from displacement 1.
+    /// (1 − d)/x², where d = p′ + 2ζx·p is the free motion of the mode that starts at rest from displacement 1.
     pub rise: S,
 }
 
 impl<S: Float> Basis<S> {
     /// Computes all functions of time from the free displacement p, from p′ and from 1 − d, where d = p′ + 2ζx·p. The
-    /// function computes cos τ − p′ from 1 − d, to keep the digits for τ → 0. The velocity constraint divides this
-    /// number by sin τ.
+    /// code computes cos τ − p′ from 1 − d, so that the result keeps its digits for τ → 0. The velocity constraint
+    /// divides this result by sin τ.
     #[inline]
     pub(super) fn damped(
         x: S,
@@ -79,19 +80,20 @@ impl<S: Float> Basis<S> {
     }
 }
 
-/// Free motion of one mode during a time τ: c = e^{−ζxτ}cos(qxτ) and s = e^{−ζxτ}sin(qxτ)/q. c and s depend only on q²,
-/// so that they also describe overdamped modes, with a negative q².
+/// Free motion of one mode during a time τ. The motion consists of c = e^{−ζxτ}cos(qxτ) and s = e^{−ζxτ}sin(qxτ)/q,
+/// where x is the natural frequency divided by the excitation frequency. Both c and s depend on q only through q². A
+/// negative q² therefore describes an overdamped mode.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Turn<S> {
     pub c: S,
     pub s: S,
-    /// Factor e^{−ζxτ} by which an oscillation decays during the time τ. For modes that do not oscillate the factor
-    /// is 1.
+    /// Factor e^{−ζxτ} by which an oscillation of the mode decays during the time τ. For a mode that does not oscillate
+    /// the factor is 1.
     pub decay_factor: S,
 }
 
 impl<S: Float> Turn<S> {
-    /// Advances a free displacement y and a scaled velocity u = y′/x by the time τ.
+    /// Returns the free displacement y and the scaled velocity u = y′/x after the time τ, from y and u at the start.
     #[inline]
     pub(crate) fn moved(&self, zeta: S, [y, u]: [S; 2]) -> [S; 2] {
         let drag = zeta * self.s;
@@ -102,7 +104,7 @@ impl<S: Float> Turn<S> {
     }
 }
 
-/// Returns the denominator x² − 1 + 2iζx of a response, and the sum |Re| + |Im| of the denominator.
+/// Returns the denominator x² − 1 + 2iζx of a mode's response, and the sum |Re| + |Im| of the denominator.
 #[inline]
 pub(super) fn denominator<S: Scalar>(x: S, zeta: S, at: Option<usize>) -> (Complex<S>, S) {
     let one = S::constant(1.0);
@@ -118,8 +120,8 @@ pub(super) fn denominator<S: Scalar>(x: S, zeta: S, at: Option<usize>) -> (Compl
     )
 }
 
-/// Returns the two numbers 1 − e^{−decay} and e^{−decay}, each with full relative accuracy. The function does not
-/// subtract either result from 1, because a small result would lose digits.
+/// Returns the two numbers 1 − e^{−decay} and e^{−decay}, each with full relative accuracy. The code does not compute
+/// one number as 1 minus the other, because a small result would lose digits.
 #[inline]
 pub(super) fn complement_and_factor<S: Scalar>(decay: S, at: Option<usize>) -> (S, S) {
     let half = (decay * S::constant(-0.5)).exp_m1();
@@ -133,8 +135,8 @@ pub(super) fn complement_and_factor<S: Scalar>(decay: S, at: Option<usize>) -> (
 }
 
 /// Returns x·sin τ − sin xτ and cos τ − cos xτ. Close to the resonance x = 1 both are differences of nearly equal
-/// terms, and the damping functions that multiply them are large. The function therefore computes products instead of
-/// differences. For τ → 0 the function also keeps the digits of cos τ − cos xτ, because the velocity constraint divides
+/// terms, and the damping functions that multiply them are large. The code therefore computes products instead of
+/// differences. For τ → 0 the code also keeps the digits of cos τ − cos xτ, because the velocity constraint divides
 /// this difference by sin τ.
 #[inline]
 pub(super) fn differences<S: Float>(x: S, sine_x: S, versine_x: S, at: &Instant<S>) -> (S, S) {
@@ -151,9 +153,9 @@ pub(super) fn differences<S: Float>(x: S, sine_x: S, versine_x: S, at: &Instant<
     }
 }
 
-/// Returns 1 − d, where d is the free motion that starts at rest from displacement 1. For a decay a = ζxτ below 1, the
-/// result is e^{−a}[(e^a − 1 − a) + (1 − cos b) + a(1 − sin b/b)] with b = qxτ. All terms of this sum have the same
-/// sign. For larger decays the function returns `direct`, in which no terms cancel.
+/// Returns 1 − d, where d is the free motion that starts at rest from displacement 1. If the decay a = ζxτ is below 1,
+/// the result is e^{−a}[(e^a − 1 − a) + (1 − cos b) + a(1 − sin b/b)] with b = qxτ. All terms of this sum have the same
+/// sign. For a larger decay the result is `direct`, in which no terms cancel.
 #[inline]
 pub(super) fn one_minus_d<S: Float>(
     decay: S,

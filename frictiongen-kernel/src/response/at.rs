@@ -9,8 +9,8 @@ use crate::modal_sum::search::{self, Effort, Peak, Weight};
 use crate::modal_sum::wave::fastest;
 use crate::number::scalar::Scalar;
 
-/// A scene at one frequency ratio r. The struct stores the sums over the modes from which the limits β_lim and β*_lim
-/// and every motion follow.
+/// A scene at one frequency ratio r. The struct stores the sums over the modes with which the code computes the limits
+/// β_lim and β*_lim and every motion.
 #[derive(Clone, Debug)]
 pub struct At<T: Scene> {
     pub(super) scene: T,
@@ -22,41 +22,44 @@ pub struct At<T: Scene> {
 
 impl<T: Scene + Copy> Copy for At<T> where T::Modes: Copy {}
 
-/// Upper bounds on the evaluations of the modal sum in one search. A grid of up to 32 instants counts as two
+/// Largest numbers of evaluations of the modal sum in one search. A grid of up to 32 instants counts as two
 /// evaluations.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[non_exhaustive]
 pub struct MostEvaluations {
-    /// Upper bound for one search for β_lim, the limit of continuous motion. `continuous_limit`, `limits`, `regime` and
-    /// `margin` each make one search, `motion` makes one or two. The bound is 0 if β_lim needs no search.
+    /// Largest number of evaluations in one search for β_lim, the limit of continuous motion. The methods
+    /// `continuous_limit`, `limits`, `regime` and `margin` make one search each. `motion` makes one or two. If β_lim
+    /// needs no search, the number is 0.
     pub limit: u32,
-    /// Upper bound for one search for the amplitude and phase of a mass.
+    /// Largest number of evaluations in one search for the amplitude and phase of a mass.
     pub amplitude: u32,
 }
 
-/// Checks the frequency ratio r, and returns r and 1/r. The value of 1/r is clamped so that 1/r² stays finite.
+/// Checks the frequency ratio r, and returns r and 1/r. The code clamps 1/r so that 1/r² stays finite.
 #[inline]
 fn ratios<T: Scene>(scene: &T, r: T::Scalar) -> Result<(T::Scalar, T::Scalar), OutOfDomain> {
     let r = regime::check_ratio(r)?;
     Ok((r, inverse_ratio(scene, r)))
 }
 
-/// Returns 1/r, the inverse of the frequency ratio, clamped so that 1/r² stays finite.
+/// Returns 1/r, the inverse of the frequency ratio. The code clamps 1/r so that 1/r² stays finite.
 #[inline]
 pub(super) fn inverse_ratio<T: Scene>(scene: &T, r: T::Scalar) -> T::Scalar {
     let (low, high) = scene.inverse_ratio_range();
     Scalar::min(Scalar::max(T::Scalar::constant(1.0) / r, low), high)
 }
 
-/// Returns β_lim, the limit of continuous motion: the computed `limit`, or at r = 0 and r = ∞ the known limiting value.
+/// Returns β_lim, the limit of continuous motion. At r = 0 and r = ∞ the result is the known limiting value. At every
+/// other r it is the computed value `limit`.
 #[inline]
 fn continuous_with_ends<T: Scene>(scene: &T, r: T::Scalar, limit: T::Scalar) -> T::Scalar {
     let at_infinity = scene.numbers().ends.continuous_at_infinity;
     regime::with_ends(r, limit, T::Scalar::constant(0.0), at_infinity)
 }
 
-/// Returns β*_lim, the limit of sliding: the computed `limit`, or at r = 0 and r = ∞ the known limiting value.
+/// Returns β*_lim, the limit of sliding. At r = 0 and r = ∞ the result is the known limiting value. At every other r it
+/// is the computed value `limit`.
 #[inline]
 fn sliding_with_ends<T: Scene>(scene: &T, r: T::Scalar, limit: T::Scalar) -> T::Scalar {
     let ends = scene.numbers().ends;
@@ -67,13 +70,14 @@ impl<T: Scene> At<T> {
     /// Evaluates the scene at the frequency ratio r = ω√(m₁/k₁).
     ///
     /// # Errors
-    /// [`OutOfDomain`] for NaN and negative r. At r = 0 and r = ∞ the limits take their limiting values.
+    /// [`OutOfDomain`] for NaN and negative r. At r = 0 and r = ∞ the functions return the limiting values of β_lim and
+    /// β*_lim.
     #[inline]
     pub fn new(scene: T, r: T::Scalar) -> Result<Self, OutOfDomain> {
         Ok(Self::known(scene, regime::check_ratio(r)?))
     }
 
-    /// Evaluates the scene at the frequency ratio r. The caller has checked that r is neither NaN nor negative.
+    /// Evaluates the scene at a frequency ratio r that is neither NaN nor negative. The caller has checked r.
     #[inline]
     pub(crate) fn known(scene: T, r: T::Scalar) -> Self {
         let inverse_r = inverse_ratio(&scene, r);
@@ -90,7 +94,7 @@ impl<T: Scene> At<T> {
         }
     }
 
-    /// Copies the scene with the functions of its modes at r, so that a motion can own the copy.
+    /// Copies the scene with the functions of its modes at this frequency ratio, so that a motion can own the copy.
     #[inline]
     pub(super) fn kept(&self) -> Self {
         Self {
@@ -100,13 +104,14 @@ impl<T: Scene> At<T> {
         }
     }
 
-    /// Returns β_lim and β*_lim without a search. The value for β_lim is an upper bound. The call is faster than
-    /// [`new`](Self::new), because it stores nothing for a motion. The results have the same bits as those of
+    /// Returns the limits β_lim and β*_lim without a search. The result for β_lim is an upper bound. The call is faster
+    /// than [`new`](Self::new), because it stores nothing for a motion. Its results have the same bits as those of
     /// [`continuous_limit_without_search`](Self::continuous_limit_without_search) and
     /// [`sliding_limit`](Self::sliding_limit).
     ///
     /// # Errors
-    /// [`OutOfDomain`] for NaN and negative r. At r = 0 and r = ∞ the limits take their limiting values.
+    /// [`OutOfDomain`] for NaN and negative r. At r = 0 and r = ∞ the function returns the limiting values of β_lim and
+    /// β*_lim.
     #[inline]
     pub fn limits_without_search(
         scene: &T,
@@ -123,7 +128,7 @@ impl<T: Scene> At<T> {
         let (mut limits, h) = scene.limits_without_search(inverse_r);
         let numbers = scene.numbers();
         if numbers.absorbs && numbers.chain.may_absorb(h) {
-            // The contact force in the stuck state needs the response functions of each mode.
+            // The contact force in the stuck state depends on the response functions of each mode.
             limits.sliding = Self::new(scene.clone(), r)?.sliding_limit();
         }
         Ok(Limits {
@@ -146,32 +151,34 @@ impl<T: Scene> At<T> {
         self.r
     }
 
-    /// Returns 1/r, the inverse of the frequency ratio, clamped so that 1/r² stays finite. All formulas use this value.
+    /// Returns 1/r, the inverse of the frequency ratio. The code clamps 1/r so that 1/r² stays finite, and uses the
+    /// clamped value in all formulas.
     #[inline]
     #[must_use]
     pub fn inverse_ratio(&self) -> T::Scalar {
         self.inverse_r
     }
 
-    /// Returns the sums over the modes for the contact: V (response to the load), H (receptance), U, G and H_c
-    /// (response to a square wave of friction). Each sum is multiplied by r² and by the scale E of [`ContactAt`].
+    /// Returns the sums over the modes for the contact. V is its response to the load, and H its receptance. U, G and
+    /// H_c describe its response to a square wave of friction. Each sum is multiplied by r² and by the scale E of
+    /// [`ContactAt`].
     #[inline]
     #[must_use]
     pub fn contact_sums(&self) -> &ContactAt<T::Scalar> {
         &self.contact
     }
 
-    /// Returns the frequency functions of each mode at this r. The list has the modes that the load or the contact
-    /// drives.
+    /// Returns the response and damping functions of each mode at this frequency ratio. The list contains the modes
+    /// that the load or the contact drives.
     #[inline]
     #[must_use]
     pub fn modes(&self) -> &T::Modes {
         &self.modes
     }
 
-    /// Searches for the velocity constraint max(S, H_c + μm*/r²), on which β_lim depends (5.54, 7.36). S is a maximum
-    /// in the half period. H_c + μm*/r² comes from the break-away condition at a reversal. The result is multiplied by
-    /// r² and by the scale E of [`ContactAt`].
+    /// Searches for the velocity constraint max(S, H_c + μm*/r²), on which β_lim depends (5.54, 7.36). S is the maximum
+    /// of a sum over the modes in the half period. H_c + μm*/r² comes from the break-away condition at a reversal. The
+    /// result is multiplied by r² and by the scale E of [`ContactAt`].
     #[must_use]
     pub fn velocity_constraint(&self) -> Peak<T::Scalar> {
         let numbers = self.scene.numbers();
@@ -182,18 +189,19 @@ impl<T: Scene> At<T> {
         })
     }
 
-    /// Returns upper bounds on the number of evaluations in one search at this r. The bounds are also valid at every
-    /// larger r.
+    /// Returns the largest numbers of evaluations in one search at this frequency ratio r. They are also upper bounds
+    /// at every larger r.
     ///
     /// The bounds at the smallest r of a sweep are therefore valid for the whole sweep. For slow modes, the bound is
     /// 256 evaluations for β_lim and 1024 for an amplitude. Fast modes add max √λ(1 + 2ζ)/(16r) evaluations to both
-    /// bounds, which is one evaluation for 16 half turns of the fastest mode in a half period. Neither bound exceeds
-    /// [`MAX_EVALUATIONS`](search::MAX_EVALUATIONS).
+    /// bounds. This is one evaluation for every 16 half turns of the fastest mode in a half period. Neither bound
+    /// exceeds [`MAX_EVALUATIONS`](search::MAX_EVALUATIONS).
     ///
-    /// A search counts its evaluations. The search stops before it would exceed its bound, and then reports
-    /// [`Effort::Exceeded`]. In an undamped scene β_lim needs no search for r ≥ √λ_max/2. Searches usually need far
-    /// fewer evaluations than the bound. `docs/evidence.md` has measured numbers. In random scenes, only searches with
-    /// more than 2·10⁴ half turns reached their bound (section 9 of `docs/derivation.md`).
+    /// A search counts its evaluations. It stops before it would exceed its bound, and then reports
+    /// [`Effort::Exceeded`]. In an undamped scene β_lim needs no search for r ≥ √λ_max/2, where √λ_max is the largest
+    /// resonance. Searches usually need far fewer evaluations than the bound. `docs/evidence.md` has measured numbers.
+    /// In random scenes, only searches with more than 2·10⁴ half turns reached their bound (section 9 of
+    /// `docs/derivation.md`).
     #[must_use]
     pub fn most_evaluations(&self) -> MostEvaluations {
         let numbers = self.scene.numbers();
@@ -217,19 +225,19 @@ impl<T: Scene> At<T> {
         continuous_with_ends(&self.scene, self.r, limit)
     }
 
-    /// Returns true if the contact is elastic.
+    /// Returns true if the contact of the scene is elastic.
     #[inline]
     pub(super) fn is_elastic(&self) -> bool {
         self.scene.compliance().is_some()
     }
 
     /// Returns the exact β_lim, the limit of continuous motion (5.65, 5.80, 5.96, 7.49). An elastic contact sticks
-    /// after each reversal, so that β_lim is then 0. A search finds the velocity constraint S, a maximum in the half
-    /// period, and proves that no larger value exists. Without damping, a search is needed only if the excitation is
-    /// slower than half the natural frequency of some mode.
+    /// after each reversal, so that its β_lim is 0. A search finds the velocity constraint S, a maximum in the half
+    /// period, and proves that no larger value exists. In a scene without damping, a search is needed only if the
+    /// excitation is slower than half the natural frequency of some mode.
     ///
-    /// [`most_evaluations`](Self::most_evaluations) bounds the number of evaluations of the modal sum.
-    /// [`limits_searched`](Self::limits_searched) reports how many evaluations the search took, and whether the search
+    /// [`most_evaluations`](Self::most_evaluations) returns the largest number of evaluations of the modal sum.
+    /// [`limits_searched`](Self::limits_searched) returns how many evaluations the search took, and whether the search
     /// is complete.
     #[must_use]
     pub fn continuous_limit(&self) -> T::Scalar {
@@ -239,11 +247,12 @@ impl<T: Scene> At<T> {
         self.limited(self.velocity_constraint().value)
     }
 
-    /// Returns the limits β_lim and β*_lim, by one search. `Limits` gives the regime and the margin at any β without
-    /// another search.
+    /// Returns the limits β_lim and β*_lim, with one search. The result gives the regime and the margin at any β
+    /// without another search.
     ///
-    /// [`most_evaluations`](Self::most_evaluations) bounds the search at this r and at every larger r.
-    /// [`limits_searched`](Self::limits_searched) also reports how many evaluations the search took.
+    /// [`most_evaluations`](Self::most_evaluations) returns the largest number of evaluations in this search, at this r
+    /// and at every larger r. [`limits_searched`](Self::limits_searched) also returns how many evaluations the search
+    /// took.
     #[must_use]
     pub fn limits(&self) -> Limits<T::Scalar> {
         self.limits_searched().0
@@ -268,7 +277,7 @@ impl<T: Scene> At<T> {
     }
 
     /// Returns an upper bound on β_lim without a search. The formula replaces the velocity constraint S by its limit
-    /// for τ → 0 (5.64). The bound equals β_lim if S has its maximum at the start of the half period.
+    /// for τ → 0 (5.64). The bound is equal to β_lim if S is largest at the start of the half period.
     #[inline]
     #[must_use]
     pub fn continuous_limit_without_search(&self) -> T::Scalar {
@@ -276,7 +285,7 @@ impl<T: Scene> At<T> {
     }
 
     /// Returns the lower bound on β_lim that the thesis prints (5.55, 7.37). The exact velocity constraint S is the
-    /// maximum of a sum over the modes. The printed formula uses the sum of the modes' own maxima instead. The call
+    /// maximum of a sum over the modes. The printed formula replaces S by the sum of the modes' own maxima. The call
     /// makes one search for each mode.
     #[must_use]
     pub fn continuous_limit_per_mode(&self) -> T::Scalar {
@@ -289,8 +298,9 @@ impl<T: Scene> At<T> {
     }
 
     /// Returns β*_lim, the limit of sliding, which is the smallest β at which a stuck state exists (6.11, 6.27, 6.33).
-    /// The formula is |V|/(μ|H|). V is the response of the contact to the load. H is the receptance of the contact,
-    /// including the spring of an elastic contact. With μ > 1, motion from rest may continue to slide at a larger β.
+    /// The formula is |V|/(μ|H|), where V is the response of the contact to the load. H is the receptance of the
+    /// contact, including the spring of an elastic contact. With μ > 1, the motion from rest may continue to slide at a
+    /// larger β.
     #[inline]
     #[must_use]
     pub fn sliding_limit(&self) -> T::Scalar {
@@ -303,12 +313,12 @@ impl<T: Scene> At<T> {
         sliding_with_ends(&self.scene, self.r, limit)
     }
 
-    /// Returns the amplitude of the contact force in the stuck state, if masses beyond the contact act as an absorber.
-    /// Returns `None` if they do not.
+    /// Returns the amplitude of the contact force in the stuck state, if masses on the other side of the contact act as
+    /// an absorber. Returns `None` if no mass acts as an absorber.
     #[inline]
     pub(super) fn absorbed_force(&self) -> Option<T::Scalar> {
         let numbers = self.scene.numbers();
-        // With the compliance of an elastic contact V and H have no common zero.
+        // V and H of an elastic contact are never zero at the same r, because H includes the contact's compliance.
         if !numbers.absorbs || self.is_elastic() {
             return None;
         }
@@ -317,8 +327,8 @@ impl<T: Scene> At<T> {
             .absorbed_force(&self.contact, numbers.modes, self.modes.as_ref())
     }
 
-    /// Returns the regime at the friction ratio β = F/P. Each call searches for β_lim. For many β at one r, call
-    /// [`limits`](Self::limits) once.
+    /// Returns the regime at the friction ratio β = F/P. Each call searches for β_lim. For many values of β at one r,
+    /// call [`limits`](Self::limits) once.
     ///
     /// # Errors
     /// [`OutOfDomain`] for NaN, negative and infinite β.
@@ -328,9 +338,9 @@ impl<T: Scene> At<T> {
         Ok(regime::regime(beta, continuous, sliding))
     }
 
-    /// Returns the margin β/min(β_lim, β*_lim) − 1. If the margin is negative, β is smaller than β_lim and β*_lim, and
-    /// the closed form exists. With μ = 1 the closed form is then the only steady state. With μ > 1 a stick-slip state
-    /// may coexist. Each call searches for β_lim, as [`regime`](Self::regime) does.
+    /// Returns the margin β/min(β_lim, β*_lim) − 1. If the margin is negative, β is smaller than both β_lim and β*_lim,
+    /// and the closed form exists. With μ = 1 the closed form is then the only steady state. With μ > 1 a stick-slip
+    /// state may coexist. Each call searches for β_lim, as [`regime`](Self::regime) does.
     ///
     /// # Errors
     /// [`OutOfDomain`] for NaN, negative and infinite β.

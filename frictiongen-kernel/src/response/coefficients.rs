@@ -1,13 +1,14 @@
 //! Coefficients of the exact continuous motion at one friction ratio (section 4 of `docs/derivation.md`).
 //!
-//! The response of mode i has a term with V, the response to the load, and a term with friction. Both terms have a pole
-//! at the mode's resonance, and the poles partly cancel. The formulas therefore use ν = p v/V and κ = (p v U − w u
-//! V)/V. In ν and κ, U and V leave out the terms of mode i if the terms would cancel. p and w are the products φᵀp and
-//! φᵀw of the mode, v its response, and u and g its damping functions. The result has no cancellation: x̄_k = Re[Q ρ
-//! e^{iτ}] + β Im[κ e^{iτ}] + β Σ φ_k w [ (1 − d) − g d + uR²(sin τ − …) ], with ρ = V_k/V and Q = √(|V|² − β²U²).
+//! The response of mode i has a term with V, the response of the contact to the load, and a term with friction. Both
+//! terms have a pole at the mode's resonance, and the poles partly cancel. The formulas therefore use ν = p v/V and κ =
+//! (p v U − w u V)/V. p and w are the products φᵀp and φᵀw of the mode, v is its response, and u and g are its damping
+//! functions. If the terms of mode i would cancel in ν and κ, U and V leave them out. The result has no cancellation:
+//! x̄_k = Re[Q ρ e^{iτ}] + β Im[κ e^{iτ}] + β Σ φ_k w [ (1 − d) − g d + uR²(sin τ − …) ], with ρ = V_k/V and Q = √(|V|²
+//! − β²U²).
 //!
-//! Close to a damped resonance, g d and Qρ are large and nearly proportional to cos τ. The code therefore moves −g cos
-//! τ into the fundamental component, and keeps the small term g (cos τ − d).
+//! Close to a damped resonance, the terms g d and Qρ are large and nearly proportional to cos τ. The code therefore
+//! moves −g cos τ into the fundamental component, and keeps the small term g (cos τ − d).
 
 pub use super::coefficient_types::{Friction, Fundamental, ModalCoefficients};
 use crate::contact::dominant::{DominantParts, DominantSums, Partner};
@@ -19,32 +20,34 @@ use crate::number::phase::wrapped;
 use crate::number::scalar::Scalar;
 use crate::oscillator::mode::Mode;
 
-/// Explanation, for emitted code, of the factor of a mode in the response of mass k to a force in the contact.
+/// Text for emitted code. It explains the factor of a mode in the response of mass k to a force in the contact.
 const BY_CONTACT: &str = "φ_k(φᵀw), from the contact to mass k";
 
-/// Names, for emitted code, of a mode's term in the response V_k of mass k to the load.
+/// Names and texts for emitted code, for the real and the imaginary part of a mode's term in V_k. V_k is the response
+/// of mass k to the load.
 const DRIVEN: [(&str, &str); 2] = [
     ("driven_re", "Re of the own term of V_k"),
     ("driven_im", "Im of the own term of V_k"),
 ];
 
-/// Factor 2^24, which turns the smallest positive `f32` into a number with a finite reciprocal.
+/// Factor 2^24. Multiplied by this factor, even the smallest positive `f32` has a finite reciprocal.
 const INTO_RANGE: f64 = (1_u32 << 24) as f64;
 
 impl<S: Scalar> Chain<S> {
-    /// Returns the amplitude Z and the phase φ of the contact's relative motion at β (2.21, 5.35, 5.38, 7.20, 7.21).
+    /// Returns the amplitude Z and the phase φ of the contact's relative motion at the friction ratio β (2.21, 5.35,
+    /// 5.38, 7.20, 7.21).
     #[inline]
     pub fn friction(&self, contact: &ContactAt<S>, inverse_r: S, beta: S) -> Friction<S> {
         let modulus_v =
             complex::modulus(contact.v, self.damped).named("modulus_v", "|V|·r²E", None);
         let velocity_part = (beta * contact.u).named("friction_quadrature", "βU·r²E", None);
-        // The formula takes the root of a product (|V| − βU)(|V| + βU). A difference of squares would lose its digits
-        // close to a limit.
+        // The code takes the root of the product (|V| − βU)(|V| + βU). The difference |V|² − (βU)² would lose its
+        // digits close to a limit.
         let zero = S::constant(0.0);
         let less = (modulus_v - velocity_part).max(zero);
         let more = (modulus_v + velocity_part).max(zero);
         let root = if self.damped || self.on_moving_base.is_some() {
-            // On a moving base the factors |V| − βU and |V| + βU grow as r⁴, and with damping V may almost vanish. The
+            // On a moving base the factors |V| − βU and |V| + βU grow as r⁴. With damping V may almost vanish. The
             // product of the factors may then overflow or underflow, so that the code takes the root of each factor.
             less.sqrt() * more.sqrt()
         } else {
@@ -76,8 +79,8 @@ impl<S: Scalar> Chain<S> {
         }
     }
 
-    /// Returns the fundamental component of the contact's own motion. It is a cosine with the contact's amplitude,
-    /// because the contact is at its maximum at τ = 0.
+    /// Returns the fundamental component of the contact's relative motion. It is a cosine with the amplitude of the
+    /// contact, because the contact is at its maximum at τ = 0.
     #[inline]
     pub fn contact_fundamental(
         &self,
@@ -91,7 +94,8 @@ impl<S: Scalar> Chain<S> {
         }
     }
 
-    /// Returns the coefficients of one mode in a motion. `residue` is φ_k(φᵀw) for mass k, or (φᵀw)² for the contact.
+    /// Returns the coefficients of one mode in a motion. For mass k, `residue` is φ_k(φᵀw). For the contact, `residue`
+    /// is (φᵀw)².
     #[inline]
     pub fn modal_coefficients(
         &self,
@@ -118,8 +122,8 @@ impl<S: Scalar> Chain<S> {
     }
 
     /// Returns the coefficients of one mode in the motion of a mass, for
-    /// [`mass_wave`](crate::response::motion::mass_wave). For a mass-controlled mode (resonance far below the
-    /// excitation) the whole response is one function, because separate terms would cancel (see
+    /// [`mass_wave`](crate::response::motion::mass_wave). If the mode resonates far below the excitation frequency (a
+    /// mass-controlled mode), one function gives its whole response, because separate terms would cancel (see
     /// `modal_sum::mass_controlled`).
     #[inline]
     #[allow(clippy::too_many_arguments, reason = "a mode, and all it rests on")]
@@ -137,8 +141,9 @@ impl<S: Scalar> Chain<S> {
         self.modal_coefficients(&at, residue, contact, friction, inverse_r, index)
     }
 
-    /// Returns the functions of a mode, with u and g set to 0 for a mass-controlled mode (resonance far below the
-    /// excitation). The response of a mass-controlled mode is a single function that already contains u and g.
+    /// Returns the response and damping functions of a mode. For a mass-controlled mode (resonance far below the
+    /// excitation frequency) u and g are 0 in the result. The response of such a mode is a single function that already
+    /// contains u and g.
     fn without_parts(&self, mode: &Mode<S>, at: &ModeAt<S>, index: usize) -> ModeAt<S> {
         let (slow, zero) = (
             is_mass_controlled(mode.kind, mode.zeta, at.x),
@@ -164,7 +169,7 @@ impl<S: Scalar> Chain<S> {
         }
     }
 
-    /// Returns the fundamental component of the motion of mass k. `shape` has the component of mass k in each mode
+    /// Returns the fundamental component of the motion of mass k. `shape` contains the component of mass k in each mode
     /// shape.
     pub fn fundamental(
         &self,
@@ -178,8 +183,8 @@ impl<S: Scalar> Chain<S> {
         self.fundamental_loaded(shape, (modes, InPhase), at, contact, friction, inverse_r)
     }
 
-    /// Returns the fundamental component of the motion of mass k for modes with loads in quadrature. Without loads in
-    /// quadrature [`fundamental`](Self::fundamental) gives the same component.
+    /// Returns the fundamental component of the motion of mass k in a chain whose modes have loads in quadrature.
+    /// Without loads in quadrature, [`fundamental`](Self::fundamental) returns the same component.
     pub fn fundamental_loaded(
         &self,
         shape: &[S],
@@ -197,8 +202,9 @@ impl<S: Scalar> Chain<S> {
         self.fundamental_of((parts, quadratures), &sums, contact, friction)
     }
 
-    /// Returns the fundamental component of a mass's motion, summed over the given modes. Each entry of `parts` is the
-    /// index of a mode, the component of the mass in the mode shape, the constants of the mode, and its functions at r.
+    /// Returns the fundamental component of the motion of a mass, summed over the given modes. Each entry of `parts`
+    /// consists of the index of a mode, the component of the mass in the mode shape, the constants of the mode, and its
+    /// functions at the frequency ratio r.
     pub(crate) fn fundamental_of<'a>(
         &self,
         (parts, quadratures): (
@@ -238,7 +244,7 @@ impl<S: Scalar> Chain<S> {
             (one, one)
         };
         // The code multiplies sums instead of ratios. A mass far from the contact moves by the small difference V_k U −
-        // U_k V, in which common factors must stay exactly equal.
+        // U_k V. Common factors must be exactly equal in both terms of this difference.
         let part = |driven, u: S, rubbed: Complex<S>, v| {
             let (u, rubbed) = (
                 (u * lower).named(
@@ -276,7 +282,7 @@ impl<S: Scalar> Chain<S> {
             ],
             None,
         );
-        // On a moving base V does not vanish, and β may be as large as the number format allows.
+        // On a moving base V does not vanish, and β may be as large as the number type allows.
         let vanishes = self.damped && !on_base;
         let raise = if vanishes {
             S::constant(INTO_RANGE)
@@ -348,8 +354,8 @@ impl<S: Scalar> Chain<S> {
     }
 
     /// Returns x̄*_k = V_k − H_k V/H, the complex amplitude of mass k while the contact is stuck, in units of P/k₁ (of
-    /// Y for base motion). V/H is the force that keeps the contact stuck. H_k is the response of mass k to a unit force
-    /// in the contact.
+    /// Y for base motion). V_k is the response of mass k to the load, and H_k its response to a unit force in the
+    /// contact. V/H is the force that keeps the contact stuck.
     pub fn stuck(
         &self,
         shape: &[S],
@@ -361,8 +367,8 @@ impl<S: Scalar> Chain<S> {
         self.stuck_loaded(shape, (modes, InPhase), at, contact, inverse_r)
     }
 
-    /// Returns the complex amplitude of mass k while the contact is stuck, for modes with loads in quadrature. Without
-    /// loads in quadrature [`stuck`](Self::stuck) gives the same amplitude.
+    /// Returns the complex amplitude of mass k while the contact is stuck, in a chain whose modes have loads in
+    /// quadrature. Without loads in quadrature, [`stuck`](Self::stuck) returns the same amplitude.
     pub fn stuck_loaded(
         &self,
         shape: &[S],
@@ -377,8 +383,8 @@ impl<S: Scalar> Chain<S> {
         self.stuck_with(shape, (modes, quadratures), at, (contact, &sums), inverse_r)
     }
 
-    /// Returns the complex amplitude of mass k while an elastic contact is stuck, for modes with loads in quadrature.
-    /// H in `contact` includes the compliance.
+    /// Returns the complex amplitude of mass k while an elastic contact is stuck, in a chain whose modes have loads in
+    /// quadrature. In the argument `contact`, H includes the compliance of the contact.
     pub(crate) fn stuck_elastic(
         &self,
         shape: &[S],
@@ -395,8 +401,8 @@ impl<S: Scalar> Chain<S> {
         self.stuck_with(shape, (modes, quadratures), at, (contact, &sums), inverse_r)
     }
 
-    /// Returns the complex amplitude of a mass while the contact is stuck. `sums` has separate sums for the dominant
-    /// mode. These sums leave out the terms of the dominant mode, because the terms would cancel.
+    /// Returns the complex amplitude of a mass while the contact is stuck. The terms of the dominant mode would cancel
+    /// in the sums over the modes. `sums` therefore contains these sums without the dominant mode.
     #[inline]
     fn stuck_with(
         &self,

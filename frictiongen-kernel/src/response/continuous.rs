@@ -1,4 +1,4 @@
-//! Exact continuous motion (the contact slides all the time) at one frequency ratio and one friction ratio.
+//! Exact continuous motion at one frequency ratio and one friction ratio. The contact slides all the time.
 
 use super::at::At;
 use super::scene::Scene;
@@ -9,17 +9,18 @@ use crate::number::scalar::Scalar;
 use crate::response::coefficients::{Friction, Fundamental};
 use crate::response::motion::Motion;
 
-/// Motion type of a scene, for the relative motion of its contact or for the motion of one mass.
+/// Type of the exact continuous motion in a scene. It represents the relative motion of the contact, or the motion of
+/// one mass.
 pub type MotionOf<T> = Motion<<T as Scene>::Scalar, <T as Scene>::Decay, <T as Scene>::Waves>;
 
-/// Trait of a scene that provides `motion`, the exact continuous motion.
+/// Trait of scenes that provide the exact continuous motion through the method `motion`.
 ///
-/// The default bodies are valid for every chain. The code generator writes faster bodies for some scenes.
+/// The default methods are valid for every chain. The code generator writes faster methods for some scenes.
 pub trait ProvidesMotion: Scene {
     /// Type that `motion` returns. In emitted code this type has one method for each mass.
     type Motion: From<Continuous<Self>>;
 
-    /// Returns the relative motion of the contact at the friction ratio in `friction`.
+    /// Returns the relative motion of the contact. `friction` contains the friction ratio.
     #[inline]
     fn contact_motion(at: &At<Self>, friction: &Friction<Self::Scalar>) -> MotionOf<Self> {
         let numbers = at.scene.numbers();
@@ -33,7 +34,7 @@ pub trait ProvidesMotion: Scene {
         Motion::of_contact(*friction, fundamental, waves)
     }
 
-    /// Returns the motion of a mass that does not move exactly as the contact does. Returns `None` if the scene has no
+    /// Returns the motion of a mass whose motion differs from that of the contact. Returns `None` if the scene has no
     /// mass with this index.
     #[inline]
     fn mass_motion(
@@ -47,8 +48,8 @@ pub trait ProvidesMotion: Scene {
     }
 }
 
-/// Returns the fundamental component of a motion, and the term of each mode. `shape` has the component of the motion in
-/// each mode shape.
+/// Returns the fundamental component of a motion, and the term of each mode in this motion. `shape` contains the
+/// component of the motion in each mode shape.
 #[inline]
 fn fundamental_and_waves<T: Scene>(
     at: &At<T>,
@@ -75,26 +76,26 @@ fn fundamental_and_waves<T: Scene>(
 }
 
 impl<T: ProvidesMotion> At<T> {
-    /// Returns the exact continuous motion at the friction ratio β = F/P. One or two searches decide whether β is below
-    /// β_lim, the limit of continuous motion.
+    /// Returns the exact continuous motion at the friction ratio β = F/P. The call makes one or two searches, to decide
+    /// whether β is below β_lim, the limit of continuous motion.
     ///
     /// # Errors
-    /// [`NotContinuous`] names the regime if the motion is not continuous. The error also reports an undamped resonance
-    /// that is unbounded at this β, and a β outside the domain.
+    /// [`NotContinuous`] gives the regime if the motion is not continuous. It is also the error for an undamped
+    /// resonance that is unbounded at this β, and for a β outside the domain.
     pub fn motion(&self, beta: T::Scalar) -> Result<T::Motion, NotContinuous> {
         let beta = self.admitted(beta)?;
         Ok(self.kept().closed_form(beta).into())
     }
 
-    /// Checks that the motion at the friction ratio β is continuous and bounded, and returns β.
+    /// Checks that the motion at the friction ratio β is continuous and bounded. Returns β.
     ///
     /// # Errors
-    /// Same errors as [`motion`](Self::motion).
+    /// The errors of [`motion`](Self::motion).
     #[inline]
     pub(crate) fn admitted(&self, beta: T::Scalar) -> Result<T::Scalar, NotContinuous> {
         let numbers = self.scene.numbers();
         if self.is_elastic() {
-            // An elastic contact sticks after each reversal.
+            // An elastic contact sticks after each reversal, so that no continuous motion exists.
             return Err(
                 if check_beta(beta).map_err(|_| NotContinuous::OutOfDomain)? < self.sliding_limit()
                 {
@@ -119,9 +120,9 @@ impl<T: ProvidesMotion> At<T> {
         })
     }
 
-    /// Returns the closed form of the continuous motion at any β with 0 ≤ β < |V|/|U|, without a check of the regime.
-    /// At larger β the formula has no real value. The closed form is a steady state only if [`motion`](Self::motion)
-    /// returns a motion for this β.
+    /// Returns the closed form of the continuous motion at the friction ratio β, without a check of the regime. β must
+    /// satisfy 0 ≤ β < |V|/|U|, because the formula has no real value at a larger β. The closed form is a steady state
+    /// only if [`motion`](Self::motion) returns a motion for this β.
     #[inline]
     #[must_use]
     pub fn closed_form(self, beta: T::Scalar) -> Continuous<T> {
@@ -141,7 +142,7 @@ pub struct Continuous<T: Scene> {
 impl<T: Scene + Copy> Copy for Continuous<T> where T::Modes: Copy {}
 
 impl<T: ProvidesMotion> Continuous<T> {
-    /// Returns the scene at the frequency ratio of this motion.
+    /// Returns the scene at the frequency ratio of this continuous motion.
     #[inline]
     #[must_use]
     pub fn at(&self) -> &At<T> {
@@ -149,24 +150,24 @@ impl<T: ProvidesMotion> Continuous<T> {
     }
 
     /// Returns the amplitude Z and the phase φ of the contact's relative motion at this friction ratio, with
-    /// intermediate results.
+    /// intermediate results of the calculation.
     #[inline]
     #[must_use]
     pub fn friction(&self) -> &Friction<T::Scalar> {
         &self.friction
     }
 
-    /// Returns the relative motion of the contact. For a mass on a wall it is x̄ of the mass. For a mass on a base it
-    /// is x̄ of the mass minus the motion of the base. For two masses it is x̄ of the later mass in the description
-    /// minus x̄ of the earlier mass.
+    /// Returns the relative motion of the contact. For a mass that slides on a wall it is the displacement x̄ of the
+    /// mass. For a mass that slides on a base it is x̄ of the mass minus the displacement of the base. For two masses
+    /// that slide on each other it is x̄ of the mass that comes later in the description, minus x̄ of the other mass.
     #[inline]
     #[must_use]
     pub fn contact(&self) -> MotionOf<T> {
         T::contact_motion(&self.at, &self.friction)
     }
 
-    /// Returns the motion of a mass, given by its index in the description, as [`mass_at`](Self::mass_at) does. Returns
-    /// a motion at rest if the scene has no mass with this index.
+    /// Returns the motion of a mass, from its index in the description, as [`mass_at`](Self::mass_at) does. If the
+    /// scene has no mass with this index, the function returns a motion at rest.
     #[inline]
     #[must_use]
     pub fn mass(&self, mass: usize) -> MotionOf<T> {
@@ -176,8 +177,8 @@ impl<T: ProvidesMotion> Continuous<T> {
         })
     }
 
-    /// Returns the motion of a mass, given by its index in the description (5.50 and its exact form, 7.29). Returns
-    /// `None` if the scene has no mass with this index or does not provide the motion of this mass.
+    /// Returns the motion of a mass, from its index in the description (5.50 and its exact form, 7.29). Returns `None`
+    /// if the scene has no mass with this index or does not provide the motion of this mass.
     #[inline]
     #[must_use]
     pub fn mass_at(&self, mass: usize) -> Option<MotionOf<T>> {
@@ -191,12 +192,12 @@ impl<T: ProvidesMotion> Continuous<T> {
         T::mass_motion(&self.at, &self.friction, mass)
     }
 
-    /// Returns the motion of a linear combination of masses and base.
+    /// Returns the continuous motion of a linear combination of masses and base.
     #[must_use]
     pub fn combination(&self, combination: Combination<'_, T::Scalar>) -> MotionOf<T> {
         let Combination { shape, base } = combination;
         let (mut fundamental, waves) = fundamental_and_waves(&self.at, &self.friction, shape);
-        // cos τ_e = cos(τ + φ), because τ counts from the contact's maximum, which lags by φ.
+        // cos τ_e is cos(τ + φ), because τ is 0 at the maximum of the contact, which lags behind the excitation by φ.
         let half_turns = self.friction.phase * T::Scalar::inverse_pi();
         let (sine, cosine) = half_turns.sin_cos_pi();
         fundamental.cosine = fundamental.cosine + base * cosine;

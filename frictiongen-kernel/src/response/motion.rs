@@ -1,5 +1,5 @@
-//! Steady continuous motion, with its exact amplitude, its displacement at any time, and its harmonics. Run-time
-//! systems and emitted solvers share this module.
+//! Steady continuous motion: its exact amplitude, its displacement at any time, and its harmonics. Run-time systems and
+//! emitted solvers use this module together.
 
 use crate::contact::sums::{Chain, ContactAt, ModeAt};
 use crate::modal_sum::mass_controlled::is_mass_controlled;
@@ -12,13 +12,13 @@ use crate::oscillator::decay::{Decay, Instant};
 use crate::oscillator::mode::Mode;
 use crate::response::coefficients::{Friction, Fundamental, ModalCoefficients};
 
-/// Tolerance for the comparison of two lags, in rounding units of a radian. The phase of the contact and the position
-/// of a maximum each have an error of a few rounding units.
+/// Largest difference at which two lags are treated as equal, in rounding units of 1 rad. The phase of the contact and
+/// the instant of a maximum each have an error of a few rounding units.
 const ALIKE: f64 = 64.0;
 
 /// Steady motion of one mass, or relative motion of the contact, while the contact slides all the time.
 ///
-/// `W` stores the term of each mode: an array in emitted code, a vector at run time.
+/// `W` stores the term of each mode. It is an array in emitted code and a vector at run time.
 #[derive(Clone, Copy, Debug)]
 pub struct Motion<S, D, W> {
     friction: Friction<S>,
@@ -28,20 +28,21 @@ pub struct Motion<S, D, W> {
     decay: core::marker::PhantomData<D>,
 }
 
-/// Largest displacement of a motion, with its phase and the number of evaluations that the search took.
+/// Largest displacement of a motion. The struct also has the phase of this displacement, and the number of evaluations
+/// in the search for it.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct Largest<S> {
-    /// Exact maximum of |x̄| in the period, in units of P/k₁ (of Y for base motion).
+    /// Exact maximum of |x̄| in a period, in units of P/k₁ (of Y for base motion).
     pub amplitude: S,
     /// Lag of the motion's maximum behind the maximum of the excitation, in rad, in (−π, π].
     pub phase: S,
-    /// Number of evaluations of the modal sum that the search took.
+    /// Number of evaluations of the modal sum in the search.
     pub effort: Effort,
 }
 
-/// Returns a mode's term in the modal sum of a motion, as a [`Wave`]. `x` is the natural frequency of the mode divided
-/// by the frequency of the excitation.
+/// Returns the term of one mode in the modal sum of a motion, as a [`Wave`]. `x` is the natural frequency of the mode
+/// divided by the excitation frequency.
 pub fn motion_wave<S: Float, D: Decay<S>>(
     x: S,
     decay: D,
@@ -57,8 +58,8 @@ pub fn motion_wave<S: Float, D: Decay<S>>(
     wave
 }
 
-/// Returns a mode's term in the modal sum for the motion of a mass. `x` is the natural frequency of the mode divided by
-/// the frequency of the excitation. The coefficients come from [`Chain::mass_coefficients`].
+/// Returns the term of one mode in the modal sum for the motion of a mass. `x` is the natural frequency of the mode
+/// divided by the excitation frequency. The argument `coefficients` comes from [`Chain::mass_coefficients`].
 pub fn mass_wave<S: Float, D: Decay<S>>(
     x: S,
     decay: D,
@@ -71,7 +72,7 @@ pub fn mass_wave<S: Float, D: Decay<S>>(
 }
 
 impl<S: Float, D: Decay<S>, W: AsRef<[Wave<S, D>]>> Motion<S, D, W> {
-    /// Creates the relative motion of the contact, from one term per mode in `waves`.
+    /// Creates the relative motion of the contact. `waves` contains one term for each mode.
     pub fn of_contact(friction: Friction<S>, fundamental: Fundamental<S>, waves: W) -> Self {
         Self {
             friction,
@@ -82,7 +83,7 @@ impl<S: Float, D: Decay<S>, W: AsRef<[Wave<S, D>]>> Motion<S, D, W> {
         }
     }
 
-    /// Creates the motion of a mass, from one term per mode in `waves`.
+    /// Creates the motion of a mass. `waves` contains one term for each mode.
     pub fn of_mass(friction: Friction<S>, fundamental: Fundamental<S>, waves: W) -> Self {
         Self {
             friction,
@@ -101,10 +102,10 @@ impl<S: Float, D: Decay<S>, W: AsRef<[Wave<S, D>]>> Motion<S, D, W> {
         }
     }
 
-    /// Returns the amplitude and the phase from one search, with the number of evaluations that the search took.
+    /// Returns the amplitude and the phase of this motion from one search, and the number of evaluations in the search.
     ///
-    /// [`At::most_evaluations`](crate::response::At::most_evaluations) bounds the number of evaluations. The motion of
-    /// the contact needs no search.
+    /// [`At::most_evaluations`](crate::response::At::most_evaluations) is the largest number of evaluations. The motion
+    /// of the contact needs no search.
     pub fn largest(&self) -> Largest<S> {
         if self.is_contact {
             return Largest {
@@ -116,10 +117,10 @@ impl<S: Float, D: Decay<S>, W: AsRef<[Wave<S, D>]>> Motion<S, D, W> {
         self.largest_of(&self.peak())
     }
 
-    /// Returns the amplitude and the phase by a search that begins at a predicted maximum. Previous searches of a sweep
-    /// over r or β give the prediction. A sweep with smaller steps needs fewer evaluations per search. The result is
-    /// still the largest value in the whole period. The amplitude may differ from that of [`largest`](Self::largest) by
-    /// four rounding units of the motion's modal terms.
+    /// Returns the amplitude and the phase of this motion from a search that starts at a predicted maximum. `neighbour`
+    /// makes the prediction from previous searches of a sweep over r or β. A sweep with smaller steps needs fewer
+    /// evaluations for each search. The result is still the largest value in the whole period. The amplitude may differ
+    /// from that of [`largest`](Self::largest) by four rounding units of the motion's modal terms.
     pub fn largest_near(&self, neighbour: &mut Neighbour<S>) -> Largest<S> {
         if self.is_contact {
             return self.largest();
@@ -139,7 +140,7 @@ impl<S: Float, D: Decay<S>, W: AsRef<[Wave<S, D>]>> Motion<S, D, W> {
         }
     }
 
-    /// Returns the exact maximum of |x̄| in the period, in units of P/k₁ (of Y for base motion). Each call makes a new
+    /// Returns the exact maximum of |x̄| in a period, in units of P/k₁ (of Y for base motion). Each call makes a new
     /// search. [`largest`](Self::largest) also reports whether the search is complete.
     pub fn amplitude(&self) -> S {
         if self.is_contact {
@@ -149,8 +150,8 @@ impl<S: Float, D: Decay<S>, W: AsRef<[Wave<S, D>]>> Motion<S, D, W> {
         }
     }
 
-    /// Returns √(x̄₀² + x̄₀′²), the monoharmonic estimate of the amplitude (5.50), (7.33). x̄₀ and x̄₀′ are the
-    /// displacement and the velocity at the start of the half period.
+    /// Returns √(x̄₀² + x̄₀′²), the monoharmonic estimate of the amplitude (5.50), (7.33). x̄₀ is the displacement at
+    /// the start of the half period, and x̄₀′ the velocity.
     pub fn amplitude_monoharmonic(&self) -> S {
         if self.is_contact {
             return self.friction.amplitude;
@@ -164,7 +165,7 @@ impl<S: Float, D: Decay<S>, W: AsRef<[Wave<S, D>]>> Motion<S, D, W> {
         large * (S::constant(1.0) + ratio * ratio).sqrt()
     }
 
-    /// Searches for the exact maximum of |x̄| in the period.
+    /// Searches for the exact maximum of |x̄| in a period of this motion.
     pub fn peak(&self) -> Peak<S> {
         search::largest(self.sum(), Self::problem())
     }
@@ -182,8 +183,8 @@ impl<S: Float, D: Decay<S>, W: AsRef<[Wave<S, D>]>> Motion<S, D, W> {
     }
 
     /// Returns the lag of the motion's maximum behind the maximum of the excitation, in rad, in (−π, π]. If several
-    /// maxima are equal, the one with the smallest |lag| counts. Of two lags ±φ, the positive one counts. Each call
-    /// makes a new search, as [`largest`](Self::largest) does.
+    /// maxima are equal, the function returns the lag of smallest size. If two lags of equal size have opposite signs,
+    /// it returns the positive lag. Each call makes a new search, as [`largest`](Self::largest) does.
     pub fn phase(&self) -> S {
         if self.is_contact {
             return self.friction.phase;
@@ -200,7 +201,7 @@ impl<S: Float, D: Decay<S>, W: AsRef<[Wave<S, D>]>> Motion<S, D, W> {
                 S::constant(0.0)
             };
             let lag = wrapped(self.friction.phase + place.tau + shift);
-            // Rounding errors must not decide between two lags that differ only in sign.
+            // If two lags differ only in their sign, rounding errors must not decide between them.
             let near = S::constant(ALIKE * S::RESOLUTION);
             best = Some(match best {
                 Some(known) if known.abs() + near < lag.abs() => known,
@@ -211,31 +212,32 @@ impl<S: Float, D: Decay<S>, W: AsRef<[Wave<S, D>]>> Motion<S, D, W> {
         best.unwrap_or(self.friction.phase)
     }
 
-    /// Returns the displacement x̄ at the phase τ. At τ = 0 the contact's relative motion has its maximum.
+    /// Returns the displacement x̄ at the phase τ in rad, in units of P/k₁ (of Y for base motion). At τ = 0 the
+    /// contact's relative motion has its maximum.
     pub fn displacement(&self, tau: S) -> S {
         let (at, negative) = instant(tau);
         let value = self.sum().value(&at);
         if negative { -value } else { value }
     }
 
-    /// Returns the velocity dx̄/dτ at the phase τ. At τ = 0 the contact's relative motion has its maximum.
+    /// Returns the velocity dx̄/dτ at the phase τ in rad. At τ = 0 the contact's relative motion has its maximum.
     pub fn velocity(&self, tau: S) -> S {
         let (at, negative) = instant(tau);
         let value = self.sum().slope(&at);
         if negative { -value } else { value }
     }
 
-    /// Returns the acceleration d²x̄/dτ² at the phase τ. At τ = 0 the contact's relative motion has its maximum. The
-    /// acceleration jumps when the contact reverses. At a jump the result is the value just after the jump.
+    /// Returns the acceleration d²x̄/dτ² at the phase τ in rad. At τ = 0 the contact's relative motion has its maximum.
+    /// The acceleration jumps when the contact reverses. At a jump the function returns the value just after the jump.
     pub fn acceleration(&self, tau: S) -> S {
         let (at, negative) = instant(tau);
         let value = self.sum().jet(&at).curvature;
         if negative { -value } else { value }
     }
 
-    /// Returns X_n, the complex amplitude of harmonic n, defined by x̄ = Re Σ X_n e^{inτ_e}. The phase τ_e is 0 at a
-    /// maximum of the excitation (section 5 of `docs/derivation.md`). X_n is 0 for n = 0 and for even n, because the
-    /// motion repeats with the opposite sign after half a period.
+    /// Returns X_n, the complex amplitude of harmonic n. The harmonics are defined by x̄ = Re Σ X_n e^{inτ_e}, where
+    /// the phase τ_e is 0 at a maximum of the excitation (section 5 of `docs/derivation.md`). X_n is 0 for n = 0 and
+    /// for even n, because the motion repeats with the opposite sign after half a period.
     pub fn harmonic(&self, n: u32) -> Complex<S> {
         let zero = S::constant(0.0);
         if n.is_multiple_of(2) {
@@ -272,8 +274,8 @@ impl<S: Float, D: Decay<S>, W: AsRef<[Wave<S, D>]>> Motion<S, D, W> {
     }
 }
 
-/// Returns the instant of the half period 0 to π that corresponds to τ. The flag of the result is true if τ lies in the
-/// other half period, where the motion has the opposite sign.
+/// Returns the instant of the half period from 0 to π that corresponds to the phase τ. The second result is true if τ
+/// is in the other half period, where the motion has the opposite sign.
 fn instant<S: Float>(tau: S) -> (Instant<S>, bool) {
     let half_turns = tau * S::inverse_pi();
     let whole = half_turns.floor();
@@ -282,7 +284,7 @@ fn instant<S: Float>(tau: S) -> (Instant<S>, bool) {
 }
 
 impl<S: Float> Chain<S> {
-    /// Returns a mode's term in the modal sum for the contact's relative motion.
+    /// Returns the term of one mode in the modal sum for the contact's relative motion.
     pub fn contact_wave<D: Decay<S>>(
         &self,
         mode: &Mode<S>,
@@ -300,8 +302,8 @@ impl<S: Float> Chain<S> {
         motion_wave(at.x, decay, coefficients)
     }
 
-    /// Returns a mode's term in the modal sum for the motion of a mass. `component` is the component of the mass in the
-    /// mode shape.
+    /// Returns the term of one mode in the modal sum for the motion of a mass. `component` is the component of the mass
+    /// in the mode shape.
     pub fn mass_wave<D: Decay<S>>(
         &self,
         mode: &Mode<S>,

@@ -1,5 +1,5 @@
-//! Trait of a scene. An implementation gives the constants of the scene, from which this crate computes the steady
-//! response.
+//! Trait of a scene. An implementation provides the constants from which this crate computes the steady response of the
+//! scene.
 
 use super::numbers::Numbers;
 use crate::contact::regime::{self, Limits};
@@ -10,37 +10,37 @@ use crate::oscillator::decay::Decay;
 
 /// Constants of a scene for its steady response, and formulas that the code generator may replace.
 ///
-/// The default bodies are valid for every chain. The code generator writes its own bodies if the constants of the scene
-/// save work. The default bodies and the generated bodies give results with the same bits.
+/// The default methods are valid for every chain. The code generator writes its own methods if the constants of the
+/// scene save work. The default and the generated methods return results with the same bits.
 pub trait Scene: Clone {
-    /// Number type of the scene: `f64`, `f32`, or a wider scalar.
+    /// Number type of the scene: `f64`, `f32` or another scalar.
     type Scalar: Float;
-    /// Kind of decay of the modes. A scene without damping evaluates no exponential functions.
+    /// Damping of the modes, as a type. A scene without damping evaluates no exponential functions.
     type Decay: Decay<Self::Scalar>;
-    /// Storage for the frequency functions of each mode at one frequency ratio.
+    /// Storage for the response and damping functions of each mode at one frequency ratio.
     type Modes: AsRef<[ModeAt<Self::Scalar>]> + Clone + core::fmt::Debug;
-    /// Storage for one [`Wave`] per mode. A wave is the term of one mode in a sum over the modes.
+    /// Storage for one [`Wave`] for each mode. A wave is the term of one mode in a sum over the modes.
     type Waves: AsRef<[Wave<Self::Scalar, Self::Decay>]>
         + AsMut<[Wave<Self::Scalar, Self::Decay>]>
         + Clone;
 
-    /// Returns all constants on which the steady response depends.
+    /// Returns all constants on which the steady response of the scene depends.
     fn numbers(&self) -> Numbers<'_, Self::Scalar>;
 
     /// Returns the component of a mass in each mode shape. Returns `None` if the scene has no mass with this index, or
-    /// provides nothing for this mass.
+    /// does not provide the motion of this mass.
     fn shape(&self, mass: usize) -> Option<&[Self::Scalar]>;
 
     /// Returns the loads in quadrature with the motion of the base, in the form of
-    /// [`Quadratures`](crate::contact::quadrature). The list is empty unless damping acts on velocities relative to the
-    /// moving base.
+    /// [`Quadratures`](crate::contact::quadrature). If no damping acts on velocities relative to the moving base, the
+    /// list is empty.
     #[inline]
     fn quadratures(&self) -> &[[Self::Scalar; 2]] {
         &[]
     }
 
-    /// Returns the compliance ρ of an elastic contact: k₁ divided by the stiffness of the spring in series with its
-    /// slider. Returns `None` for a rigid contact. ρ is a term of the contact's receptance H.
+    /// Returns the compliance ρ of an elastic contact, or `None` for a rigid contact. ρ is k₁ divided by the stiffness
+    /// of the spring in series with the slider of the contact. The contact's receptance H contains ρ as a term.
     #[inline]
     fn compliance(&self) -> Option<Self::Scalar> {
         None
@@ -54,37 +54,39 @@ pub trait Scene: Clone {
         true
     }
 
-    /// Returns the smallest and the largest 1/r for which the formulas are evaluated. Any other 1/r is clamped to this
-    /// range.
+    /// Returns the smallest and the largest 1/r at which the code evaluates the formulas, where r is the frequency
+    /// ratio. The code clamps every other 1/r to this range.
     #[inline]
     fn inverse_ratio_range(&self) -> (Self::Scalar, Self::Scalar) {
         let modes = self.numbers().modes.iter();
         regime::inverse_ratio_range(modes.map(|mode| mode.resonance))
     }
 
-    /// Returns the contact's sums over all modes at 1/r, and the frequency functions of each mode.
+    /// Returns the contact's sums over all modes at 1/r, and the response and damping functions of each mode. r is the
+    /// frequency ratio.
     fn frequency_stage(&self, inverse_r: Self::Scalar) -> (ContactAt<Self::Scalar>, Self::Modes);
 
-    /// Returns the contact's sums as [`frequency_stage`](Self::frequency_stage) does, but without the functions of the
-    /// modes and without the sum G. The limits do not need G, the displacement of the contact that friction causes at a
-    /// reversal.
+    /// Returns the contact's sums of [`frequency_stage`](Self::frequency_stage), without the functions of the modes and
+    /// without the sum G. G is the displacement of the contact that friction causes at a reversal. The limits β_lim and
+    /// β*_lim do not need G.
     #[inline]
     fn contact_without_g(&self, inverse_r: Self::Scalar) -> ContactAt<Self::Scalar> {
         self.frequency_stage(inverse_r).0
     }
 
-    /// Returns working space for a search: one [`Wave`] per mode, with all coefficients 0. A wave is the term of one
-    /// mode in a sum over the modes.
+    /// Returns working memory for a search: one [`Wave`] for each mode, with all coefficients 0. A wave is the term of
+    /// one mode in a sum over the modes.
     fn idle(&self) -> Self::Waves;
 
-    /// Copies the functions of the modes, so that a motion can own the copy. The code generator writes a plain copy,
-    /// because `clone` becomes a slow loop over the modes if a compiler optimises for size.
+    /// Copies the response and damping functions of the modes, so that a motion can own the copy. The code generator
+    /// writes a plain copy. If a compiler optimises for size, `clone` becomes a slow loop over the modes.
     #[inline]
     fn kept(modes: &Self::Modes) -> Self::Modes {
         modes.clone()
     }
 
-    /// Calls `search` with one [`Wave`] per mode as working space. All coefficients of the waves are 0 at the start.
+    /// Calls `search` with one [`Wave`] for each mode as working memory. At the start all coefficients of the waves are
+    /// 0.
     #[inline]
     fn with_idle<R>(&self, search: impl FnOnce(&mut [Wave<Self::Scalar, Self::Decay>]) -> R) -> R {
         search(self.idle().as_mut())
@@ -111,14 +113,14 @@ pub trait Scene: Clone {
     }
 
     /// Returns β*_lim = |V|/(μ|H|), the limit of sliding (6.11, 6.27, 6.33). V is the response of the contact to the
-    /// load, H its receptance. The result is not corrected for masses that act as an absorber.
+    /// load, and H its receptance. The result contains no correction for masses that act as an absorber.
     #[inline]
     fn sliding_limit(&self, contact: &ContactAt<Self::Scalar>) -> Self::Scalar {
         self.numbers().chain.sliding_limit(contact)
     }
 
-    /// Returns an upper bound on β_lim, and β*_lim, without a search. The value of β*_lim is not corrected for masses
-    /// that act as an absorber. r must be neither 0 nor infinite. The second result is the real part of H, the
+    /// Returns an upper bound on β_lim, and β*_lim, without a search. The value of β*_lim contains no correction for
+    /// masses that act as an absorber. r must be neither 0 nor infinite. The second result is the real part of H, the
     /// receptance of the contact, multiplied by r² and by the scale E of [`ContactAt`]. If the second result is small,
     /// masses may act as an absorber.
     #[inline]
@@ -130,7 +132,7 @@ pub trait Scene: Clone {
     }
 }
 
-/// Computes [`Scene::limits_without_search`] from the contact's sums over the modes.
+/// Computes the results of [`Scene::limits_without_search`] from the contact's sums over the modes.
 #[inline(always)]
 pub fn limits_of_sums<T: Scene>(scene: &T, inverse_r: T::Scalar) -> (Limits<T::Scalar>, T::Scalar) {
     let contact = scene.contact_without_g(inverse_r);

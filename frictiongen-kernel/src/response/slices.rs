@@ -1,4 +1,4 @@
-//! The limits β_lim and β*_lim at every frequency ratio of a slice.
+//! Limits β_lim and β*_lim at every frequency ratio of a slice.
 
 use super::at::{At, inverse_ratio};
 use super::scene::Scene;
@@ -9,13 +9,13 @@ use crate::number::scalar::{Float, Scalar};
 use crate::oscillator::mode::Kind;
 
 impl<T: Scene> At<T> {
-    /// Computes the limits β_lim and β*_lim at every frequency ratio of a slice, and writes them to two slices of the
-    /// same length.
+    /// Computes the limits β_lim and β*_lim at every frequency ratio of a slice. Writes them to two slices of the same
+    /// length.
     ///
     /// # Errors
-    /// [`OutOfDomain`] if the slices have different lengths, and then leaves both result slices unchanged. At the first
-    /// NaN or negative r, the function stops and returns the same error. The result slices then contain the limits for
-    /// the frequency ratios before that r.
+    /// [`OutOfDomain`] if the slices have different lengths. Both result slices are then unchanged. At the first NaN or
+    /// negative r, the function stops and returns the same error. The result slices then contain the limits for the
+    /// frequency ratios before that r.
     pub fn limits_into(
         scene: T,
         rs: &[T::Scalar],
@@ -28,14 +28,14 @@ impl<T: Scene> At<T> {
     }
 
     /// Computes the limits β_lim and β*_lim [without search](Self::limits_without_search) at every frequency ratio of a
-    /// slice, and writes them to two slices of the same length. Each limit has the same bits as in a call for a single
+    /// slice. Writes them to two slices of the same length. Each limit has the same bits as in a call for a single
     /// frequency ratio. If all modes are undamped or all are lightly damped, the call computes several frequency ratios
     /// at the same time.
     ///
     /// # Errors
-    /// [`OutOfDomain`] if the slices have different lengths, and then leaves both result slices unchanged. At the first
-    /// NaN or negative r, the function stops and returns the same error. The result slices then contain the limits for
-    /// the frequency ratios before that r.
+    /// [`OutOfDomain`] if the slices have different lengths. Both result slices are then unchanged. At the first NaN or
+    /// negative r, the function stops and returns the same error. The result slices then contain the limits for the
+    /// frequency ratios before that r.
     pub fn limits_without_search_into(
         scene: &T,
         rs: &[T::Scalar],
@@ -80,8 +80,8 @@ impl<T: Scene> At<T> {
         })
     }
 
-    /// Computes the limits β_lim and β*_lim at several frequency ratios at the same time. None of the ratios may be 0
-    /// or infinite.
+    /// Computes the limits β_lim and β*_lim at several frequency ratios at the same time. No ratio may be 0 or
+    /// infinite.
     #[inline(always)]
     fn side_by_side(
         scene: &T,
@@ -97,7 +97,7 @@ impl<T: Scene> At<T> {
         if numbers.absorbs {
             let limits = found.sliding.iter_mut().zip(&found.h);
             for (r, (sliding, h)) in rs.iter().zip(limits) {
-                // The contact force in the stuck state needs the response functions of each mode.
+                // The contact force in the stuck state depends on the response functions of each mode.
                 if numbers.chain.may_absorb(*h)
                     && let Ok(Limits { sliding: limit, .. }) =
                         Self::limits_without_search(scene, *r)

@@ -1,4 +1,4 @@
-//! Response of the chain while the contact is stuck.
+//! Response of the chain at one frequency ratio while the contact is stuck.
 
 use super::at::At;
 use super::scene::Scene;
@@ -6,14 +6,15 @@ use crate::errors::StuckResonance;
 use crate::number::complex::{self, Complex};
 use crate::number::scalar::Scalar;
 
-/// A scene that provides `stuck`, the response while the contact is stuck.
+/// Trait of scenes that provide the response with the contact stuck through the method `stuck`.
 pub trait ProvidesStuck: Scene {
     /// Type that `stuck` returns. In emitted code this type has one method for each mass.
     type Stuck: From<Stuck<Self>>;
 
-    /// Returns x̄* = V_k − H_kV/H, the complex amplitude of mass k while the contact is stuck (6.11, 6.27, 6.33). V/H
-    /// is the contact force in the stuck state. The mass must not be the mass that the stuck contact fixes to its
-    /// support. The default body is valid for every chain. The code generator replaces it if constants save work.
+    /// Returns x̄* = V_k − H_kV/H, the complex amplitude of mass k while the contact is stuck (6.11, 6.27, 6.33). V_k
+    /// is the response of mass k to the load, and H_k its response to a unit force in the contact. V/H is the contact
+    /// force in the stuck state. The mass must not be fixed to its support by the stuck contact. The default method is
+    /// valid for every chain. The code generator replaces it if constants save work.
     #[inline]
     fn stuck_mass(at: &At<Self>, mass: usize) -> Option<Complex<Self::Scalar>> {
         let numbers = at.scene.numbers();
@@ -41,10 +42,11 @@ pub trait ProvidesStuck: Scene {
 }
 
 impl<T: ProvidesStuck> At<T> {
-    /// Returns the response while the contact is stuck. This response exists for β ≥ β*_lim, the limit of sliding.
+    /// Returns the response at this frequency ratio while the contact is stuck. This response exists for β ≥ β*_lim,
+    /// the limit of sliding.
     ///
     /// # Errors
-    /// [`StuckResonance`] on an undamped resonance of the chain with its contact stuck.
+    /// [`StuckResonance`] if r is an undamped resonance of the chain with its contact stuck.
     #[inline]
     pub fn stuck(&self) -> Result<T::Stuck, StuckResonance> {
         let numbers = self.scene.numbers();
@@ -54,16 +56,17 @@ impl<T: ProvidesStuck> At<T> {
         Ok(self.kept().stuck_unchecked().into())
     }
 
-    /// Returns the response while the contact is stuck, without a check for resonances. On an undamped resonance the
-    /// response is infinite.
+    /// Returns the response at this frequency ratio while the contact is stuck, without a check for resonances. At an
+    /// undamped resonance the response is infinite.
     #[inline]
     #[must_use]
     pub fn stuck_unchecked(self) -> Stuck<T> {
         Stuck { at: self }
     }
 
-    /// Returns the amplitude of a mass from the force in the stuck contact, if masses beyond the contact act as an
-    /// absorber. Returns `None` if they do not.
+    /// Returns the amplitude of a mass while the contact is stuck, if masses on the other side of the contact act as an
+    /// absorber. The code computes the amplitude from the force in the contact. Returns `None` if no mass acts as an
+    /// absorber.
     #[inline]
     fn absorbed_mass(&self, mass: usize) -> Option<Complex<T::Scalar>> {
         let force = self.absorbed_force()?;
@@ -93,7 +96,8 @@ impl<T: ProvidesStuck> Stuck<T> {
     }
 
     /// Returns V/H, the complex amplitude of the contact force that keeps the contact stuck, divided by P (6.11, 6.27,
-    /// 6.33). A positive force opposes positive sliding. The modulus equals μβ*_lim, with β*_lim the limit of sliding.
+    /// 6.33). A positive force opposes positive sliding. The absolute value is μβ*_lim, where β*_lim is the limit of
+    /// sliding.
     #[must_use]
     pub fn contact_force(&self) -> Complex<T::Scalar> {
         if let Some(force) = self.at.absorbed_force() {
@@ -103,8 +107,8 @@ impl<T: ProvidesStuck> Stuck<T> {
         complex::mul(sums.v, complex::reciprocal(sums.h, true), true)
     }
 
-    /// Returns the complex amplitude of a mass while the contact is stuck, or 0 if the scene has no mass with this
-    /// index. [`mass_at`](Self::mass_at) returns `None` instead of 0.
+    /// Returns the complex amplitude of a mass while the contact is stuck. The result is 0 if the scene has no mass
+    /// with this index. [`mass_at`](Self::mass_at) returns `None` instead of 0.
     #[inline]
     #[must_use]
     pub fn mass(&self, mass: usize) -> Complex<T::Scalar> {
@@ -122,7 +126,8 @@ impl<T: ProvidesStuck> Stuck<T> {
         {
             return Some(complex::real(amplitude));
         }
-        // Where masses beyond the contact act as an absorber, V and H vanish at the same frequency, so that V/H is 0/0.
+        // If masses on the other side of the contact act as an absorber, V and H vanish at the same frequency. V/H is
+        // then 0/0.
         if let Some(amplitude) = self.at.absorbed_mass(mass) {
             return Some(amplitude);
         }

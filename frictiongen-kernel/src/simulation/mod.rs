@@ -1,8 +1,8 @@
-//! Exact motion in time. Between events of the contact the motion has a closed form. The simulation locates the events
-//! to rounding.
+//! Exact motion as a function of time. Between events of the contact the motion has a closed form. The simulation
+//! computes the instants of the events to the precision of the number type.
 //!
-//! The simulation makes no time steps. It searches for the next event: a zero of the relative velocity, or the instant
-//! at which the force in the stuck contact reaches μβ.
+//! The simulation makes no time steps. It searches for the next event. An event is a zero of the relative velocity, or
+//! the instant at which the force in the stuck contact reaches μβ.
 
 mod run;
 

@@ -1,4 +1,4 @@
-//! A simulation that advances in time, segment by segment.
+//! Simulation that advances in time, segment by segment.
 
 use crate::contact::sums::Chain;
 use crate::errors::{Given, OutOfDomain};
@@ -12,13 +12,13 @@ use crate::number::scalar::{Float, Plain};
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct Segment<S> {
-    /// τ at the start of the segment, within the excitation's cycle: [0, 2π).
+    /// Phase τ of the excitation at the start of the segment, in rad, in [0, 2π).
     pub start: S,
-    /// Length of the segment in τ.
+    /// Length of the segment in rad of the excitation (τ).
     pub length: S,
     /// State of the contact during the segment.
     pub contact: Contact,
-    /// Event that ends the segment, or `None` if the same motion continues after the segment.
+    /// Event that ends the segment. `None` if the same motion continues after the segment.
     pub event: Option<Event>,
 }
 
@@ -31,65 +31,66 @@ pub struct Moment<S> {
 }
 
 impl<S: Float> Moment<S> {
-    /// Returns the displacement x̄ of the mass.
+    /// Returns the displacement x̄ of the mass at this instant.
     #[must_use]
     pub fn displacement(&self) -> S {
         self.displacement
     }
 
-    /// Returns the velocity dx̄/dτ of the mass.
+    /// Returns the velocity dx̄/dτ of the mass at this instant.
     #[must_use]
     pub fn velocity(&self) -> S {
         self.velocity
     }
 }
 
-/// An exact simulation in time, from event to event. A simulation is an iterator over segments of the motion. If a
-/// segment lasts longer than a cycle without an event, the iterator returns pieces of one cycle.
+/// An exact simulation in time, from event to event. A simulation is an iterator over the segments of the motion. If a
+/// cycle passes without an event, the iterator returns pieces that are one cycle long.
 ///
-/// `P` owns the oscillators: an array in emitted code, a vector at run time. `L` is the kinetic friction: [`Constant`],
-/// or straight [`Lines`] that give the force as a function of the speed. `K`, the constants of the chain, selects the
-/// law of the contact.
+/// `P` owns the oscillators. It is an array in emitted code and a vector at run time. `L` is the kinetic friction. It
+/// is either [`Constant`], or consists of straight [`Lines`] that give the force as a function of the speed. `K`
+/// contains the constants of the chain, and selects the law of the contact.
 #[derive(Clone, Debug)]
 pub struct Simulation<'a, S, P, L = Constant, K = Chain<S>> {
     setting: MotionSetting<'a, S, K>,
     parts: P,
     level: L,
-    /// State of the contact at the start of the segment.
+    /// State of the contact at the start of the current segment.
     contact_state: ContactState<S>,
-    /// Phase of the excitation at the start of the segment (`start`), and at the present instant (`now`).
+    /// Phase of the excitation at the start of the current segment (`start`), and at the present instant (`now`).
     start: Clock<S>,
     now: Clock<S>,
-    /// The current segment after the search for its end, and the time in τ that has passed in the segment. The
-    /// simulation makes this search only once, even if the caller advances in many short steps. A second search close
-    /// to an event would find the same event again.
+    /// The current segment after the search for its end. `passed` is the time in rad of the excitation (τ) since the
+    /// start of the segment. The simulation makes this search only once, even if the caller advances in many short
+    /// steps. A second search close to an event would find the same event again.
     sought: Option<Sought<S>>,
     passed: Total<S>,
 }
 
-/// A simulation of an emitted solver, with its data in arrays.
+/// A simulation in an emitted solver. Its data are in arrays.
 pub type FixedSimulation<S, const PARTS: usize, K = Chain<S>> =
     Simulation<'static, S, [Part<S>; PARTS], Constant, K>;
-/// A simulation of an emitted solver whose kinetic friction changes with the speed, with its data in arrays.
+/// A simulation in an emitted solver whose kinetic friction depends on the speed. Its data are in arrays.
 pub type FixedLinesSimulation<S, const PARTS: usize> =
     Simulation<'static, S, [Part<S>; PARTS], Lines<'static, S>>;
 
-/// Upper bound on the pieces of motion that one call follows if the kinetic friction changes with the speed. A piece
-/// ends at an event, or when the speed reaches the next straight line of the friction law. A piece also ends where the
-/// power series of the motion no longer converges. A call that reaches the bound returns, and the motion continues in
+/// Largest number of pieces of motion that one call follows if the kinetic friction depends on the speed. A piece ends
+/// at an event, or when the speed reaches the next straight line of the friction law. A piece also ends where the power
+/// series of the motion no longer converges. If a call reaches this number, it returns, and the motion continues in
 /// another segment.
 pub const MAX_STRETCHES: u32 = 4096;
 
 impl<'a, S: Float, P: AsMut<[Part<S>]> + AsRef<[Part<S>]>, K: ContactChain<S>>
     Simulation<'a, S, P, Constant, K>
 {
-    /// Creates a simulation from a state at a maximum of the excitation, τ = 0. The state has the displacements x̄ of
-    /// the masses and their velocities dx̄/dτ. Without a state the motion starts from rest. `parts` must contain a
+    /// Creates a simulation from a state at a maximum of the excitation, τ = 0. The state consists of the displacements
+    /// x̄ and the velocities dx̄/dτ of the masses. Without a state the motion starts from rest. `parts` must contain a
     /// [`Part::empty`] for each mode of the chain, and for each mode of the chain with its contact stuck.
     ///
     /// # Errors
-    /// [`OutOfDomain`] if r is not positive and finite, or if β or μβ is NaN, negative or infinite.  A state without
-    /// one finite displacement and velocity for each mass, and a wrong number of `parts`, give the same error.
+    /// [`OutOfDomain`] if r is not positive and finite, or if β or μβ is NaN, negative or infinite. The error also
+    /// occurs if the state does not have one finite displacement and velocity for each mass, or if the number of
+    /// `parts` is wrong.
     pub fn new(
         dynamics: Dynamics<'a, S, K>,
         r: S,
@@ -107,12 +108,14 @@ impl<'a, S: Float, P: AsMut<[Part<S>]> + AsRef<[Part<S>]>, K: ContactChain<S>>
 impl<'a, S: Float, P: AsMut<[Part<S>]> + AsRef<[Part<S>]>, K: ContactChain<S>>
     Simulation<'a, S, P, Lines<'a, S>, K>
 {
-    /// Creates a simulation whose kinetic friction changes with the speed, along straight `lines`.
+    /// Creates a simulation whose kinetic friction depends on the speed. The straight `lines` give the friction as a
+    /// function of the speed.
     ///
     /// # Errors
-    /// Same errors as [`new`](Simulation::new). [`OutOfDomain::LoadAmplitude`] if the load makes the law's speeds
-    /// overflow or underflow in the number type. [`OutOfDomain::Steepness`] if the law is too steep: it changes the
-    /// motion more than [`MAX_STEEPNESS`](super::MAX_STEEPNESS) times as fast as the fastest mode does.
+    /// The errors of [`new`](Simulation::new). [`OutOfDomain::LoadAmplitude`] if the load makes the law's speeds
+    /// overflow or underflow in the number type. [`OutOfDomain::Steepness`] if the law is too steep. The law is too
+    /// steep if it changes the motion more than [`MAX_STEEPNESS`](super::MAX_STEEPNESS) times as fast as the fastest
+    /// mode does.
     pub fn along(
         dynamics: Dynamics<'a, S, K>,
         r: S,
@@ -124,7 +127,7 @@ impl<'a, S: Float, P: AsMut<[Part<S>]> + AsRef<[Part<S>]>, K: ContactChain<S>>
     where
         S: Plain,
     {
-        // The speeds of the law depend on r. The code checks r first, so that an error names the true cause.
+        // The speeds of the law depend on r. The code checks r first, so that the error gives the true cause.
         let mut run = Self::under(dynamics, (r, beta, lines), state, parts)?;
         lines.check()?;
         run.setting.check_lines(run.parts.as_ref(), &lines)?;
@@ -162,13 +165,13 @@ impl<'a, S: Float, P: AsMut<[Part<S>]> + AsRef<[Part<S>]>, L: KineticLaw<'a, S>,
         })
     }
 
-    /// Returns the number of completed cycles of the excitation.
+    /// Returns the number of excitation cycles that the simulation has completed.
     #[must_use]
     pub fn cycles(&self) -> u64 {
         self.now.cycles
     }
 
-    /// Returns τ within the excitation's cycle, in [0, 2π).
+    /// Returns the present phase τ of the excitation in its cycle, in rad, in [0, 2π).
     #[must_use]
     pub fn phase(&self) -> S {
         self.now.t * S::pi()
@@ -180,8 +183,8 @@ impl<'a, S: Float, P: AsMut<[Part<S>]> + AsRef<[Part<S>]>, L: KineticLaw<'a, S>,
         self.contact_state.contact
     }
 
-    /// Returns the present motion of a mass, by its index in the description.  For an invalid index, displacement and
-    /// velocity are 0.
+    /// Returns the present displacement and velocity of a mass. `index` is the index of the mass in the description.
+    /// For an invalid index both are 0.
     #[must_use]
     pub fn mass(&self, index: usize) -> Moment<S> {
         let shape = self.setting.dynamics.shape(index);
@@ -203,7 +206,7 @@ impl<'a, S: Float, P: AsMut<[Part<S>]> + AsRef<[Part<S>]>, L: KineticLaw<'a, S>,
         (self.setting.relative(self.parts.as_ref(), at), velocity)
     }
 
-    /// Returns the present contact force, divided by P. While the contact slides, it is the kinetic friction force.
+    /// Returns the present contact force, divided by P. While the contact slides, the force is the kinetic friction.
     /// While the contact sticks, it is the force that keeps the contact at rest. A positive force opposes positive
     /// sliding.
     #[must_use]
@@ -220,12 +223,13 @@ impl<'a, S: Float, P: AsMut<[Part<S>]> + AsRef<[Part<S>]>, L: KineticLaw<'a, S>,
         })
     }
 
-    /// Advances to the next event, or by at most `reach` in τ. A reach of 0 changes nothing.
+    /// Advances the simulation to the next event, but by at most `reach` in rad of the excitation (τ). A `reach` of 0
+    /// changes nothing.
     ///
-    /// The events of a simulation do not depend on the values of `reach`, and rounding errors do not accumulate.
+    /// The events of a simulation do not depend on the values of `reach`. Rounding errors do not accumulate.
     ///
     /// # Errors
-    /// [`OutOfDomain`] for a reach that is negative, infinite or NaN.  The simulation then keeps its state.
+    /// [`OutOfDomain`] if `reach` is negative, infinite or NaN. The simulation then keeps its state.
     pub fn advance(&mut self, reach: S) -> Result<Segment<S>, OutOfDomain> {
         if !(S::constant(0.0) <= reach && reach.is_finite()) {
             return Err(OutOfDomain::Duration(Given::of(reach)));
@@ -233,7 +237,8 @@ impl<'a, S: Float, P: AsMut<[Part<S>]> + AsRef<[Part<S>]>, L: KineticLaw<'a, S>,
         Ok(self.advance_by(reach))
     }
 
-    /// Advances by a reach that is finite and not negative.
+    /// Advances the simulation to the next event, but by at most `reach`. The caller has checked that `reach` is finite
+    /// and not negative.
     fn advance_by(&mut self, reach: S) -> Segment<S> {
         let zero = S::constant(0.0);
         let mut segment = Segment {
@@ -249,7 +254,7 @@ impl<'a, S: Float, P: AsMut<[Part<S>]> + AsRef<[Part<S>]>, L: KineticLaw<'a, S>,
         segment.contact = self.find_end(reach).contact_state.contact;
         let (length, mut ended) = self.advance_within(reach);
         segment.length = length;
-        // An earlier call has searched this segment and found that it ends without an event before the reach.
+        // An earlier call has searched this segment, and found that no event ends it before `reach`.
         if known && ended == Some(None) && length < reach {
             let (more, next) = self.advance_within(reach - length);
             segment.length = length + more;
@@ -269,8 +274,8 @@ impl<'a, S: Float, P: AsMut<[Part<S>]> + AsRef<[Part<S>]>, L: KineticLaw<'a, S>,
         segment
     }
 
-    /// Returns the current segment. If its end is unknown, searches for the end within `reach`, or within one cycle if
-    /// `reach` is shorter.
+    /// Returns the current segment. If its end is unknown, the function searches for the end within `reach`. If `reach`
+    /// is shorter than one cycle, it searches within one cycle.
     fn find_end(&mut self, reach: S) -> Sought<S> {
         if let Some(sought) = self.sought {
             return sought;
@@ -282,7 +287,7 @@ impl<'a, S: Float, P: AsMut<[Part<S>]> + AsRef<[Part<S>]>, L: KineticLaw<'a, S>,
             .setting
             .seek_under(level, parts, self.contact_state, reach);
         if sought.holds() {
-            // The contact cannot leave zero velocity, so that it continues to stick.
+            // The contact cannot leave zero velocity. It therefore continues to stick.
             let (modes, held) = self.setting.split(parts);
             let oscillators = (&*modes, &*held);
             let end = ended(&self.setting, oscillators, &sought, phase(self.now.t));
@@ -293,8 +298,9 @@ impl<'a, S: Float, P: AsMut<[Part<S>]> + AsRef<[Part<S>]>, L: KineticLaw<'a, S>,
         sought
     }
 
-    /// Advances within the current segment by at most `reach`. The first result is the length advanced. If the segment
-    /// ends, the second result is `Some`, with the event that ends the segment, or with `None` if no event ends it.
+    /// Advances the simulation within the current segment, by at most `reach`. The first result is the time advanced.
+    /// The second result is `None` if the segment has not ended. If the segment ends at an event, the second result
+    /// contains this event. If it ends without an event, the second result is `Some(None)`.
     fn advance_within(&mut self, reach: S) -> (S, Option<Option<Event>>) {
         let sought = self.find_end(reach);
         let parts = self.parts.as_mut();

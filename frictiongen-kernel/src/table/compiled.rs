@@ -1,22 +1,23 @@
-//! A scene at one frequency ratio, whose limits come from tables that approximate β_lim and β*_lim.
+//! A scene at one frequency ratio. Tables approximate its limits β_lim and β*_lim.
 
 use crate::contact::regime::{self, Limits};
 use crate::errors::{OutOfDomain, Ratio, Regime};
 use crate::number::scalar::{Float, Scalar};
 use crate::response::{At, Scene};
 
-/// Range of r and β in which the tables of a scene are valid, and the behaviour beyond this range.
+/// Range of the frequency ratio r and the friction ratio β in which the tables of a scene are valid. The struct also
+/// says what happens outside this range.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Domain<S> {
-    /// Smallest and largest frequency ratio r of the tables.
+    /// Smallest and largest frequency ratio r in the tables.
     pub r: (S, S),
-    /// Smallest and largest friction ratio β that a caller may pass.
+    /// Smallest and largest friction ratio β that a caller may pass to a scene with tables.
     pub beta: (S, S),
-    /// True if the exact formulas compute the results outside the range. If false, a call outside the range is an
-    /// error.
+    /// True if the exact formulas compute the results outside the range of the tables. If false, a call outside the
+    /// range returns an error.
     pub exact_beyond: bool,
     /// True if β_lim exceeds every friction ratio of the range, at every frequency ratio of the range. The code then
-    /// uses the closed form of the continuous motion without a comparison with β_lim.
+    /// uses the closed form of the continuous motion without comparing β with β_lim.
     pub always_continuous: bool,
     /// True if β*_lim, the limit of sliding, exceeds every friction ratio of the range. The code then does not evaluate
     /// β*_lim.
@@ -25,31 +26,32 @@ pub struct Domain<S> {
 
 /// A scene that has tables of the limits β_lim and β*_lim.
 pub trait Tabled: Scene {
-    /// Returns the range of r and β in which the tables are valid.
+    /// Returns the range of r and β in which the tables of this scene are valid.
     fn domain(&self) -> Domain<Self::Scalar>;
-    /// Returns β_lim, the limit of continuous motion, from the table. r must be within the domain.
+    /// Returns β_lim, the limit of continuous motion, from the table. The frequency ratio r must be within the domain
+    /// of the tables.
     fn tabled_limit(&self, r: Self::Scalar) -> Self::Scalar;
-    /// Returns β*_lim, the limit of sliding, from the table. Returns `None` if only the exact formulas reach the
-    /// declared accuracy. r must be within the domain.
+    /// Returns β*_lim, the limit of sliding, from the table. Returns `None` if only the exact formulas have the
+    /// declared accuracy. The frequency ratio r must be within the domain of the tables.
     fn tabled_sliding_limit(&self, r: Self::Scalar) -> Option<Self::Scalar>;
 }
 
-/// A scene at one frequency ratio, whose limits come from tables.
+/// A scene at one frequency ratio whose limits β_lim and β*_lim come from tables.
 #[derive(Clone, Copy, Debug)]
 pub struct Compiled<T: Scene> {
     scene: T,
-    /// Frequency ratio r, neither NaN nor negative.
+    /// Frequency ratio r. The value is neither NaN nor negative.
     r: T::Scalar,
-    /// True if the tables are valid at this r.
+    /// True if the tables are valid at this frequency ratio.
     within: bool,
 }
 
 impl<T: Tabled> Compiled<T> {
-    /// Creates the scene at the frequency ratio r = ω√(m₁/k₁), and checks whether the tables are valid at r.
+    /// Creates the scene at the frequency ratio r = ω√(m₁/k₁), and checks whether its tables are valid at r.
     ///
     /// # Errors
-    /// [`OutOfDomain`] for NaN and negative r. An r outside the range of the tables gives the same error, unless the
-    /// domain has `exact_beyond`.
+    /// [`OutOfDomain`] for NaN and negative r. The same error occurs for an r outside the range of the tables, unless
+    /// `exact_beyond` is true in the domain.
     #[inline]
     pub fn new(scene: T, r: T::Scalar) -> Result<Self, OutOfDomain> {
         let Domain {
@@ -57,8 +59,8 @@ impl<T: Tabled> Compiled<T> {
             exact_beyond,
             ..
         } = scene.domain();
-        // The difference of two unequal floating-point numbers is never 0, so that its sign decides. The lookup in the
-        // table needs the same difference.
+        // The difference of two unequal floating-point numbers is never 0, so that its sign is always correct. The
+        // lookup in the table needs the same difference.
         let within = r - low >= T::Scalar::constant(0.0) && r <= high;
         if !within {
             let allowed = exact_beyond && r >= T::Scalar::constant(0.0);
@@ -70,13 +72,13 @@ impl<T: Tabled> Compiled<T> {
         Ok(Self { scene, r, within })
     }
 
-    /// Computes the limits β_lim and β*_lim at every frequency ratio of a slice, and writes them to two slices of the
-    /// same length.
+    /// Computes the limits β_lim and β*_lim at every frequency ratio of a slice. Writes them to two slices of the same
+    /// length.
     ///
     /// # Errors
-    /// [`OutOfDomain`] if the slices have different lengths, and then leaves both result slices unchanged. At the first
-    /// r outside the domain, the function stops and returns the same error. The result slices then contain the limits
-    /// for the frequency ratios before that r.
+    /// [`OutOfDomain`] if the slices have different lengths. Both result slices are then unchanged. At the first r
+    /// outside the domain, the function stops and returns the same error. The result slices then contain the limits for
+    /// the frequency ratios before that r.
     pub fn limits_into(
         scene: T,
         rs: &[T::Scalar],
@@ -102,20 +104,20 @@ impl<T: Tabled> Compiled<T> {
         self.r
     }
 
-    /// Returns true if the tables are valid at this r. If false, the exact formulas compute all results.
+    /// Returns true if the tables are valid at this frequency ratio. If false, the exact formulas compute all results.
     #[inline]
     #[must_use]
     pub fn is_within(&self) -> bool {
         self.within
     }
 
-    /// Returns the scene at the same frequency ratio, with all results from the exact formulas.
+    /// Returns the scene at the same frequency ratio without its tables. All results then come from the exact formulas.
     #[must_use]
     pub fn exact(&self) -> At<T> {
         At::known(self.scene.clone(), self.r)
     }
 
-    /// Returns β_lim, the limit of continuous motion (5.65, 5.80, 5.96, 7.49), to the declared accuracy.
+    /// Returns β_lim, the limit of continuous motion, with the declared accuracy (5.65, 5.80, 5.96, 7.49).
     #[inline]
     #[must_use]
     pub fn continuous_limit(&self) -> T::Scalar {
@@ -126,8 +128,8 @@ impl<T: Tabled> Compiled<T> {
         }
     }
 
-    /// Returns β*_lim, the limit of sliding, to the declared accuracy. β*_lim is the smallest β at which a stuck state
-    /// exists (6.11, 6.27, 6.33).
+    /// Returns β*_lim, the limit of sliding, with the declared accuracy. β*_lim is the smallest β at which a stuck
+    /// state exists (6.11, 6.27, 6.33).
     #[inline]
     #[must_use]
     pub fn sliding_limit(&self) -> T::Scalar {
@@ -142,7 +144,7 @@ impl<T: Tabled> Compiled<T> {
         }
     }
 
-    /// Returns the limits β_lim and β*_lim to the declared accuracy.
+    /// Returns the limits β_lim and β*_lim with the declared accuracy.
     #[inline]
     #[must_use]
     pub fn limits(&self) -> Limits<T::Scalar> {
@@ -152,21 +154,21 @@ impl<T: Tabled> Compiled<T> {
         }
     }
 
-    /// Returns an upper bound on β_lim from the exact formulas, without a search. The bound replaces the velocity
+    /// Returns an upper bound on β_lim from the exact formulas, without a search. The formula replaces the velocity
     /// constraint S by its limit for τ → 0 (5.64).
     #[must_use]
     pub fn continuous_limit_without_search(&self) -> T::Scalar {
         self.exact().continuous_limit_without_search()
     }
 
-    /// Returns a lower bound on β_lim (5.55, 7.37), from the exact formulas. The exact velocity constraint S is the
-    /// maximum of a sum over the modes. The bound uses the sum of the modes' own maxima instead.
+    /// Returns a lower bound on β_lim from the exact formulas (5.55, 7.37). The exact velocity constraint S is the
+    /// maximum of a sum over the modes. The formula replaces S by the sum of the modes' own maxima.
     #[must_use]
     pub fn continuous_limit_per_mode(&self) -> T::Scalar {
         self.exact().continuous_limit_per_mode()
     }
 
-    /// Checks that the friction ratio β is valid and within the domain, and returns β.
+    /// Checks that the friction ratio β is valid and within the domain of the tables. Returns β.
     pub(super) fn checked(&self, beta: T::Scalar) -> Result<T::Scalar, OutOfDomain> {
         let beta = regime::check_beta(beta)?;
         let domain = self.scene.domain();
@@ -178,38 +180,38 @@ impl<T: Tabled> Compiled<T> {
         }
     }
 
-    /// Returns true if β is within the domain and below β_lim, so that the motion is continuous. `limit` is β_lim. The
-    /// method makes as few comparisons as possible.
+    /// Returns true if β is within the domain of the tables and below β_lim, so that the motion is continuous. The
+    /// argument `limit` is β_lim. The method makes as few comparisons as possible.
     #[inline]
     pub(super) fn is_admitted(&self, beta: T::Scalar, limit: T::Scalar) -> bool {
         let domain = self.scene.domain();
         let (low, high) = domain.beta;
-        // β is below the finite β_lim, so that an infinite upper bound of the domain needs no comparison.
+        // β is below β_lim, which is finite. An infinite upper bound of the domain therefore needs no comparison.
         let asked = beta >= T::Scalar::constant(0.0)
             && (domain.exact_beyond || (low <= beta && (!high.is_finite() || beta <= high)));
         asked && (domain.always_continuous || beta < limit)
     }
 
-    /// Returns true if β is below β*_lim, the limit of sliding. β must be within the domain.
+    /// Returns true if β is below β*_lim, the limit of sliding. β must be within the domain of the tables.
     #[inline]
     pub(super) fn slides(&self, beta: T::Scalar) -> bool {
         self.scene.domain().never_stuck || beta < self.sliding_limit()
     }
 
-    /// Returns true if β is below β*_lim, for a β below β_lim. With μ ≤ 1 the result is always true, because β_lim is
-    /// then the smaller limit. A stuck state and a motion that slides all the time cannot both exist, because the
-    /// difference of the two motions would lose energy for ever.
+    /// Returns true if β is below β*_lim. The caller has checked that β is below β_lim. With μ ≤ 1 the result is always
+    /// true, because β_lim is then the smaller limit. With μ ≤ 1 a stuck state and a motion that slides all the time
+    /// cannot both exist, because the difference of the two motions would lose energy for ever.
     #[inline]
     fn slides_if_admitted(&self, beta: T::Scalar) -> bool {
         let one = T::Scalar::constant(1.0);
         self.scene.numbers().chain.stiction <= one || self.slides(beta)
     }
 
-    /// Returns the regime at the friction ratio β = F/P. If β is as close to a limit as the declared accuracy, the
-    /// result may be the regime on the other side of this limit.
+    /// Returns the regime at the friction ratio β = F/P. If the distance of β from a limit is within the declared
+    /// accuracy, the result may be the regime on the other side of this limit.
     ///
     /// # Errors
-    /// [`OutOfDomain`] for NaN, negative and infinite β, and for β outside the declared range.
+    /// [`OutOfDomain`] for NaN, negative and infinite β, and for a β outside the declared range.
     pub fn regime(&self, beta: T::Scalar) -> Result<Regime, OutOfDomain> {
         let beta = self.checked(beta)?;
         if !self.within {
@@ -225,11 +227,11 @@ impl<T: Tabled> Compiled<T> {
         Ok(regime::regime_of(admitted, slides))
     }
 
-    /// Returns the margin β/min(β_lim, β*_lim) − 1. If the margin is negative, β is smaller than β_lim and β*_lim, and
-    /// the closed form of the continuous motion exists.
+    /// Returns the margin β/min(β_lim, β*_lim) − 1. If the margin is negative, β is smaller than both β_lim and β*_lim,
+    /// and the closed form of the continuous motion exists.
     ///
     /// # Errors
-    /// Same errors as [`regime`](Self::regime).
+    /// The errors of [`regime`](Self::regime).
     pub fn margin(&self, beta: T::Scalar) -> Result<T::Scalar, OutOfDomain> {
         let beta = self.checked(beta)?;
         self.limits().margin(beta)

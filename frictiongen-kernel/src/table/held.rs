@@ -1,27 +1,27 @@
-//! Responses of the chain while the contact is stuck, as rational functions of s = ir. The zeros and poles of each
-//! function define it.
+//! Responses of the chain while the contact is stuck, as rational functions of s = ir, where r is the frequency ratio.
+//! The code stores the zeros and poles of each function.
 
 use super::quotient::Quotient;
 use crate::number::complex::{self, Complex};
 use crate::number::scalar::Float;
 
-/// Factor of a polynomial in s = ir with real coefficients. Each factor belongs to one real zero, or to one pair of
-/// complex zeros s = x ± iy.
+/// Factor of a polynomial in s = ir with real coefficients, where r is the frequency ratio. The factor belongs to one
+/// real zero s = x, or to one pair of complex zeros s = x ± iy.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Root<S> {
-    /// Factor of the zeros x ± iy: (s − x)² + y² = x² − (r − y)(r + y) − 2ixr. The variant stores y as a rounded value
-    /// and a rounding error, so that r − y keeps its digits close to the zero.
+    /// Factor of the pair of zeros x ± iy: (s − x)² + y² = x² − (r − y)(r + y) − 2ixr. The variant stores y as a
+    /// rounded value and its rounding error, so that r − y keeps its digits close to the zero.
     Pair {
-        /// Imaginary part y of the zero, rounded to the number type.
+        /// Imaginary part y of the zeros, rounded to the number type.
         at: S,
         /// Rounding error of y: the exact y minus the rounded y.
         rest: S,
         /// x², the square of the real part of the zeros.
         off: S,
-        /// −2x, the coefficient of r in the imaginary part of the factor.
+        /// Coefficient −2x of r in the imaginary part of the factor, where x is the real part of the zeros.
         rate: S,
     },
-    /// Factor s − x of a zero on the real axis of s.
+    /// Factor s − x of a real zero x.
     Real {
         /// −x, where x is the real zero of the factor.
         rate: S,
@@ -45,8 +45,8 @@ impl<S: Float> Root<S> {
     }
 }
 
-/// Complex rational function of s = ir. The function is the product of the factors in `numerator`, divided by the
-/// product of the factors in `denominator`, times `gain`.
+/// Complex rational function of s = ir, where r is the frequency ratio. The function is `gain` times the product of the
+/// factors in `numerator`, divided by the product of the factors in `denominator`.
 #[derive(Clone, Copy, Debug)]
 pub struct Transfer<'a, S> {
     /// Constant factor of the rational function.
@@ -58,7 +58,7 @@ pub struct Transfer<'a, S> {
 }
 
 impl<S: Float> Transfer<'_, S> {
-    /// Returns the rational function at the frequency ratio r. On a pole the result is infinite or NaN.
+    /// Returns the rational function at the frequency ratio r. At a pole the result is infinite or NaN.
     #[inline(always)]
     #[must_use]
     pub fn value(&self, r: S) -> Complex<S> {
@@ -74,7 +74,7 @@ impl<S: Float> Transfer<'_, S> {
 }
 
 /// Returns the product of all factors at the frequency ratio r, or `None` if there are no factors. The code multiplies
-/// the first twelve factors without a loop, so that constant factors compile to plain arithmetic.
+/// the first twelve factors without a loop, so that factors known at compile time become plain arithmetic.
 #[inline(always)]
 fn product<S: Float>(roots: &[Root<S>], r: S) -> Option<Complex<S>> {
     let mut product = roots.first()?.value(r);
@@ -95,8 +95,8 @@ fn product<S: Float>(roots: &[Root<S>], r: S) -> Option<Complex<S>> {
     Some(product)
 }
 
-/// Multiplies a product by the factor at index `place`. Returns the product unchanged if the list has no factor at this
-/// index.
+/// Multiplies `product` by the factor at the index `place` of the list. If the list has no factor at this index,
+/// `product` is returned unchanged.
 #[inline(always)]
 fn times<S: Float>(product: Complex<S>, roots: &[Root<S>], place: usize, r: S) -> Complex<S> {
     match roots.get(place) {
@@ -105,20 +105,20 @@ fn times<S: Float>(product: Complex<S>, roots: &[Root<S>], place: usize, r: S) -
     }
 }
 
-/// Response of one mass, or of the contact force, while the contact is stuck, as a function of r.
+/// Response of one mass or of the contact force while the contact is stuck, as a function of the frequency ratio r.
 #[derive(Clone, Copy, Debug)]
 pub enum HeldResponse<'a, S> {
-    /// Response that does not depend on r. The reason is that the stuck contact fixes the mass to its support, or
+    /// Response that does not depend on the frequency ratio. The stuck contact then fixes the mass to its support, or
     /// isolates the mass from the load.
     Fixed(S),
-    /// Response of an undamped chain. The response is real, with its sign.
+    /// Response of an undamped chain. It is real and may be negative.
     Undamped(Quotient<'a, S>),
-    /// Response of a damped chain, which is complex.
+    /// Response of a damped chain. It is complex.
     Damped(Transfer<'a, S>),
 }
 
 impl<S: Float> HeldResponse<'_, S> {
-    /// Returns the response at the frequency ratio r.
+    /// Returns the complex response at the frequency ratio r.
     #[inline(always)]
     #[must_use]
     pub fn value(&self, r: S) -> Complex<S> {

@@ -1,5 +1,5 @@
-//! Continuous motion of a scene with tables. The tables give the motion of the contact, and the exact formulas give the
-//! motion of each mass.
+//! Continuous motion of a scene with tables. The motion of the contact comes from the tables, and the motion of each
+//! mass from the exact formulas.
 
 use super::compiled::{Compiled, Tabled};
 use crate::errors::NotContinuous;
@@ -10,27 +10,27 @@ use crate::number::scalar::Float;
 use crate::response::motion::Largest;
 use crate::response::{Continuous, MotionOf, ProvidesMotion};
 
-/// Numbers from the tables at one frequency ratio. These numbers give the amplitude and the phase of the contact at any
-/// β.
+/// Numbers from the tables at one frequency ratio, from which the code computes the amplitude and the phase of the
+/// contact at any friction ratio β.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct ContactTable<S> {
-    /// Limit β_lim of continuous motion.
+    /// Limit of continuous motion β_lim at this frequency ratio.
     pub limit: S,
-    /// a = β_lim·U/|V|. β_lim·U is the velocity that friction at β_lim gives the contact at a reversal. |V| is the
-    /// amplitude of the contact without friction.
+    /// a = β_lim·U/|V|. β_lim·U is the velocity of the contact that friction with β = β_lim causes at a reversal. |V|
+    /// is the amplitude of the contact without friction.
     pub quadrature: S,
-    /// g = β_lim·G/|V|. β_lim·G is the displacement that friction at β_lim gives the contact at a reversal. |V| is the
-    /// amplitude of the contact without friction. Without damping g is 0.
+    /// g = β_lim·G/|V|. β_lim·G is the displacement of the contact that friction with β = β_lim causes at a reversal.
+    /// |V| is the amplitude of the contact without friction. Without damping g is 0.
     pub displacement: S,
-    /// Modulus |V| of the relative motion that the excitation causes without friction.
+    /// Amplitude |V| of the contact's relative motion without friction.
     pub excitation: S,
-    /// Argument arg V of the relative motion that the excitation causes without friction, in rad.
+    /// Argument arg V of the contact's relative motion without friction, in rad.
     pub direction: S,
 }
 
 impl<S: Float> ContactTable<S> {
-    /// Creates the table values of an undamped chain from β_lim, a·sgn V and V, where V is the response of the contact
-    /// without friction. V is real in an undamped chain, with a sign instead of a phase.
+    /// Creates the table values of an undamped chain from β_lim, a·sgn V and V. V is the response of the contact
+    /// without friction. In an undamped chain V is real, and its sign replaces the phase. a is the field `quadrature`.
     #[inline]
     #[must_use]
     pub fn undamped([limit, quadrature]: [S; 2], excitation: S) -> Self {
@@ -45,8 +45,8 @@ impl<S: Float> ContactTable<S> {
         }
     }
 
-    /// Creates the table values of a damped chain from β_lim, a, g, arg V and |V|, all of which come from a table. V is
-    /// the response of the contact without friction.
+    /// Creates the table values of a damped chain from β_lim, a, g, arg V and |V|, which all come from a table. V is
+    /// the response of the contact without friction, a is the field `quadrature`, and g is the field `displacement`.
     #[inline]
     #[must_use]
     pub fn tabled([limit, quadrature, displacement, direction, excitation]: [S; 5]) -> Self {
@@ -54,8 +54,8 @@ impl<S: Float> ContactTable<S> {
     }
 
     /// Creates the table values of a chain with both undamped and damped modes. β_lim, a, g and arg V come from a
-    /// table. `excitation` is |V|, the amplitude of the contact without friction, which has poles at the undamped
-    /// resonances.
+    /// table, where a is the field `quadrature` and g the field `displacement`. `excitation` is |V|, the amplitude of
+    /// the contact without friction. |V| has poles at the undamped resonances.
     #[inline]
     #[must_use]
     pub fn damped([limit, quadrature, displacement, direction]: [S; 4], excitation: S) -> Self {
@@ -68,19 +68,19 @@ impl<S: Float> ContactTable<S> {
         }
     }
 
-    /// Returns √((1 − ρ²) + ρ²(1 − a²)) with a = β_lim·U/|V|, the in-phase term of the contact's motion divided by |V|,
-    /// the amplitude without friction. `share` is ρ = β/β_lim.
+    /// Returns √((1 − ρ²) + ρ²(1 − a²)), the in-phase term of the contact's motion divided by its amplitude without
+    /// friction |V|. Here a is β_lim·U/|V|. The argument `share` is ρ = β/β_lim.
     #[inline]
     fn in_phase(&self, share: S) -> S {
         let one = S::constant(1.0);
         let quadrature = share * self.quadrature;
-        // The product is negative only if β exceeds the tabulated β_lim, within the accuracy of the table. The exact
-        // product is then 0 within the same accuracy.
+        // The product is negative only if β exceeds the tabulated β_lim by less than the accuracy of the table. The
+        // exact product is then 0 within this accuracy.
         ((one - quadrature) * (one + quadrature)).abs().sqrt()
     }
 
-    /// Returns Z, the amplitude of the contact's relative motion at β (2.21, 5.35, 7.20), in units of P/k₁ (of Y for
-    /// base motion).
+    /// Returns Z, the amplitude of the contact's relative motion at the friction ratio β (2.21, 5.35, 7.20), in units
+    /// of P/k₁ (of Y for base motion).
     #[inline]
     #[must_use]
     pub fn amplitude(&self, beta: S) -> S {
@@ -88,7 +88,8 @@ impl<S: Float> ContactTable<S> {
         self.excitation * (self.in_phase(share) - share * self.displacement)
     }
 
-    /// Returns φ, the lag of the contact's relative motion behind the excitation, in rad, in (−π, π] (5.38, 7.21).
+    /// Returns φ, the lag of the contact's relative motion behind the excitation at the friction ratio β, in rad, in
+    /// (−π, π] (5.38, 7.21).
     #[inline]
     #[must_use]
     pub fn phase(&self, beta: S) -> S {
@@ -98,30 +99,31 @@ impl<S: Float> ContactTable<S> {
     }
 }
 
-/// A scene that has a table of the continuous motion of the contact.
+/// A scene that has a table of the contact's continuous motion.
 pub trait TabledMotion: Tabled + ProvidesMotion {
     /// Type that `motion` returns. In emitted code this type has one method for each mass.
     type Moving: From<Moving<Self>>;
 
-    /// Returns the table values of the contact at r, which must be within the domain. Returns `None` if only the exact
-    /// formulas reach the declared accuracy.
+    /// Returns the table values of the contact at the frequency ratio r, which must be within the domain of the tables.
+    /// Returns `None` if only the exact formulas have the declared accuracy.
     fn tabled_contact(&self, r: Self::Scalar) -> Option<ContactTable<Self::Scalar>>;
 }
 
 impl<T: TabledMotion> Compiled<T> {
-    /// Returns the continuous motion at the friction ratio β = F/P, if β is below the limits in the tables.
+    /// Returns the continuous motion at the friction ratio β = F/P. The motion exists if β is below the limits from the
+    /// tables.
     ///
     /// # Errors
-    /// [`NotContinuous`] names the regime if the motion is not continuous. The error also reports an undamped resonance
-    /// that is unbounded at this β, and a β outside the domain.
+    /// [`NotContinuous`] gives the regime if the motion is not continuous. It is also the error for an undamped
+    /// resonance that is unbounded at this β, and for a β outside the domain.
     pub fn motion(&self, beta: T::Scalar) -> Result<T::Moving, NotContinuous> {
         let mut table = None;
         if !self.is_within() {
-            // The exact formulas check β against their own limits.
+            // The exact formulas compare β with their own limits.
             let beta = self.checked(beta).map_err(|_| NotContinuous::OutOfDomain)?;
             self.exact().admitted(beta)?;
         } else {
-            // One lookup in the table serves both the check of β and the motion.
+            // The code reads the table once, for the check of β and for the motion.
             table = self.scene().tabled_contact(self.frequency_ratio());
             let limit = match table {
                 Some(table) => table.limit,
@@ -137,7 +139,8 @@ impl<T: TabledMotion> Compiled<T> {
         Ok(Moving { at, beta, table }.into())
     }
 
-    /// Returns the reason why the scene has no continuous motion at this β, for r within the range of the tables.
+    /// Returns the reason why the scene has no continuous motion at the friction ratio β. r must be within the range of
+    /// the tables.
     #[cold]
     fn refused(&self, beta: T::Scalar, limit: T::Scalar) -> NotContinuous {
         if self.checked(beta).is_err() {
@@ -152,12 +155,12 @@ impl<T: TabledMotion> Compiled<T> {
     }
 }
 
-/// Continuous motion of a [`TabledMotion`] scene at one frequency ratio and one friction ratio.
+/// Continuous motion of a scene with tables ([`TabledMotion`]) at one frequency ratio and one friction ratio.
 #[derive(Clone, Copy, Debug)]
 pub struct Moving<T: TabledMotion> {
     at: Compiled<T>,
     beta: T::Scalar,
-    /// Table values of the contact at this r. `None` if the exact formulas compute the motion.
+    /// Table values of the contact at this frequency ratio. `None` if the exact formulas compute the motion.
     table: Option<ContactTable<T::Scalar>>,
 }
 
@@ -175,7 +178,7 @@ impl<T: TabledMotion> Moving<T> {
         self.at.exact().closed_form(self.beta)
     }
 
-    /// Returns the relative motion of the contact, whose amplitude and phase come from the tables.
+    /// Returns the relative motion of the contact. Its amplitude and phase come from the tables.
     #[inline]
     #[must_use]
     pub fn contact(&self) -> SteadyContact<T> {
@@ -184,23 +187,23 @@ impl<T: TabledMotion> Moving<T> {
         }
     }
 
-    /// Returns the motion of a mass, given by its index in the description, from the exact formulas. Returns a motion
-    /// at rest if the scene has no mass with this index.
+    /// Returns the motion of a mass from the exact formulas. `mass` is the index of the mass in the description. If the
+    /// scene has no mass with this index, the result is a motion at rest.
     #[must_use]
     pub fn mass(&self, mass: usize) -> MotionOf<T> {
         self.exact().mass(mass)
     }
 
-    /// Returns the motion of a mass as [`mass`](Self::mass) does. Returns `None` if the scene has no mass with this
-    /// index or does not provide the motion of this mass.
+    /// Returns the motion of a mass from the exact formulas. Returns `None` if the scene has no mass with this index or
+    /// does not provide the motion of this mass.
     #[must_use]
     pub fn mass_at(&self, mass: usize) -> Option<MotionOf<T>> {
         self.exact().mass_at(mass)
     }
 }
 
-/// Relative motion of the contact. The tables give its amplitude and phase, and the exact formulas give all other
-/// results.
+/// Relative motion of the contact. Its amplitude and phase come from the tables, and all other results from the exact
+/// formulas.
 #[derive(Clone, Copy, Debug)]
 pub struct SteadyContact<T: TabledMotion> {
     moving: Moving<T>,
@@ -214,7 +217,7 @@ impl<T: TabledMotion> SteadyContact<T> {
         self.moving.exact().contact()
     }
 
-    /// Returns the amplitude and the phase of the contact, from the tables without a search.
+    /// Returns the amplitude and the phase of the contact from the tables, without a search.
     #[must_use]
     pub fn largest(&self) -> Largest<T::Scalar> {
         let beta = self.moving.beta;
@@ -228,7 +231,8 @@ impl<T: TabledMotion> SteadyContact<T> {
         }
     }
 
-    /// Returns the maximum of |z̄| in the period, in units of P/k₁ (of Y for base motion).
+    /// Returns the largest |z̄| in a period, in units of P/k₁ (of Y for base motion). z̄ is the relative displacement
+    /// of the contact.
     #[inline]
     #[must_use]
     pub fn amplitude(&self) -> T::Scalar {
@@ -238,8 +242,8 @@ impl<T: TabledMotion> SteadyContact<T> {
         }
     }
 
-    /// Returns the monoharmonic estimate of the amplitude (5.50), (7.33). For the contact the estimate equals the
-    /// amplitude.
+    /// Returns the monoharmonic estimate of the contact's amplitude (5.50), (7.33). For the contact the estimate is
+    /// equal to the exact amplitude.
     #[inline]
     #[must_use]
     pub fn amplitude_monoharmonic(&self) -> T::Scalar {
@@ -256,20 +260,20 @@ impl<T: TabledMotion> SteadyContact<T> {
         }
     }
 
-    /// Returns the relative displacement z̄ at the phase τ. At τ = 0, z̄ has its maximum.
+    /// Returns the relative displacement z̄ of the contact at the phase τ in rad. z̄ has its maximum at τ = 0.
     #[must_use]
     pub fn displacement(&self, tau: T::Scalar) -> T::Scalar {
         self.exact().displacement(tau)
     }
 
-    /// Returns the relative velocity dz̄/dτ at the phase τ. At τ = 0, z̄ has its maximum.
+    /// Returns the relative velocity dz̄/dτ of the contact at the phase τ in rad. z̄ has its maximum at τ = 0.
     #[must_use]
     pub fn velocity(&self, tau: T::Scalar) -> T::Scalar {
         self.exact().velocity(tau)
     }
 
-    /// Returns Z_n, the complex amplitude of harmonic n, defined by z̄ = Re Σ Z_n e^{inτ_e}. The phase τ_e is 0 at a
-    /// maximum of the excitation.
+    /// Returns Z_n, the complex amplitude of harmonic n of the contact's relative motion. The harmonics are defined by
+    /// z̄ = Re Σ Z_n e^{inτ_e}, where the phase τ_e is 0 at a maximum of the excitation.
     #[must_use]
     pub fn harmonic(&self, n: u32) -> Complex<T::Scalar> {
         self.exact().harmonic(n)

@@ -1,49 +1,53 @@
-//! Tables of piecewise polynomials in r. Each table divides its range of r into buckets of equal width. A lookup takes
-//! the bucket of r, and halves the list of the bucket's pieces a few times to find the polynomial that is valid at r.
+//! Tables of piecewise polynomials in the frequency ratio r. Each table divides its range of r into buckets of equal
+//! width. A lookup finds the bucket of r first. It then halves the list of the bucket's pieces a few times, until only
+//! the polynomial that is valid at r is left.
 
 use crate::number::scalar::Float;
 
-/// One interval of r, on which `F` functions are polynomials of degree `C` − 1 in r − `origin`.
+/// One interval of the frequency ratio r. In this interval `F` functions are polynomials of degree `C` − 1 in r −
+/// `origin`.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Piece<S, const F: usize, const C: usize> {
-    /// Smallest r of the interval. The interval ends where the next interval begins.
+    /// Smallest frequency ratio r of the interval. The interval ends where the next interval begins.
     pub from: S,
-    /// Origin of the piece: its polynomials are in r − `origin`. Near a zero of a function the origin is that zero, so
-    /// that the piece keeps its relative accuracy up to the zero.
+    /// Origin of the polynomials, which are polynomials in r − `origin`. Near a zero of a function the origin is this
+    /// zero, so that the polynomial has full relative accuracy close to the zero.
     pub origin: S,
-    /// Polynomial coefficients of each function, from the constant term upwards.
+    /// Polynomial coefficients of each function, starting with the constant term.
     pub coefficients: [[S; C]; F],
 }
 
-/// Table of `F` functions of r over a range, as piecewise polynomials.
+/// Table of `F` functions of the frequency ratio r over a range of r, as piecewise polynomials.
 ///
-/// A lookup has no branch that depends on r. The bucket of r gives the index of a first piece, and `halvings`
-/// comparisons find the piece that contains r.
+/// A lookup has no branch that depends on r. It takes the index of a first piece from the bucket of r. It then finds
+/// the piece that contains r with `halvings` comparisons.
 #[derive(Clone, Copy, Debug)]
 pub struct Table<'a, S, B, const F: usize, const C: usize> {
-    /// Smallest r of the table, where the first bucket starts.
+    /// Smallest frequency ratio r of the table, at which the first bucket starts.
     pub low: S,
-    /// Number of buckets per unit of r. All buckets have the same width.
+    /// Number of buckets in a unit of the frequency ratio r. All buckets have the same width.
     pub density: S,
-    /// Number of comparisons that find a polynomial piece within a bucket. At most 2^halvings − 1 pieces begin in one
-    /// bucket.
+    /// Number of comparisons with which a lookup finds a polynomial piece in a bucket. At most 2^halvings − 1 pieces
+    /// begin in one bucket.
     pub halvings: u32,
-    /// Index of the polynomial piece that contains the start of each bucket. The number of buckets is a power of two.
+    /// For each bucket, the index of the polynomial piece that contains the start of the bucket. The number of buckets
+    /// is a power of two.
     pub buckets: &'a [B],
-    /// Polynomial pieces in ascending order of r.
+    /// Polynomial pieces in the order of increasing r.
     pub pieces: &'a [Piece<S, F, C>],
 }
 
 impl<S: Float, B: Copy + Into<usize>, const F: usize, const C: usize> Table<'_, S, B, F, C> {
-    /// Returns the polynomial piece that contains r. For r outside the range, the result is an arbitrary piece. Returns
-    /// `None` if the table has no pieces.
+    /// Returns the polynomial piece that contains the frequency ratio r. For an r outside the range of the table, the
+    /// result is an arbitrary piece. Returns `None` if the table has no pieces.
     #[inline(always)]
     #[must_use]
     pub fn piece(&self, r: S) -> Option<&Piece<S, F, C>> {
         let bucket = ((r - self.low) * self.density).to_index();
         let bucket = bucket & self.buckets.len().wrapping_sub(1);
         let first: usize = self.buckets.get(bucket).copied().map_or(0, Into::into);
-        // If the number of halvings is a constant, the compiler keeps only the arm for this number, without branches.
+        // If the number of halvings is known at compile time, the compiler keeps only the match arm for this number,
+        // without branches.
         match self.halvings {
             0 => self.pieces.get(first),
             1 => self.among::<2>(first, r),
@@ -55,8 +59,8 @@ impl<S: Float, B: Copy + Into<usize>, const F: usize, const C: usize> Table<'_, 
         }
     }
 
-    /// Returns the polynomial piece that contains r. The function searches among `W` pieces from index `first` on, or
-    /// among the last `W` pieces of the table.
+    /// Returns the polynomial piece that contains the frequency ratio r. The function searches among the `W` pieces
+    /// that start at the index `first`. If the table ends earlier, it searches among the last `W` pieces of the table.
     #[inline(always)]
     fn among<const W: usize>(&self, first: usize, r: S) -> Option<&Piece<S, F, C>> {
         let first = first.min(self.pieces.len().saturating_sub(W));
@@ -68,8 +72,8 @@ impl<S: Float, B: Copy + Into<usize>, const F: usize, const C: usize> Table<'_, 
         }
     }
 
-    /// Returns the polynomial piece that contains r, by bisection of the list of pieces from index `first` on, in
-    /// `halvings` steps.
+    /// Returns the polynomial piece that contains the frequency ratio r. The function halves the list of pieces from
+    /// the index `first` on, in `halvings` steps.
     fn onwards(&self, first: usize, r: S) -> Option<&Piece<S, F, C>> {
         let mut index = first;
         let mut halving = self.halvings;
@@ -85,13 +89,14 @@ impl<S: Float, B: Copy + Into<usize>, const F: usize, const C: usize> Table<'_, 
         self.pieces.get(index)
     }
 
-    /// Returns the values of all functions at r. All values are NaN if the table has no pieces.
+    /// Returns the values of all functions of the table at the frequency ratio r. All values are NaN if the table has
+    /// no pieces.
     #[inline(always)]
     #[must_use]
     pub fn values(&self, r: S) -> [S; F] {
         let mut values = [S::constant(f64::NAN); F];
         if let Some(piece) = self.piece(r) {
-            // The calls are written out without a loop. The compiler then removes each function whose value is not
+            // The code makes these calls without a loop. The compiler then removes each function whose value is not
             // used.
             let t = r - piece.origin;
             put(&mut values, piece, 0, t);
@@ -106,7 +111,7 @@ impl<S: Float, B: Copy + Into<usize>, const F: usize, const C: usize> Table<'_, 
         values
     }
 
-    /// Returns the value at r of the first function in the table, or NaN if the table has no pieces.
+    /// Returns the value of the table's first function at the frequency ratio r, or NaN if the table has no pieces.
     #[inline(always)]
     #[must_use]
     pub fn first(&self, r: S) -> S {
@@ -119,8 +124,8 @@ impl<S: Float, B: Copy + Into<usize>, const F: usize, const C: usize> Table<'_, 
     }
 }
 
-/// Returns the polynomial piece that contains r, among `W` consecutive pieces, by halving. Halving takes fewer
-/// instructions than counting.
+/// Returns the polynomial piece that contains the frequency ratio r, among `W` consecutive pieces. The function halves
+/// the list in each step. Halving takes fewer instructions than counting the pieces below r.
 #[inline(always)]
 fn halved<S: Float, const F: usize, const C: usize, const W: usize>(
     window: &[Piece<S, F, C>; W],
@@ -142,7 +147,8 @@ fn halved<S: Float, const F: usize, const C: usize, const W: usize>(
     half(pieces, r).first()
 }
 
-/// Returns the half of the given polynomial pieces that contains r, either the first or the second.
+/// Returns the half of the given polynomial pieces that contains the frequency ratio r. The result is the first half or
+/// the second half.
 #[inline(always)]
 fn half<S: Float, const F: usize, const C: usize>(
     pieces: &[Piece<S, F, C>],
@@ -157,11 +163,11 @@ fn half<S: Float, const F: usize, const C: usize>(
     }
 }
 
-/// Returns the index of the polynomial piece that contains r in a window of `W` pieces. The function counts the pieces
-/// that begin at or below r, first in coarse and then in fine steps.
+/// Returns the index of the polynomial piece that contains the frequency ratio r, in a window of `W` pieces. The
+/// function counts the pieces that begin at or below r, first in coarse steps and then in fine steps.
 ///
 /// A compiler turns halving into branches. A large processor cannot predict these branches for an arbitrary r, and each
-/// branch waits for the previous one. Counting has comparisons that do not wait for one another.
+/// branch waits for the previous one. In counting, the comparisons do not wait for one another.
 #[inline(always)]
 fn counted<S: Float, const F: usize, const C: usize, const W: usize>(
     window: &[Piece<S, F, C>; W],
@@ -193,8 +199,8 @@ fn counted<S: Float, const F: usize, const C: usize, const W: usize>(
     }
 }
 
-/// Evaluates one function of a polynomial piece, and writes the value into `values` at the index `function`. Does
-/// nothing if the piece has no function at this index.
+/// Evaluates one function of a polynomial piece at t = r − `origin`. Writes the value into `values` at the index
+/// `function`. If the piece has no function at this index, `values` does not change.
 #[inline(always)]
 fn put<S: Float, const F: usize, const C: usize>(
     values: &mut [S; F],
@@ -207,10 +213,10 @@ fn put<S: Float, const F: usize, const C: usize>(
     }
 }
 
-/// Returns the polynomial Σ c_k t^k. The function forms the pairs c_2k + c_2k+1·t, and multiplies by t² from the
-/// highest pair downwards.
+/// Returns the polynomial Σ c_k t^k. The function computes the pairs c_2k + c_2k+1·t. It starts with the highest pair,
+/// multiplies the sum by t² and adds the next lower pair.
 ///
-/// Up to degree 9 the code writes out the sum, so that code compiled for size has no loop.
+/// For a degree of up to 9 the code contains no loop, even if it is compiled for size.
 #[inline(always)]
 #[must_use]
 pub fn polynomial<S: Float>(coefficients: &[S], t: S) -> S {
@@ -229,8 +235,8 @@ pub fn polynomial<S: Float>(coefficients: &[S], t: S) -> S {
     sum.unwrap_or(S::constant(0.0))
 }
 
-/// Returns one step of the evaluation of a polynomial: c_k + c_k+1·t + t²·`higher`. `higher` is the sum of the higher
-/// pairs, and k is `first`. If the polynomial has no coefficient c_k, returns `higher`.
+/// Makes one step in the evaluation of a polynomial. Returns c_k + c_k+1·t + t²·`higher`, where `higher` is the result
+/// for the higher coefficients and k is `first`. If the polynomial has no coefficient c_k, the result is `higher`.
 #[inline(always)]
 fn below<S: Float>(
     coefficients: &[S],

@@ -6,36 +6,37 @@ use crate::number::complex::{self, Complex};
 use crate::number::scalar::Scalar;
 use crate::response::{ProvidesStuck, Stuck};
 
-/// A scene whose response with the contact stuck is stored as products over zeros and poles.
+/// A scene that stores its response with the contact stuck as products over zeros and poles.
 ///
-/// The default bodies of the methods of this trait use the exact formulas. The code generator replaces them for a scene
-/// with products.
+/// The default methods of this trait use the exact formulas. For a scene with products, the code generator replaces
+/// them.
 pub trait TabledStuck: Tabled + ProvidesStuck {
     /// Type that `stuck` returns. In emitted code this type has one method for each mass.
     type Sticking: From<Sticking<Self>>;
 
     /// Returns true if the response with the contact stuck comes from products over zeros and poles. If false, only the
-    /// exact formulas reach the declared accuracy.
+    /// exact formulas have the declared accuracy.
     #[inline]
     fn holds_stuck(&self) -> bool {
         false
     }
 
-    /// Returns the undamped resonances of the chain with its contact stuck, as frequency ratios within the domain. The
-    /// list has only resonances that the number type represents exactly.
+    /// Returns the undamped resonances of the chain with its contact stuck, as frequency ratios within the domain of
+    /// the tables. The list contains only resonances that the number type represents exactly.
     #[inline]
     fn stuck_resonances(&self) -> &[Self::Scalar] {
         &[]
     }
 
-    /// Returns x̄*, the complex amplitude of a mass while the contact is stuck. r must be within the domain. Returns
-    /// `None` if the scene has no mass with this index.
+    /// Returns x̄*, the complex amplitude of a mass while the contact is stuck. The frequency ratio r must be within
+    /// the domain of the tables. Returns `None` if the scene has no mass with this index.
     #[inline]
     fn tabled_stuck(&self, _mass: usize, _r: Self::Scalar) -> Option<Complex<Self::Scalar>> {
         None
     }
 
-    /// Returns V/H, the complex amplitude of the force that keeps the contact stuck. r must be within the domain.
+    /// Returns V/H, the complex amplitude of the force that keeps the contact stuck. The frequency ratio r must be
+    /// within the domain of the tables.
     #[inline]
     fn tabled_holding_force(&self, _r: Self::Scalar) -> Option<Complex<Self::Scalar>> {
         None
@@ -43,16 +44,16 @@ pub trait TabledStuck: Tabled + ProvidesStuck {
 }
 
 impl<T: TabledStuck> Compiled<T> {
-    /// Returns the response while the contact is stuck, to the declared accuracy. This response exists for β ≥ β*_lim,
-    /// the limit of sliding.
+    /// Returns the response while the contact is stuck, with the declared accuracy. This response exists for β ≥
+    /// β*_lim, the limit of sliding.
     ///
     /// # Errors
-    /// [`StuckResonance`] on an undamped resonance of the chain with its contact stuck.
+    /// [`StuckResonance`] if r is an undamped resonance of the chain with its contact stuck.
     #[inline]
     pub fn stuck(&self) -> Result<T::Sticking, StuckResonance> {
         let at = self.clone();
         if !self.holds_stuck() {
-            // The exact formulas check for a resonance themselves.
+            // The exact formulas contain their own check for a resonance.
             self.exact().stuck()?;
             return Ok(Sticking { at }.into());
         }
@@ -63,16 +64,16 @@ impl<T: TabledStuck> Compiled<T> {
         Ok(Sticking { at }.into())
     }
 
-    /// Returns true if the response at this r comes from products over zeros and poles.
+    /// Returns true if the response at this frequency ratio comes from products over zeros and poles.
     #[inline]
     fn holds_stuck(&self) -> bool {
-        // If a call beyond the range of the tables is an error, r is always within the range here.
+        // If `exact_beyond` is false, r is always within the range of the tables here.
         let within = !self.scene().domain().exact_beyond || self.is_within();
         within && self.scene().holds_stuck()
     }
 }
 
-/// Response of a [`TabledStuck`] scene at one frequency ratio, while the contact is stuck.
+/// Response of a [`TabledStuck`] scene at one frequency ratio while the contact is stuck.
 #[derive(Clone, Copy, Debug)]
 pub struct Sticking<T: TabledStuck> {
     at: Compiled<T>,
@@ -86,14 +87,15 @@ impl<T: TabledStuck> Sticking<T> {
         &self.at
     }
 
-    /// Returns the response while the contact is stuck from the exact formulas, at the same frequency ratio.
+    /// Returns the response with the contact stuck from the exact formulas, at the same frequency ratio.
     #[must_use]
     pub fn exact(&self) -> Stuck<T> {
         self.at.exact().stuck_unchecked()
     }
 
     /// Returns V/H, the complex amplitude of the contact force that keeps the contact stuck, divided by P (6.11, 6.27,
-    /// 6.33). A positive force opposes positive sliding. The modulus equals μβ*_lim, with β*_lim the limit of sliding.
+    /// 6.33). A positive force opposes positive sliding. The absolute value is μβ*_lim, where β*_lim is the limit of
+    /// sliding.
     #[inline]
     #[must_use]
     pub fn contact_force(&self) -> Complex<T::Scalar> {
@@ -109,8 +111,8 @@ impl<T: TabledStuck> Sticking<T> {
         }
     }
 
-    /// Returns the complex amplitude of a mass while the contact is stuck, or 0 if the scene has no mass with this
-    /// index. [`mass_at`](Self::mass_at) returns `None` instead of 0.
+    /// Returns the complex amplitude of a mass while the contact is stuck. The result is 0 if the scene has no mass
+    /// with this index. [`mass_at`](Self::mass_at) returns `None` instead of 0.
     #[inline]
     #[must_use]
     pub fn mass(&self, mass: usize) -> Complex<T::Scalar> {

@@ -118,13 +118,13 @@ impl<'r> Inputs<'r> {
         Ok(inputs)
     }
 
-    /// Returns the time between two samples, in s.
+    /// Returns the time between two samples of the recording, in s.
     #[must_use]
     pub fn dt(&self) -> f64 {
         self.dt
     }
 
-    /// Returns the number of samples.
+    /// Returns the number of samples in the recording.
     #[must_use]
     pub fn len(&self) -> usize {
         self.len
@@ -164,13 +164,13 @@ impl<'r> Inputs<'r> {
 #[doc(hidden)]
 #[derive(Clone, Debug)]
 pub struct DriveSample<'r> {
-    /// Displacement and velocity of the base, in m and m/s.
+    /// Displacement of the base in m, and its velocity in m/s, at the sample.
     pub base: [f64; 2],
-    /// Force on the excited mass, N.
+    /// Force on the excited mass at the sample, in N.
     pub force: f64,
-    /// Forces on other masses in N, each with the name of its mass.
+    /// Forces on other masses at the sample, in N. Each force has the name of its mass.
     pub others: Vec<(&'r str, f64)>,
-    /// The kinetic friction force, N.
+    /// Kinetic friction force in the contact, in N.
     pub friction: f64,
 }
 

@@ -9,16 +9,16 @@ use crate::{Error, OutOfDomain};
 pub enum MeasureError {
     /// A cell of a recording's file is not a finite number.
     NotANumber {
-        /// Number of the line in the file, from 1.
+        /// Number of the faulty line in the file, counted from 1.
         line: usize,
-        /// Name of the channel.
+        /// Name of the recording's channel that causes the error.
         channel: String,
-        /// The text of the cell.
+        /// Text of the cell that is no finite number.
         text: String,
     },
     /// A file is neither a table of numbers nor a UFF58 file (Universal File Format, data set 58).
     Format {
-        /// Number of the line in the file, from 1.
+        /// Number of the faulty line in the file, counted from 1.
         line: usize,
         /// Description of the mistake, as text for the message.
         what: String,
@@ -35,43 +35,43 @@ pub enum MeasureError {
     MixedRates {
         /// The position at which the time step changes. It is a line of the file, or a channel.
         place: String,
-        /// The time step before this position, s.
+        /// Time step before the change of the sampling rate, in s.
         before: f64,
-        /// The time step after this position, s.
+        /// Time step after the change of the sampling rate, in s.
         after: f64,
     },
     /// Two channels have different numbers of samples. The field has the name of one of them.
     Lengths(String),
     /// The recording is too short to find the frequency of the excitation.
     TooShort {
-        /// The length of the recording, as text.
+        /// Length of the recording, as text for the message.
         found: String,
-        /// The necessary length, as text.
+        /// Necessary length of the recording, as text for the message.
         needed: &'static str,
     },
     /// A sample is not a finite number.
     NotFinite {
-        /// Name of the channel.
+        /// Name of the recording's channel that causes the error.
         channel: String,
-        /// Index of the sample, from 0.
+        /// Index of the faulty sample, counted from 0.
         sample: usize,
     },
-    /// All samples of this channel are equal.
+    /// All samples of a channel are equal. The field is the name of the channel.
     Constant(String),
     /// A channel is clipped: it stays at its largest or smallest value, although it moves fast just before.
     Clipped {
-        /// Name of the channel.
+        /// Name of the recording's channel that causes the error.
         channel: String,
-        /// The value at which the channel stays, in the channel's unit.
+        /// Value at which the clipped channel stays, in the unit of the channel.
         value: f64,
-        /// Fraction of the samples that stay at this value.
+        /// Fraction of the samples that stay at the value of the clipped channel.
         share: f64,
     },
     /// The name of a channel is not the name of the excitation, and not the name of a mass.
     NoSuchPlace {
-        /// Name of the channel.
+        /// Name of the recording's channel that causes the error.
         channel: String,
-        /// The names that are possible in this scene.
+        /// Names that a channel can have in this scene.
         known: Vec<String>,
     },
     /// The excitation was not recorded. The field has the name of its channel.
@@ -84,32 +84,32 @@ pub enum MeasureError {
     NoMass,
     /// The unit of a channel does not fit the quantity of the channel.
     WrongDimension {
-        /// Name of the channel.
+        /// Name of the recording's channel that causes the error.
         channel: String,
-        /// Unit of the channel.
+        /// Unit of the channel that causes the error.
         unit: &'static str,
     },
     /// The excitation does not exceed the noise of its channel. The field has the name of the channel.
     Silent(String),
     /// The frequency of the excitation is not constant.
     Drifts {
-        /// Frequency at the start, Hz.
+        /// Frequency of the excitation at the start of the recording, in Hz.
         from: f64,
-        /// Frequency at the end, Hz.
+        /// Frequency of the excitation at the end of the recording, in Hz.
         to: f64,
     },
     /// The amplitude of the excitation is not constant during the recording. The number is the relative change.
     Swells(f64),
-    /// The motion in this channel is never steady.
+    /// The motion in a channel is never steady. The field is the name of the channel.
     NotSteady(String),
     /// The sampling rate is too low for the driving frequency: a cycle has too few samples.
     TooSlow {
-        /// Sampling rate, samples per second.
+        /// Sampling rate of the recording, in samples per second.
         rate: f64,
-        /// The driving frequency, Hz.
+        /// Driving frequency of the recording, in Hz.
         hertz: f64,
     },
-    /// No observation contains the quantities that the request needs.
+    /// No observation contains the quantities that the request requires.
     NoObservation,
     /// The measured amplitude differs by a power of 1000 from every amplitude that the scene can have. A unit is
     /// therefore wrong.
@@ -117,30 +117,30 @@ pub enum MeasureError {
         /// The measured amplitude, divided by the nearest amplitude that the scene can have, and rounded to a power of
         /// 1000.
         factor: f64,
-        /// Name of the mass.
+        /// Name of the mass whose measured motion causes the error.
         mass: String,
     },
     /// No friction force gives the scene the measured amplitude of a mass.
     NotExplained {
-        /// Name of the mass.
+        /// Name of the mass whose measured motion causes the error.
         mass: String,
-        /// Measured amplitude |x̄|.
+        /// Measured amplitude |x̄| of the mass.
         measured: f64,
         /// The amplitude |x̄| of the scene that is nearest to the measured amplitude.
         nearest: f64,
     },
     /// No friction force gives the scene the measured phase of a mass.
     PhaseNotExplained {
-        /// Name of the mass.
+        /// Name of the mass whose measured motion causes the error.
         mass: String,
-        /// Measured lag behind the excitation, degrees.
+        /// Measured lag of the mass behind the excitation, in degrees.
         measured: f64,
         /// Lag of the mass behind the excitation with the best-fitting friction force, degrees.
         nearest: f64,
     },
     /// The number of measured values is smaller than the number of unknowns.
     TooFewData {
-        /// Number of measured values.
+        /// Number of measured values that the fit compares.
         data: usize,
         /// Number of unknowns that the fit has to find.
         unknowns: usize,
@@ -155,16 +155,16 @@ pub enum MeasureError {
     NoDecay,
     /// A row of a sweep cannot be used.
     Sweep {
-        /// Number of the line in the file, from 1.
+        /// Number of the faulty line in the file, counted from 1.
         line: usize,
         /// Description of the mistake, as text for the message.
         what: String,
     },
     /// The fitted numbers do not form a valid scene.
     Scene(InvalidScene),
-    /// A load does not fit the scene.
+    /// A load does not fit the scene. The field gives the reason.
     Load(LoadError),
-    /// A solver returned an error.
+    /// A solver of the library returned an error.
     Solver(Error),
 }
 

@@ -33,7 +33,7 @@ pub(super) struct Linearised {
 #[derive(Debug)]
 pub(super) struct FitResult {
     pub(super) parameters: Vec<f64>,
-    /// True if the steps converged.
+    /// True if the steps of the fit have converged.
     pub(super) settled: bool,
     /// The sum of squares of the residuals at the fitted parameters.
     pub(super) squares: f64,

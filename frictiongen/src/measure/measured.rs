@@ -36,11 +36,11 @@ const FEWEST_SAMPLES: f64 = 5.0;
 /// ```
 #[derive(Clone, Debug, PartialEq)]
 pub struct Measured {
-    /// The driving frequency, Hz.
+    /// Driving frequency of the recording, in Hz.
     pub hertz: f64,
-    /// Standard deviation of the driving frequency, Hz.
+    /// Standard deviation of the driving frequency, in Hz.
     pub hertz_deviation: f64,
-    /// Sampling rate, samples per second.
+    /// Sampling rate of the recording, in samples per second.
     pub rate: f64,
     /// Start and end of the steady interval, in s from the first sample.
     pub steady: (f64, f64),

@@ -23,11 +23,11 @@ const FEWEST: usize = 12;
 /// Mass, viscous friction, Coulomb friction and constant force of an axis, found by regression.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Regression {
-    /// Mass M, kg.
+    /// Mass M of the axis, in kg.
     pub mass: Estimate,
-    /// Viscous friction coefficient F_v, N·s/m.
+    /// Viscous friction coefficient F_v, in N·s/m.
     pub viscous: Estimate,
-    /// Coulomb friction force F_c, N.
+    /// Coulomb friction force F_c, in N.
     pub coulomb: Estimate,
     /// Constant force on the axis, the offset in the equation of motion, N.
     pub offset: Estimate,

@@ -15,7 +15,7 @@ const DECADE: f64 = 60.0;
 #[doc(hidden)]
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct PeakResponse {
-    /// Undamped natural period of the oscillator, s.
+    /// Undamped natural period of the oscillator, in s.
     pub period: f64,
     /// Largest displacement relative to the base within the record, m.
     pub displacement: f64,
@@ -70,7 +70,7 @@ pub fn response_spectrum(
 struct Oscillator {
     omega: f64,
     zeta: f64,
-    /// Angular frequency of the free damped vibration, rad/s.
+    /// Angular frequency of the oscillator's free damped vibration, in rad/s.
     damped: f64,
 }
 

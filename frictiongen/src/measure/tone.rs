@@ -27,7 +27,7 @@ const FEWEST_BINS: usize = 12;
 /// samples.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Tone {
-    /// Mean of the samples, the component at zero frequency.
+    /// Mean of the samples. It is the component at zero frequency.
     pub mean: f64,
     /// Complex amplitudes X_1, X_2, … of the harmonics.
     pub harmonics: Vec<Complex<f64>>,
@@ -55,7 +55,7 @@ pub(super) struct ToneBasis {
     harmonics: usize,
     /// Cholesky factor of the normal equations whose unknowns are the mean and the harmonics.
     normal: Option<nalgebra::Cholesky<f64, nalgebra::Dyn>>,
-    /// Number of cycles of the frequency within the samples.
+    /// Number of cycles of the tone's frequency within the samples.
     cycles: f64,
 }
 

@@ -64,11 +64,11 @@ impl std::error::Error for InvalidScene {}
 #[derive(Clone, Debug, PartialEq, Eq)]
 #[non_exhaustive]
 pub enum LoadError {
-    /// The load is a force, but the base moves.
+    /// The given load is a force, but the scene is excited by its moving base.
     DrivenByBase,
     /// The load is a base motion, but a force drives the mass of this name.
     DrivenByForce(String),
-    /// The amplitude is not above 0 and finite.
+    /// The amplitude of the load is not above 0 and finite.
     Amplitude,
     /// The units of force (P or k₁Y) or of length (P/k₁ or Y) are too small or too large for the number type.
     OutOfRange,
@@ -111,13 +111,13 @@ pub enum StudyError {
     Solver(Error),
     /// The scene has no mass with the requested name.
     UnknownMass(UnknownMass),
-    /// A name does not denote a motion.
+    /// A given name does not denote a motion of the scene.
     UnknownMotion(UnknownMotion),
     /// The request contains the motion of a mass or the force of a spring that the scene does not have.
     NoSuchMotion(Of),
     /// Derivatives of spring forces are not available.
     ForceHasNoDerivative,
-    /// The load does not fit the scene.
+    /// The load does not fit the scene. The field gives the reason.
     Load(LoadError),
     /// The steady state has no derivative.
     NoDerivative(NoDerivative),

@@ -28,7 +28,7 @@ pub enum UnknownMotion {
     /// The brackets of `slip(…)`, `force(…)` or `energy(…)` do not contain the name of a contact. The first field is
     /// the name of the function, and the second field is the text in its brackets.
     Slip(String, String),
-    /// The closing bracket is missing, or text follows it.
+    /// The closing bracket is missing, or text follows it. The field is the given text.
     Brackets(String),
 }
 

@@ -9,18 +9,18 @@ use frictiongen_model::sensitivity::Quantity;
 /// Operating point of a response: the frequency, the friction and the load.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum OperatingPoint {
-    /// Non-dimensional groups r and β.
+    /// The operating point is given by the non-dimensional groups r and β.
     Groups {
-        /// Frequency ratio r = ω√(m₁/k₁).
+        /// Frequency ratio r = ω√(m₁/k₁) of the excitation.
         r: f64,
         /// Friction ratio β = F/P (F/(k₁Y) for base motion).
         beta: f64,
     },
-    /// Physical units: Hz, N, and the unit of the load.
+    /// The operating point is given in physical units: Hz, N, and the unit of the load.
     Physical {
-        /// The frequency of the excitation, Hz.
+        /// Frequency of the excitation, in Hz.
         hertz: f64,
-        /// The kinetic friction force F, N.
+        /// Kinetic friction force F, in N.
         friction: f64,
         /// The load: a force P in N, or a base motion Y in m.
         load: Load,

@@ -73,7 +73,7 @@ impl Swing {
 /// largest displacement, velocity or acceleration is divided by P/k₁ (by Y for base motion).
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum MotionQuantity {
-    /// The largest displacement |x̄|.
+    /// The quantity is the largest displacement |x̄|.
     Displacement,
     /// The largest velocity |dx̄/dτ|. Multiplied by ω, it is the velocity in time.
     Velocity,

@@ -14,9 +14,9 @@ use frictiongen_model::scene::{Excitation, Node};
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub enum Load<S = f64> {
-    /// Amplitude P of a force P cos ωt on a mass, in N in SI.
+    /// The load is a force P cos ωt on a mass. The field is its amplitude P, in N in SI units.
     Force(S),
-    /// Amplitude Y of a motion Y cos ωt of the base, in m in SI.
+    /// The load is a motion Y cos ωt of the base. The field is its amplitude Y, in m in SI units.
     Base(S),
     /// Base motion with the same amplitude v of velocity at every frequency, in m/s in SI: Y = v/ω.
     BaseVelocity(S),
@@ -100,7 +100,7 @@ pub struct LoadScale<S = f64> {
 }
 
 impl LoadScale {
-    /// Units of 1 m and 1 N.
+    /// Conversion with the unit 1 m for lengths and 1 N for forces.
     pub(super) const UNIT: Self = Self {
         length: 1.0,
         force: 1.0,

@@ -10,11 +10,11 @@ use frictiongen_kernel::simulation::Contact;
 /// The motion of the contact and of masses at every sample of an input.
 #[derive(Clone, Debug, Default)]
 pub struct Driven {
-    /// Times of the samples, s.
+    /// Time of each sample, in s.
     pub time: Vec<f64>,
     /// Displacement in m and velocity in m/s at every sample, as a pair of lists for each requested mass or contact.
     pub motions: Vec<[Vec<f64>; 2]>,
-    /// Friction force at every sample, N.
+    /// Friction force at each sample, in N.
     pub force: Vec<f64>,
     state: Vec<Contact>,
     events: Vec<u32>,

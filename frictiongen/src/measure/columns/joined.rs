@@ -9,21 +9,21 @@ use crate::study::joined::{Joined, JoinedContactNow, JoinedStepper};
 /// A part of a scene with several contacts whose motion the table contains.
 #[derive(Clone, Debug)]
 pub enum JoinedPart {
-    /// A contact, by its index in the description, from 0.
+    /// A contact. The number is its index in the description, counted from 0.
     Contact(usize),
-    /// A mass, or a combination of masses and base.
+    /// The motion of a mass, or of a combination of masses and base.
     Mass(MovingPart),
 }
 
 /// The motion of masses and of all contacts at every sample of an input.
 #[derive(Clone, Debug, Default)]
 pub struct JoinedDriven {
-    /// Times of the samples, s.
+    /// Time of each sample, in s.
     pub time: Vec<f64>,
     /// Displacement in m and velocity in m/s of each requested mass or combination, at every sample. For the force of a
     /// spring, the lists contain the force in N and its time derivative.
     pub motions: Vec<[Vec<f64>; 2]>,
-    /// States of all contacts at each sample.
+    /// For each sample, the motion and force of every contact.
     pub contacts: Vec<Vec<JoinedContactNow>>,
     events: Vec<usize>,
 }
@@ -80,7 +80,7 @@ impl JoinedDriven {
         })
     }
 
-    /// Returns the state of a contact at every sample.
+    /// Returns the motion and force of a contact at every sample.
     #[must_use]
     pub fn contact(&self, index: usize) -> Vec<JoinedContactNow> {
         let states = self.contacts.iter();
@@ -124,7 +124,7 @@ impl JoinedDriven {
     }
 }
 
-/// Returns the state of a contact at a sample.
+/// Returns the motion and force of a contact at the sample of this row.
 fn now(row: &JoinedDrivenRow<'_>, contact: usize) -> Option<JoinedContactNow> {
     let all = row.driven.contacts.get(row.index)?;
     all.get(contact).copied()

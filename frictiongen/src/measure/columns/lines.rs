@@ -15,15 +15,15 @@ use std::f64::consts::TAU;
 pub struct QuantityLine {
     /// Number of the recording to which the quantity belongs, counted from 1.
     pub recording: Option<usize>,
-    /// Key of the quantity, unique in its recording.
+    /// Key of the quantity for programs. It is unique among the quantities of a recording.
     pub key: String,
-    /// The quantity, in words.
+    /// Name of the quantity, in words for people.
     pub label: String,
     /// The value of the quantity, in the unit `unit`.
     pub value: Cell<'static>,
     /// Lower and upper bound of the 95 % confidence interval of the value.
     pub interval: Option<(f64, f64)>,
-    /// Unit of the value.
+    /// Unit of the quantity's value.
     pub unit: &'static str,
 }
 
@@ -92,7 +92,7 @@ pub fn line_columns<'a>(system: &System, lines: &[QuantityLine]) -> Vec<Column<'
     columns.done()
 }
 
-/// Returns the result of a free vibration as lines.
+/// Returns the result of a fit to a free vibration, as lines of a table.
 #[must_use]
 pub fn decay_lines(found: &FreeDecay) -> Vec<QuantityLine> {
     let mut lines = QuantityLines::default();
@@ -218,7 +218,7 @@ pub fn identify_lines(
     lines.all
 }
 
-/// Adds the lines that describe one recording.
+/// Adds the table lines that describe one recording.
 fn recording(
     lines: &mut QuantityLines,
     system: &System,
@@ -238,7 +238,7 @@ fn recording(
     lines.word("regime", "  regime", words::regime(point.regime));
 }
 
-/// Adds the lines with the measured motions of one recording.
+/// Adds the table lines with the measured motions of one recording.
 fn motions(
     lines: &mut QuantityLines,
     system: &System,

@@ -4,27 +4,27 @@ use crate::measure::{Estimate, FreeDecay, Identified, SweepFit, Unknown};
 use crate::study::System;
 use crate::study::units::hertz;
 
-/// A single value with its key.
+/// A single value of a measurement, with its key for programs.
 pub type Keyed = (&'static str, SingleValue);
 
 /// A single value of a measurement.
 #[derive(Clone, Debug)]
 pub enum SingleValue {
-    /// A number, or `None` if it is unknown.
+    /// The value is a number. It is `None` if the number is unknown.
     Number(Option<f64>),
-    /// A number of items.
+    /// The value is a number of items.
     Count(usize),
-    /// True or false.
+    /// The value is true or false.
     Flag(bool),
-    /// A word or a sentence.
+    /// The value is a word or a sentence.
     Text(String),
-    /// A number with its 95 % interval, or `None` if it is unknown.
+    /// The value is a number with its 95 % interval. It is `None` if the number is unknown.
     Estimate(Option<Estimate>),
-    /// Numbers, each with its 95 % interval.
+    /// The value is a list of numbers, each with its 95 % interval.
     Estimates(Vec<Estimate>),
-    /// Numbers with their 95 % intervals, each with a name.
+    /// The value is a list of numbers, each with a name and a 95 % interval.
     Named(Vec<(String, Estimate)>),
-    /// A list of names.
+    /// The value is a list of names.
     Names(Vec<String>),
 }
 

@@ -10,11 +10,11 @@ use crate::study::{System, words};
 /// The quantities of a motion that a measurement contains.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum MotionKnown {
-    /// Amplitude and phase.
+    /// The measurement contains the amplitude and the phase of the motion.
     Both,
-    /// The amplitude alone.
+    /// The measurement contains only the amplitude of the motion.
     Amplitude,
-    /// The phase alone.
+    /// The measurement contains only the phase of the motion.
     Phase,
 }
 

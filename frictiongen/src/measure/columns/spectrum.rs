@@ -9,7 +9,7 @@ use crate::study::columns::{Column, Columns, Head, Measure, PhysicalQuantity, Ta
 pub struct SpectrumRow {
     /// Number of the scene's mode whose period the oscillator has, from 1. `None` if no mode has this period.
     pub mode: Option<usize>,
-    /// Period and largest relative displacement of the oscillator.
+    /// Natural period and largest relative displacement of the oscillator.
     pub peak: PeakResponse,
 }
 

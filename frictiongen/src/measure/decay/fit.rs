@@ -46,26 +46,26 @@ fn wave(shape: &[f64], from: usize, count: usize) -> Option<Vec<f64>> {
 
 /// A recorded decay, a first guess of its parameters, and the parameters to fit.
 pub(super) struct DecayFit<'s> {
-    /// Index of the sample at the first extreme.
+    /// Index of the sample at the first extreme of the free vibration.
     from: usize,
-    /// The samples from the first extreme to the last.
+    /// Samples of the free vibration from its first extreme to its last.
     window: &'s [f64],
     start: DecayShape,
-    /// Natural scale of each parameter.
+    /// Natural scale of each parameter of the fit.
     scales: DecayShape,
-    /// Indices of the parameters to fit.
+    /// Indices of the parameters that the fit may change.
     free: Vec<usize>,
 }
 
 /// Fitted parameters, each with its value and the half width of its interval.
 pub(super) struct DecayParameters {
-    /// Number of samples in a half cycle.
+    /// Number of samples in half a cycle of the free vibration, and the half width of its interval.
     pub(super) half: (f64, f64),
-    /// Decrement of a half cycle, due to viscous damping.
+    /// Decrement of the free vibration in half a cycle due to viscous damping, and the half width of its interval.
     pub(super) decrement: (f64, f64),
-    /// F/k in m, with the friction force F and the stiffness k.
+    /// Friction force F divided by the stiffness k, in m, and the half width of its interval.
     pub(super) length: (f64, f64),
-    /// Standard deviation of the residuals, m.
+    /// Standard deviation of the fit's residuals, in m.
     pub(super) deviation: f64,
 }
 
@@ -100,7 +100,7 @@ impl<'s> DecayFit<'s> {
         })
     }
 
-    /// Fits the parameters to the samples.
+    /// Fits the parameters of a free vibration to the samples.
     pub(super) fn solved(&self) -> Result<DecayParameters, MeasureError> {
         let bounds: Vec<(f64, f64)> = self.free.iter().map(|part| self.bounds(*part)).collect();
         let free: Vec<f64> = self

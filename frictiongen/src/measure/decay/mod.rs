@@ -28,13 +28,13 @@ const ROUNDING: f64 = 1e-9;
 /// Friction, damping and natural frequency found in a free vibration.
 #[derive(Clone, Debug, PartialEq)]
 pub struct FreeDecay {
-    /// Friction force F, N.
+    /// Friction force F in the contact, in N.
     pub friction: Estimate,
     /// F/k in m, half the distance between the two points about which the mass oscillates.
     pub length: Estimate,
     /// Damping ratio ζ. Its interval is a single point if ζ was given.
     pub damping: Estimate,
-    /// Undamped natural frequency, Hz.
+    /// Undamped natural frequency of the vibrating mass, in Hz.
     pub hertz: Estimate,
     /// F/k by the linear decrement, m: the mean of (x⁽¹⁾ − x⁽²⁾)/4 over the extremes, where x⁽¹⁾ and x⁽²⁾ are extremes
     /// one cycle apart (4.2).

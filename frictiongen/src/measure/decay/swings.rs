@@ -14,11 +14,11 @@ const PART: f64 = 0.02;
 
 /// Swings of a free vibration. A swing is the motion from one extreme to the next.
 pub(super) struct Swings {
-    /// Index of the sample, and displacement in m, at each extreme.
+    /// For each extreme of the vibration, the index of the sample and the displacement in m.
     pub(super) turns: Vec<(usize, f64)>,
     /// The first and the last extreme, each as index of the sample and displacement in m.
     pub(super) ends: [(usize, f64); 2],
-    /// Distance between the first two extremes, m.
+    /// Distance between the first two extremes of the vibration, in m.
     pub(super) largest: f64,
     /// F/k by the linear decrement, m, where F is the friction force and k the stiffness.
     pub(super) linear_decrement: f64,

@@ -9,16 +9,16 @@ use crate::{Complex, Regime};
 /// An estimated quantity: a number with its 95 % confidence interval.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Estimate {
-    /// The best estimate of the quantity.
+    /// Best estimate of the quantity.
     pub value: f64,
-    /// Lower bound of the interval.
+    /// Lower bound of the estimate's 95 % interval.
     pub from: f64,
     /// Upper bound of the interval. It is infinite if every larger value fits as well.
     pub to: f64,
 }
 
 impl Estimate {
-    /// Returns true if a number lies within the interval.
+    /// Returns true if a number is within the interval of the estimate.
     #[must_use]
     pub fn holds(&self, value: f64) -> bool {
         self.from <= value && value <= self.to
@@ -90,11 +90,11 @@ impl std::fmt::Display for Verdict {
 /// One observation and the response of the fitted scene.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Explained {
-    /// Friction ratio β = F/P (F/(k₁Y) for base motion).
+    /// Friction ratio β = F/P (F/(k₁Y) for base motion) at this observation.
     pub beta: f64,
-    /// Frequency ratio r.
+    /// Frequency ratio r of the observation.
     pub r: f64,
-    /// Regime of the contact.
+    /// Regime of the contact in the fitted scene at this observation.
     pub regime: Regime,
     /// Computed motions, in the same order as in the observation.
     pub model: Vec<Complex<f64>>,
@@ -103,7 +103,7 @@ pub struct Explained {
 /// Result of an identification from measurements.
 #[derive(Clone, Debug)]
 pub struct Identified {
-    /// The friction force F, N.
+    /// Friction force F in the contact, in N, with its interval.
     pub friction: Estimate,
     /// All friction forces that explain the measurements equally well, with their intervals, in ascending order. If the
     /// verdict is [`Verdict::Determined`], the list has one force.
@@ -123,7 +123,7 @@ pub struct Identified {
     pub condition: f64,
     /// Each observation with the response of the scene.
     pub explained: Vec<Explained>,
-    /// The scene with the values that were found.
+    /// The scene with the values that the fit has found.
     pub system: System,
 }
 

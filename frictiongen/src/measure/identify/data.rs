@@ -15,7 +15,7 @@ pub(super) struct Weighed<'o> {
     using: Using,
     /// Indices of the motions that the fit compares.
     kept: Vec<usize>,
-    /// Lower Cholesky factor of the covariance.
+    /// Lower Cholesky factor of the covariance matrix of the measured values.
     factor: DMatrix<f64>,
 }
 

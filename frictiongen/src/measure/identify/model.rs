@@ -160,11 +160,11 @@ pub(super) fn changed(system: &System, unknowns: &[Unknown], values: &[f64]) -> 
 /// The variable with respect to which a derivative is taken.
 #[derive(Clone, Copy)]
 pub(super) enum Direction {
-    /// The friction force, N.
+    /// Derivative with respect to the friction force, in N.
     Friction,
-    /// A common factor on all natural frequencies. Its value is 1.
+    /// Derivative with respect to a common factor on all natural frequencies. The value of the factor is 1.
     Frequencies,
-    /// A number of the description.
+    /// Derivative with respect to a number of the description.
     Quantity(Quantity),
 }
 

@@ -5,20 +5,20 @@ use crate::measure::Measured;
 use crate::study::scene::Excitation;
 use crate::study::{System, units::Load};
 
-/// The measured motions at one frequency.
+/// Measured motions of the masses at one driving frequency.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Observation {
-    /// The driving frequency, Hz.
+    /// Driving frequency of the measurement, in Hz.
     pub hertz: f64,
-    /// The load with its measured amplitude.
+    /// Load of the scene, with its measured amplitude.
     pub load: Load,
     /// Standard deviation of the load's amplitude, in the unit of the load.
     pub load_deviation: f64,
-    /// The measured motions of the masses.
+    /// Measured motions of the masses at the driving frequency.
     pub motions: Vec<Datum>,
 }
 
-/// A measured harmonic of a mass.
+/// A measured harmonic of the motion of one mass.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Datum {
     /// Index of the mass in the description.

@@ -10,9 +10,9 @@ pub enum Unknown {
     Stiction,
     /// A common factor on all natural frequencies. The masses keep their values.
     Frequencies,
-    /// One damping ratio for all modes.
+    /// The unknown is one damping ratio for all modes.
     Damping,
-    /// A number of the description, such as a mass or a stiffness.
+    /// The unknown is a number of the description, such as a mass or a stiffness.
     Quantity(Quantity),
 }
 

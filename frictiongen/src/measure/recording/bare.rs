@@ -114,9 +114,9 @@ pub(super) fn foreign(text: &str, error: MeasureError) -> MeasureError {
     }
 }
 
-/// Header of an AT2 record.
+/// Data from the header of an AT2 file (a record of an earthquake).
 struct At2 {
-    /// Number of lines before the first sample.
+    /// Number of lines of the file before its first sample.
     lines: usize,
     points: usize,
     step: f64,

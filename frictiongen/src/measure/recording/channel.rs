@@ -7,8 +7,8 @@ use super::unit::Unit;
 pub struct Channel {
     /// Name of the signal: `base`, `force` or the name of a mass.
     pub name: String,
-    /// The unit of the samples.
+    /// Unit of the channel's samples.
     pub unit: Unit,
-    /// The samples, in the channel's unit.
+    /// Samples of the channel, in the unit `unit`.
     pub samples: Vec<f64>,
 }

@@ -31,7 +31,7 @@ pub struct Unit {
     scale: f64,
 }
 
-/// Standard gravity, m/s² (exact by definition).
+/// Standard acceleration of gravity, in m/s² (exact by definition).
 const GRAVITY: f64 = 9.806_65;
 
 use Dimension::{Acceleration, Displacement, Force, Time, Velocity};
@@ -56,18 +56,18 @@ pub(super) const UNITS: [(&str, &str, Dimension, f64); 15] = [
 ];
 
 impl Unit {
-    /// Metre, m.
+    /// Unit metre (m) of a displacement.
     pub const METRE: Self = Self::of(UNITS[0]);
-    /// Millimetre, mm.
+    /// Unit millimetre (mm) of a displacement.
     pub const MILLIMETRE: Self = Self::of(UNITS[2]);
-    /// Metre per second, m/s.
+    /// Unit metre per second (m/s) of a velocity.
     pub const METRE_PER_SECOND: Self = Self::of(UNITS[4]);
-    /// Metre per second squared, m/s².
+    /// Unit metre per second squared (m/s²) of an acceleration.
     pub const METRE_PER_SECOND_SQUARED: Self = Self::of(UNITS[6]);
-    /// Newton, N.
+    /// Unit newton (N) of a force.
     pub const NEWTON: Self = Self::of(UNITS[9]);
 
-    /// Standard gravity, 9.80665 m/s².
+    /// Unit g, the standard acceleration of gravity 9.80665 m/s².
     pub(super) const GRAVITY: Self = Self::of(UNITS[8]);
 
     pub(super) const fn of(

@@ -17,7 +17,7 @@ pub struct SweepFit {
     pub springs: Vec<Estimate>,
     /// The damping ratio ζ of all modes, or `None` if the request does not include damping.
     pub damping: Option<Estimate>,
-    /// The natural frequencies of the fitted scene, Hz.
+    /// Natural frequencies of the fitted scene, in Hz.
     pub natural: Vec<Estimate>,
     /// Sum of squared residuals, divided by the degrees of freedom. `None` if the measured points have no deviations.
     pub misfit: Option<f64>,

@@ -7,11 +7,11 @@ use crate::study::System;
 /// One measured amplitude of a mass at one frequency, without friction.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct SweepPoint {
-    /// The driving frequency, Hz.
+    /// Driving frequency of the measured point, in Hz.
     pub hertz: f64,
     /// Index of the measured mass in the description.
     pub mass: usize,
-    /// Amplitude |X/Y| for base motion, or |X/P| in m/N for a force.
+    /// Measured amplitude: |X/Y| for base motion, or |X/P| in m/N for a force. X is the amplitude of the mass.
     pub amplitude: f64,
     /// Standard deviation of the amplitude. If it is `None`, the fit assumes the same relative error for all
     /// amplitudes, as in (6.16).

@@ -124,7 +124,7 @@ impl<'a, R: TableRow + 'a> Columns<'a, R> {
         self.push(head.into(), kind, Box::new(move |row| read(row).into()));
     }
 
-    /// Adds a column of counts.
+    /// Adds a column that contains counts.
     pub fn count(&mut self, head: impl Into<Head>, read: impl Fn(&R) -> Option<usize> + 'a) {
         self.push(
             head.into(),
@@ -144,7 +144,7 @@ impl<'a, R: TableRow + 'a> Columns<'a, R> {
         self.push(head.into(), kind, Box::new(move |row| read(row).into()));
     }
 
-    /// Adds a column of flags, true or false.
+    /// Adds a column whose cells are true or false.
     pub fn flag(&mut self, head: impl Into<Head>, read: impl Fn(&R) -> Option<bool> + 'a) {
         self.push(
             head.into(),
@@ -153,7 +153,7 @@ impl<'a, R: TableRow + 'a> Columns<'a, R> {
         );
     }
 
-    /// Adds a column of lists, of complex numbers or of intervals.
+    /// Adds a column whose cells are lists of complex numbers or of intervals.
     pub fn list(
         &mut self,
         head: impl Into<Head>,
@@ -163,7 +163,7 @@ impl<'a, R: TableRow + 'a> Columns<'a, R> {
         self.push(head.into(), kind, Box::new(move |row| read(row).into()));
     }
 
-    /// Adds a column of cells of any kind.
+    /// Adds a column whose cells can be of any kind.
     pub fn cell(
         &mut self,
         head: impl Into<Head>,
@@ -223,7 +223,7 @@ impl<'a, R: TableRow + 'a> Columns<'a, R> {
         });
     }
 
-    /// Returns all columns, from left to right.
+    /// Returns all columns that were added, from left to right.
     #[must_use]
     pub fn done(self) -> Vec<Column<'a, R>> {
         self.all

@@ -5,21 +5,21 @@ use std::borrow::Cow;
 /// Content of one cell of a table, in one row and one column.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Cell<'a> {
-    /// A number. It is never NaN and never −0.
+    /// The cell contains a number. It is never NaN and never −0.
     Number(f64),
     /// A number that is known only to lie within an interval of this width. A printed table shows only its valid
     /// digits.
     Within {
-        /// The number.
+        /// Number in the cell.
         value: f64,
-        /// Width of the interval, above 0.
+        /// Width of the interval that contains the exact number. It is above 0.
         width: f64,
     },
-    /// A count.
+    /// The cell contains a count.
     Count(usize),
-    /// A word, such as the name of a regime.
+    /// The cell contains a word, such as the name of a regime.
     Word(Cow<'a, str>),
-    /// A flag, true or false.
+    /// The cell contains true or false.
     Flag(bool),
     /// A list of complex numbers (real and imaginary part), or of intervals (start and length).
     Pairs(Vec<[f64; 2]>),

@@ -8,29 +8,29 @@ use std::borrow::Cow;
 /// The kind of values that a column contains.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum ColumnKind<'a> {
-    /// Numbers.
+    /// The column contains numbers.
     Number,
     /// Numbers that the user gave. The slice contains all of them, so that a printed table can choose the number of
     /// decimals.
     Given(&'a [f64]),
-    /// Counts.
+    /// The column contains counts.
     Count,
     /// Words. The value is the number of characters of the longest usual word.
     Word(usize),
-    /// Flags.
+    /// The cells of the column are true or false.
     Flag,
-    /// Lists of complex numbers.
+    /// The cells of the column are lists of complex numbers.
     Complex,
-    /// Lists of intervals, each with start and length.
+    /// The cells of the column are lists of intervals. Each interval has a start and a length.
     Intervals,
 }
 
 /// The arguments of a result on which the values of a column depend.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum ColumnAxis {
-    /// The values depend on the frequency alone.
+    /// The values of the column depend on the frequency alone.
     Frequency,
-    /// The values depend on the friction alone.
+    /// The values of the column depend on the friction alone.
     Friction,
     /// The values depend on the whole row, that is on frequency and friction.
     Row,
@@ -39,17 +39,17 @@ pub enum ColumnAxis {
 /// The outputs that contain a column.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Shown {
-    /// Every output.
+    /// Every output contains the column.
     Everywhere,
-    /// Every output (CSV, JSON and Python) except printed tables.
+    /// CSV, JSON and Python contain the column. Printed tables do not.
     Files,
     /// JSON files and Python, for values that do not fit into a cell of a printed table.
     Objects,
-    /// JSON alone.
+    /// Only JSON contains the column.
     Json,
-    /// Printed tables and CSV.
+    /// Printed tables and CSV contain the column. JSON and Python do not.
     Lines,
-    /// Python alone.
+    /// Only the results in Python contain the column.
     Python,
 }
 
@@ -139,9 +139,9 @@ pub struct Column<'a, TableRow> {
     pub title: Vec<String>,
     /// Unit of the column's numbers. It is empty for ratios.
     pub unit: &'static str,
-    /// Kind of the values: numbers, counts, words, flags or lists.
+    /// Kind of the column's values: numbers, counts, words, flags or lists.
     pub kind: ColumnKind<'a>,
-    /// The arguments on which the values depend.
+    /// Arguments (frequency, friction) on which the column's values depend.
     pub axis: ColumnAxis,
     /// The outputs (printed table, CSV, JSON, Python) that contain the column.
     pub shown: Shown,

@@ -19,16 +19,16 @@ pub struct SampleRow<'h> {
     pub history: &'h History,
     /// Index of the sample, counted from 0.
     pub index: usize,
-    /// Angular frequency ω of the excitation, rad/s.
+    /// Angular frequency ω of the excitation, in rad/s.
     pub omega: f64,
 }
 
 /// A row of the table of events: one stop, break-away or reversal of the contact.
 #[derive(Clone, Copy, Debug)]
 pub struct EventRow<'h> {
-    /// The event: a stop, a break-away or a reversal.
+    /// Event of the row: a stop, a break-away or a reversal.
     pub event: &'h HistoryEvent,
-    /// Angular frequency ω of the excitation, rad/s.
+    /// Angular frequency ω of the excitation, in rad/s.
     pub omega: f64,
 }
 
@@ -39,7 +39,7 @@ pub struct HarmonicRow<'h> {
     pub spectra: &'h [Spectrum],
     /// Index of the row's order in each spectrum, counted from 0.
     pub index: usize,
-    /// Angular frequency ω of the excitation, rad/s.
+    /// Angular frequency ω of the excitation, in rad/s.
     pub omega: f64,
 }
 
@@ -48,7 +48,7 @@ pub struct HarmonicRow<'h> {
 pub struct HistoryTable<'a> {
     /// System, units, and the contact or masses whose motions the table contains.
     pub setting: Setting<'a>,
-    /// Frequency of the excitation.
+    /// Frequency of the excitation in this motion over time.
     pub at: Frequency,
     /// True if the tables have columns in seconds and Hz in addition to τ and orders.
     pub in_seconds: bool,

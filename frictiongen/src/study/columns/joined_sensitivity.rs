@@ -17,7 +17,7 @@ pub type JoinedSensitivityRow = SensitivityRow<Slope>;
 /// The number whose derivatives the table contains.
 #[derive(Clone, Debug, PartialEq)]
 pub enum JoinedNumber {
-    /// The amplitude of the mass with this index and this name.
+    /// The amplitude of a mass, given by its index and its name.
     Amplitude(usize, String),
     /// The energy that the contact with this index and this name dissipates in a period.
     Energy(usize, String),

@@ -14,7 +14,7 @@ pub struct JoinedSample<'h> {
     pub history: &'h JoinedHistory,
     /// Index of the sample, counted from 0.
     pub index: usize,
-    /// Angular frequency ω of the excitation, rad/s.
+    /// Angular frequency ω of the excitation, in rad/s.
     pub omega: f64,
 }
 
@@ -31,7 +31,7 @@ pub struct JoinedEventRow<'h> {
     pub history: &'h JoinedHistory,
     /// Index of the event, counted from 0.
     pub index: usize,
-    /// Angular frequency ω of the excitation, rad/s.
+    /// Angular frequency ω of the excitation, in rad/s.
     pub omega: f64,
 }
 

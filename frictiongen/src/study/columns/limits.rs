@@ -9,7 +9,7 @@ use crate::OutOfDomain;
 /// The limits of friction that the table contains.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum LimitsAsked {
-    /// The exact limits β_lim and β*_lim.
+    /// The table contains the exact limits β_lim and β*_lim.
     Exact,
     /// The exact limits, and two bounds on β_lim: an upper one without a search, and a lower one from the single modes.
     All,

@@ -11,7 +11,7 @@ use std::f64::consts::TAU;
 /// Physical quantity of a number in a table. It determines the unit of the number.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum PhysicalQuantity {
-    /// A ratio, or a number whose unit is in another column.
+    /// A ratio without a unit, or a number whose unit is in another column.
     One,
     /// A displacement, in m under a load. Without a load, it is divided by P/k₁ (by Y for base motion).
     Length,
@@ -42,7 +42,7 @@ pub struct Measure {
     load: Option<Load>,
     base_motion: bool,
     reversed: bool,
-    /// Angular frequency at the frequency ratio r = 1, rad/s.
+    /// Angular frequency at the frequency ratio r = 1, in rad/s.
     reference: f64,
 }
 

@@ -17,11 +17,11 @@ pub struct PartMotion<'r> {
     /// Centred amplitude: half the distance between the least and the largest displacement, divided by P/k₁ (by Y for
     /// base motion).
     pub centred: Option<f64>,
-    /// Lag of the fundamental component behind the excitation, rad.
+    /// Lag of the motion's fundamental component behind the excitation, in rad.
     pub fundamental_phase: Option<f64>,
     /// Monoharmonic estimate of the amplitude, divided by P/k₁ (by Y for base motion).
     pub monoharmonic: Option<f64>,
-    /// Largest |dx̄/dτ| and largest |d²x̄/dτ²| in a cycle.
+    /// Largest |dx̄/dτ| and largest |d²x̄/dτ²| of the motion in a cycle.
     pub rates: Option<(f64, f64)>,
     /// Largest force in the contact, divided by P, and the energy that the contact dissipates in a cycle, divided by
     /// P²/k₁. For base motion, P is k₁Y.

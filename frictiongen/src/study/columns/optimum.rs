@@ -26,7 +26,7 @@ pub struct OptimumTable<'a> {
 pub struct PeakRow {
     frequency: Frequency,
     peak: OptimumPeak,
-    /// Angular frequency at the frequency ratio r = 1, rad/s.
+    /// Angular frequency at the frequency ratio r = 1, in rad/s.
     reference: f64,
 }
 

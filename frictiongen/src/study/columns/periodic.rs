@@ -10,7 +10,7 @@ use crate::study::periodic::PeriodicState;
 /// Row of the table of steady states under a periodic load, at one friction force.
 #[derive(Clone, Debug)]
 pub struct PeriodicRow {
-    /// The kinetic friction force, N.
+    /// Kinetic friction force in the contact, in N.
     pub friction: f64,
     /// The steady state at this friction force.
     pub state: PeriodicState,

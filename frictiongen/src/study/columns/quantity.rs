@@ -3,7 +3,7 @@
 use super::measure::PhysicalQuantity;
 use crate::study::units::Load;
 
-/// Standard acceleration of gravity, m/s².
+/// Standard acceleration of gravity, in m/s².
 const GRAVITY: f64 = 9.80665;
 
 /// Units of motions that a text can contain, each with its dimension and its size in SI units.

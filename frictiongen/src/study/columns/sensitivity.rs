@@ -22,7 +22,7 @@ pub struct SensitivityRow<D = ParameterSensitivity> {
     pub frequency: Frequency,
     /// Friction, as ratio β and, under a load, as force in N.
     pub friction: FrictionSetting,
-    /// Regime: continuous, stick-slip, stuck or unbounded.
+    /// Regime of the response: continuous, stick-slip, stuck or unbounded.
     pub regime: &'static str,
     /// The word `exact`, or the reason why there are no derivatives.
     pub answer: &'static str,
@@ -34,7 +34,7 @@ pub struct SensitivityRow<D = ParameterSensitivity> {
 pub(super) struct FoundSlope<D> {
     pub symbol: String,
     pub unit: &'static str,
-    /// Value of the parameter.
+    /// Value of the parameter with respect to which the row has derivatives.
     pub value: f64,
     pub answers: D,
     /// True for the row that contains the answers instead of their derivatives.

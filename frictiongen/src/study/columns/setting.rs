@@ -85,13 +85,13 @@ impl MovingPart {
 /// The unit in which the user gives frequencies.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum FrequencyUnit {
-    /// Frequency ratios r.
+    /// The user gives frequency ratios r.
     Ratio,
     /// Frequency ratios r under a load. Tables also contain the frequency in Hz.
     RatioUnderLoad,
-    /// Frequencies in Hz.
+    /// The user gives frequencies in Hz.
     Hertz,
-    /// Angular frequencies in rad/s.
+    /// The user gives angular frequencies in rad/s.
     AngularFrequency,
 }
 

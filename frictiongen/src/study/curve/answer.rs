@@ -38,13 +38,13 @@ pub struct CurvePiece {
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[non_exhaustive]
 pub enum PieceEnd {
-    /// The requested range of frequencies ends.
+    /// The requested range of frequencies ends at this point.
     Range,
-    /// The regime of the contact changes.
+    /// The regime of the contact changes at this point.
     Boundary,
-    /// The amplitude grows without bound towards a resonance.
+    /// Beyond this point the amplitude grows without bound towards a resonance.
     Pole,
-    /// The amplitude jumps, because another steady state begins.
+    /// The amplitude jumps at this point, because another steady state begins.
     Jump,
     /// No response exists on the other side of this point.
     NoAnswer,
@@ -53,10 +53,10 @@ pub enum PieceEnd {
 /// A range of frequencies in which a curve has no response.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Gap {
-    /// The lowest frequency ratio r without a response.
+    /// Lowest frequency ratio r of the range without a response.
     pub from: f64,
-    /// The highest frequency ratio r without a response.
+    /// Highest frequency ratio r of the range without a response.
     pub to: f64,
-    /// The reason why there is no response at the lowest r.
+    /// Reason why there is no response at the lowest frequency ratio of the range.
     pub reason: Error,
 }

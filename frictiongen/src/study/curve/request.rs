@@ -22,9 +22,9 @@ pub enum CurveStart {
 /// The range, motions, accuracy and work of a curve.
 #[derive(Clone, Debug, PartialEq)]
 pub struct CurveRequest {
-    /// The lowest frequency ratio r. It must be above 0.
+    /// Lowest frequency ratio r of the curve. It must be above 0.
     pub from: f64,
-    /// The highest frequency ratio r. It must be finite.
+    /// Highest frequency ratio r of the curve. It must be finite.
     pub to: f64,
     /// The motions that each point contains.
     pub of: Vec<Of>,
@@ -107,15 +107,15 @@ impl CurveRequest {
 pub enum CurveError {
     /// The range of frequency ratios r has no width, or its bounds are not positive and finite.
     Range,
-    /// The tolerance is not between 10⁻⁹ and 1.
+    /// The tolerance of the curve is not between 10⁻⁹ and 1.
     Accuracy,
-    /// The largest distance of neighbouring points is not above 0.
+    /// The largest distance of neighbouring points of the curve is not above 0.
     Widest,
     /// The friction ratio β is negative or not finite.
     Friction,
-    /// The scene does not have the mass or the spring of this motion.
+    /// The scene does not have the mass or the spring of the requested motion.
     NoSuchMotion(Of),
-    /// The scene has several contacts or dashpots.
+    /// The scene has several contacts or dashpots, for which no curve exists.
     SeveralContacts,
 }
 

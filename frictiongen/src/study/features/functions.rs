@@ -34,7 +34,7 @@ pub(super) struct ChainNumbers<T> {
     /// The static displacement wᵀK̄⁻¹p − 1 of the contact relative to the base. `None` unless the contact slides on the
     /// moving base.
     pub on_base: Option<T>,
-    /// Inverse effective mass m* of the contact.
+    /// Inverse of the effective mass of the contact, m*.
     pub inverse_mass: T,
     /// ρ = k₁/k, the compliance of an elastic contact of stiffness k. `None` for a rigid contact.
     pub compliance: Option<T>,
@@ -87,9 +87,9 @@ impl<T> ChainNumbers<T> {
 /// The function of frequency whose zeros the search finds. Index k denotes the requested mass.
 #[derive(Clone, Copy, Debug)]
 pub(super) enum Target<T> {
-    /// V_k, the motion of mass k without friction.
+    /// V_k, the complex amplitude of mass k without friction.
     Free,
-    /// V, the motion of the contact without friction.
+    /// V, the complex amplitude of the contact without friction.
     FreeContact,
     /// H_k, the response of mass k to a harmonic force in the contact.
     Receptance,

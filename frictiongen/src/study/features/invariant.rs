@@ -62,9 +62,9 @@ pub struct InvariantPoint {
 /// Reason why the range of an [`Inversion`] begins or ends at a frequency.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum Edge {
-    /// The requested range of frequencies begins or ends.
+    /// The requested range of frequencies begins or ends here.
     Range,
-    /// An invariant point, where friction does not change the motion.
+    /// Here is an invariant point, where friction does not change the motion.
     Invariant,
     /// A pole of the response without friction, or of the response to a square wave of friction.
     Pole,

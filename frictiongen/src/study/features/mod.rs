@@ -58,11 +58,11 @@ impl Certainty {
 pub enum FeatureError {
     /// The range of frequency ratios r does not begin above 0, or does not end at a larger, finite r.
     Range,
-    /// A friction ratio is negative, not finite or NaN.
+    /// A requested friction ratio is negative, infinite or NaN.
     Friction,
     /// The scene has no mass with the requested name.
     UnknownMass(UnknownMass),
-    /// The motion is neither that of the contact nor that of a mass.
+    /// The requested motion is neither that of the contact nor that of a mass.
     Combination,
     /// The chain is damped. The requested points exist only without damping.
     Damped,

@@ -26,7 +26,7 @@ pub struct RegimeRange {
     pub from: f64,
     /// Upper bound of the range, as frequency ratio r.
     pub to: f64,
-    /// Regime in the range.
+    /// Regime of the contact in this range of frequency ratios.
     pub regime: Regime,
     /// Reason why the range ends at its upper bound.
     pub end: RegimeEnd,

@@ -15,7 +15,7 @@ use frictiongen_model::sensitivity::Quantity;
 /// The derivative of a number X with respect to one parameter p.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct ParameterSlope {
-    /// The parameter p.
+    /// Parameter p with respect to which the derivative is taken.
     pub parameter: Parameter,
     /// The value of the parameter p, in the parameter's own unit.
     pub value: f64,

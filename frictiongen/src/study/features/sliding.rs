@@ -14,7 +14,7 @@ pub struct HeldResonance {
     pub r: f64,
     /// Frequency of the resonance, in Hz under a load.
     pub frequency: Sensed,
-    /// Modal damping ratio ζ of the mode.
+    /// Modal damping ratio ζ of the mode at the resonance.
     pub damping_ratio: f64,
     /// True if sticking changes the mode. False for a mode that the contact does not drive, because the free chain has
     /// the same mode.

@@ -59,9 +59,9 @@ impl HistoryRequest {
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[non_exhaustive]
 pub enum HistoryError {
-    /// The request has no cycle.
+    /// The request has no cycle with samples.
     NoCycle,
-    /// The number of samples in a cycle is odd, or less than 2.
+    /// The requested number of samples in a cycle is odd, or less than 2.
     Samples,
     /// The motions have more than [`MOST_SAMPLES`] samples together.
     TooManySamples,
@@ -69,7 +69,7 @@ pub enum HistoryError {
     TooManySkipped,
     /// The run has more than a million events, or a cycle has too many free vibrations.
     TooManyEvents,
-    /// The scene does not have the mass or the spring of this motion.
+    /// The scene does not have the mass or the spring of the requested motion.
     NoSuchMotion(Of),
     /// A solver rejects the request: r = 0 or r = ∞, a state that is not finite, or no steady state.
     Solver(Error),
@@ -151,11 +151,11 @@ pub struct Track {
 /// An event of the contact in a history.
 #[derive(Clone, Debug, PartialEq)]
 pub struct HistoryEvent {
-    /// Instant τ = ωt, from the start of the run.
+    /// Instant of the event, as τ = ωt since the start of the run.
     pub tau: f64,
     /// Kind of event: a stop, a break-away or a reversal.
     pub event: Event,
-    /// State of the contact just after this instant.
+    /// State of the contact just after the event.
     pub contact: Contact,
     /// Displacement x̄ of each requested motion at this instant, in the order of the request.
     pub displacements: Vec<f64>,

@@ -16,7 +16,7 @@ pub struct Spectrum {
     pub lines: Vec<SpectralLine>,
 }
 
-/// One component of a motion.
+/// One component of a motion in its spectrum.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct SpectralLine {
     /// Order n: the frequency divided by the frequency of the excitation.

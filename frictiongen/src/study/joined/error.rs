@@ -34,7 +34,7 @@ impl std::error::Error for UnknownContact {}
 pub enum JoinedError {
     /// A number of the request is outside the domain, or the scene does not support the request.
     OutOfDomain(OutOfDomain),
-    /// The scene has more masses than the solver supports.
+    /// The scene has more masses than the solver supports. The field is the number of masses.
     TooManyMasses(usize),
     /// The scene has no spring. The ratios r and β need the stiffness k₁.
     NoSpring,
@@ -46,7 +46,7 @@ pub enum JoinedError {
     Resonance,
     /// The interval of a contact's share does not begin above 0, or does not end above its start.
     Shares,
-    /// The search was stopped before it had a result.
+    /// The caller stopped the search before it had a result.
     Stopped,
     /// The scene has no contact with the requested name.
     UnknownContact(UnknownContact),

@@ -12,7 +12,7 @@ pub struct JoinedHistory {
     pub taus: Vec<f64>,
     /// Displacements and velocities of all masses at each sample.
     pub states: Vec<(Vec<f64>, Vec<f64>)>,
-    /// States of all contacts at each sample.
+    /// For each sample, the motion and force of every contact.
     pub contacts: Vec<Vec<JoinedContactNow>>,
     /// The events in the order of time. Their phase τ is counted from the first sample.
     pub events: Vec<JoinedEvent>,

@@ -23,7 +23,7 @@ pub struct JoinedOptimum {
     pub friction: f64,
     /// The largest amplitude of the mass over the band with this friction.
     pub amplitude: f64,
-    /// Frequency ratio r at which this largest amplitude occurs.
+    /// Frequency ratio r of the largest amplitude in the band.
     pub r: f64,
     /// Number of steady states that the search has computed.
     pub evaluations: usize,
@@ -33,7 +33,7 @@ pub struct JoinedOptimum {
 
 /// Reason why a search for the best friction ends early.
 pub(super) enum Early {
-    /// The watching function stopped the search.
+    /// The caller stopped the search through its function.
     Stopped,
     /// The computation of a steady state failed.
     Failed(JoinedError),
@@ -91,9 +91,9 @@ impl Joined<'_> {
 /// Accuracy with which the search computes the largest amplitude over the band.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub(super) enum BandAccuracy {
-    /// Evaluates every second frequency of the grid.
+    /// The search evaluates every second frequency of the grid.
     Roughly,
-    /// Evaluates every frequency of the grid.
+    /// The search evaluates every frequency of the grid.
     OnGrid,
     /// Evaluates every frequency of the grid, and searches between them.
     Refined,
@@ -148,7 +148,7 @@ impl<'j, 'a> FrictionSearch<'j, 'a> {
         })
     }
 
-    /// Replaces the shares of the contacts.
+    /// Replaces each contact's share of the common friction.
     pub(super) fn set_shares(&mut self, shares: &[f64]) {
         self.joined.set_shares(shares);
     }

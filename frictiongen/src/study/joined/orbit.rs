@@ -58,7 +58,7 @@ impl ContactOrbit<'_> {
         self.cycle.displacement / self.units.length
     }
 
-    /// Returns the largest absolute force in the contact.
+    /// Returns the largest absolute force in the contact in a period.
     #[must_use]
     pub fn force(&self) -> f64 {
         self.cycle.force / self.units.force
@@ -150,7 +150,7 @@ impl<'a> JoinedOrbit<'a> {
         self.steady.cycle.regime()
     }
 
-    /// Returns the contacts, in the order of the description.
+    /// Returns the motions of all contacts, in the order of the description.
     pub fn contacts(&self) -> impl Iterator<Item = ContactOrbit<'_>> {
         let units = self.units;
         let contacts = self.steady.cycle.contacts.iter();

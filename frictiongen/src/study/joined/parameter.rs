@@ -10,15 +10,15 @@ use frictiongen_model::scene::{Damping, Scene};
 pub enum JoinedParameter {
     /// A mass, the stiffness of a spring, or a damping number of the description.
     Quantity(Quantity),
-    /// The coefficient of a dashpot.
+    /// The damping coefficient of a dashpot. The number is the index of the dashpot.
     Dashpot(usize),
     /// The share of a contact: its friction force divided by the common friction.
     Share(usize),
-    /// The stiffness of an elastic contact.
+    /// The stiffness of an elastic contact. The number is the index of the contact.
     ContactStiffness(usize),
     /// Ratio μ of the static to the kinetic friction force of a contact.
     Stiction(usize),
-    /// The common friction: the force F under a load, otherwise β.
+    /// The common friction. It is the force F under a load, and otherwise β.
     Friction,
     /// The amplitude of the load.
     Load,
@@ -43,7 +43,7 @@ impl JoinedPoint {
         Self { scene, point }
     }
 
-    /// Returns every parameter.
+    /// Returns every parameter of the scene with respect to which derivatives exist.
     pub(super) fn parameters(&self) -> Vec<JoinedParameter> {
         let scene = &self.scene;
         let masses = (0..scene.masses.len()).map(Quantity::Mass);

@@ -29,7 +29,7 @@ const AGREES: f64 = 3e-5;
 /// Derivatives of a steady state with respect to one parameter p.
 #[derive(Clone, Debug, PartialEq)]
 pub struct JoinedSensitivity {
-    /// The parameter p.
+    /// Parameter p with respect to which the derivatives are taken.
     pub parameter: JoinedParameter,
     /// The value of the parameter p, in its own unit.
     pub value: f64,
@@ -175,7 +175,7 @@ struct NeighbourSearch {
     setting: JoinedPoint,
     steady: Steady,
     found: SteadyAmplitudes,
-    /// Number of masses.
+    /// Number of masses in the scene.
     masses: usize,
 }
 

@@ -19,9 +19,9 @@ const MOST: usize = 400;
 pub struct ShareRange {
     /// Index of the contact in the description.
     pub contact: usize,
-    /// Smallest share, above 0.
+    /// Smallest share of the common friction that the contact may have. It is above 0.
     pub from: f64,
-    /// Largest share.
+    /// Largest share of the common friction that the contact may have.
     pub to: f64,
 }
 
@@ -111,7 +111,7 @@ impl<'a> Joined<'a> {
     }
 }
 
-/// Returns the shares of the contacts in the description.
+/// Returns each contact's share of the common friction in the description.
 fn shares(scene: &Scene) -> Vec<f64> {
     let contacts = scene.named_contacts().into_iter();
     contacts.map(|contact| contact.law.share).collect()

@@ -17,9 +17,9 @@ pub struct JoinedEvent {
     pub tau: f64,
     /// Index of the contact in the description.
     pub contact: usize,
-    /// Name of the contact.
+    /// Name of the contact in the description.
     pub name: String,
-    /// The event: a stop, a break-away or a reversal.
+    /// Kind of the event: a stop, a break-away or a reversal.
     pub event: Event,
 }
 
@@ -30,13 +30,13 @@ pub struct JoinedContactNow {
     pub displacement: f64,
     /// Relative velocity of the contact's two sides.
     pub velocity: f64,
-    /// Force in the contact.
+    /// Force in the contact at this instant.
     pub force: f64,
     /// Distance that the slider has travelled since the start, added over both directions.
     pub slip: f64,
     /// Energy that friction has dissipated in the contact since the start.
     pub energy: f64,
-    /// True if the contact sticks.
+    /// True if the contact sticks at this instant.
     pub is_sticking: bool,
 }
 

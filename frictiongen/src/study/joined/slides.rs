@@ -15,13 +15,13 @@ pub(super) struct Slides {
 pub(super) struct Slide {
     /// The two nodes between which the contact acts.
     ends: (usize, usize),
-    /// Kinetic friction force.
+    /// Kinetic friction force of the contact.
     level: f64,
     /// Energy that an elastic contact dissipates at a break-away, divided by the square of the kinetic friction force.
     drop: f64,
     /// Distance that the slider has travelled, added over both directions.
     pub slip: f64,
-    /// Energy that friction has dissipated.
+    /// Energy that friction has dissipated in the contact.
     pub energy: f64,
 }
 
@@ -45,7 +45,7 @@ impl Slides {
         }
     }
 
-    /// Returns distance and energy of each contact.
+    /// Returns the sliding distance and the dissipated energy of each contact.
     pub fn contacts(&self) -> &[Slide] {
         &self.contacts
     }

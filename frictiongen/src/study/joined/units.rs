@@ -3,11 +3,11 @@
 /// Units of the results of a scene with several contacts, expressed in the units of the description.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct AnswerUnits {
-    /// The unit of forces and of frictions.
+    /// Unit of the forces and frictions in the results.
     pub force: f64,
-    /// The unit of displacements.
+    /// Unit of the displacements in the results.
     pub length: f64,
-    /// The unit of velocities.
+    /// Unit of the velocities in the results.
     pub speed: f64,
 }
 

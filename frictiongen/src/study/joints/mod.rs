@@ -34,14 +34,14 @@ pub type Series = joints::Series<f64, Heap>;
 pub type Watch = joints::Watch<f64, Heap>;
 /// Amplitudes of the masses, and results of each contact, over a period.
 pub type Cycle = joints::Cycle<f64, Heap>;
-/// Events, slip, force and energy of one contact over a period.
+/// Stops, reversals, slip, force and energy of one contact in a period.
 pub type ContactCycle = joints::ContactCycle<f64>;
 /// A straight line plus one harmonic: c + bt + a cos(ωt + φ).
 pub type Wave = joints::Wave<f64>;
 
-/// Largest number of contacts of a chain.
+/// Largest number of contacts that a chain may have.
 pub const MAX_CONTACTS: usize = 16;
-/// Largest number of masses of a chain.
+/// Largest number of masses that a chain may have.
 pub const MAX_MASSES: usize = 64;
 
 /// A contact of a chain with several contacts.
@@ -60,21 +60,21 @@ pub struct Joint {
 /// A chain with its contacts and its loads, in the units of the description.
 #[derive(Clone, Debug, PartialEq, Default)]
 pub struct Chain {
-    /// The masses.
+    /// Masses of the chain.
     pub masses: Vec<f64>,
-    /// The springs, each with its two nodes and its stiffness.
+    /// Springs of the chain, each with its two nodes and its stiffness.
     pub springs: Vec<(Node, Node, f64)>,
-    /// The dashpots, each with its two nodes and its coefficient.
+    /// Dashpots of the chain, each with its two nodes and its damping coefficient.
     pub dashpots: Vec<(Node, Node, f64)>,
     /// Rows of the matrix of modal or Rayleigh damping. The list is empty if the scene has no such damping.
     pub damping: Vec<Vec<f64>>,
     /// True if the damping matrix acts on velocities relative to the base. False if it acts on absolute velocities.
     pub damping_from_base: bool,
-    /// The contacts.
+    /// Contacts of the chain.
     pub contacts: Vec<Joint>,
     /// Forces on masses, each with the index of the mass.
     pub loads: Vec<(usize, Wave)>,
-    /// The displacement of the base.
+    /// Displacement of the base as a function of time.
     pub base: Wave,
 }
 
@@ -83,7 +83,7 @@ pub struct Chain {
 pub enum JointError {
     /// There is no mass, or there are more masses or contacts than the solver supports.
     Size,
-    /// A number is not finite, or has an invalid sign.
+    /// A number of the chain is not finite, or has an invalid sign. The field names the number.
     Number(&'static str),
     /// A spring, dashpot, contact or load names a mass that does not exist, or has the same node on both sides.
     Ends(&'static str),
@@ -99,7 +99,7 @@ pub enum JointError {
     Stretches,
     /// The solver finds one event after the other without any time between them.
     Stalled,
-    /// The motion exceeds the range of numbers.
+    /// The motion exceeds the range of the number type.
     NotFinite,
     /// The motion does not settle on a period of at most [`MAX_PERIOD`] cycles.
     NotSteady,

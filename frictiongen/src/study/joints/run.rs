@@ -66,7 +66,7 @@ impl Size for Heap {
 /// An event of a motion. Several contacts may have an event at the same instant.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Transition {
-    /// Time of the event.
+    /// Time of the event since the start of the motion.
     pub time: f64,
     /// Phase of each contact just before the event: −1 or 1 while it slides, 0 while it sticks, 2 if it has no friction
     /// force.
@@ -126,7 +126,7 @@ impl Motion {
         self.motion
     }
 
-    /// Returns the time since the start.
+    /// Returns the time since the start of the motion.
     #[must_use]
     pub fn time(&self) -> f64 {
         self.motion.time()

@@ -26,7 +26,7 @@ pub struct MapRequest {
 /// The pattern of the contact's motion: regime, stops, reversals and period.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub struct Pattern {
-    /// Regime of the response: continuous, stick-slip or stuck.
+    /// Regime of the motion: continuous, stick-slip or stuck.
     pub regime: Regime,
     /// Number of stops of the contact in a period.
     pub stops: usize,

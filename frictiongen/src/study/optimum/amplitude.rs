@@ -20,7 +20,7 @@ pub(in crate::study) enum FrictionAmount {
     /// A given friction: the friction force divided by the unit of force that the load has at r = 1. For a load of
     /// constant amplitude it is the friction ratio β.
     Ratio(f64),
-    /// So much friction that the contact never slides.
+    /// The friction is so large that the contact never slides.
     Locked,
 }
 
@@ -36,7 +36,7 @@ pub(in crate::study) struct Amplitude<'s> {
     /// Each undamped resonance that the contact drives, with its threshold. At a smaller friction ratio its amplitude
     /// is unbounded.
     thresholds: Vec<[f64; 2]>,
-    /// Number of evaluations of the amplitude.
+    /// Number of evaluations of the amplitude so far.
     pub asked: Cell<usize>,
     /// Work of all evaluations so far, in units of about 10 µs.
     work: Cell<usize>,

@@ -8,7 +8,7 @@ use crate::study::parameter::Parameter;
 pub enum OptimumKind {
     /// Two peaks have the same height. More friction raises one peak, and less friction raises the other.
     EqualPeaks,
-    /// One peak is at its own minimum with respect to friction.
+    /// The largest amplitude is that of one peak, which is at its own minimum with respect to friction.
     SinglePeak,
     /// Any friction increases the largest amplitude. The best friction is 0.
     NoFriction,
@@ -46,7 +46,7 @@ pub struct OptimumPeak {
 pub struct Tolerance {
     /// Largest value of (amplitude − best amplitude)/best amplitude in the interval.
     pub excess: f64,
-    /// Lower bound of the interval, as friction ratio β.
+    /// Lower bound of the interval of friction ratios β.
     pub from: f64,
     /// Upper bound of the interval, as friction ratio β. It is infinite if the amplitude stays within the tolerance for
     /// any larger friction.
@@ -113,7 +113,7 @@ pub struct Optimum {
     /// entry for each parameter p except friction and frequency. It is empty without a load, and if no derivatives
     /// exist.
     pub sensitivities: Vec<(Parameter, f64)>,
-    /// Number of amplitudes that the search computed.
+    /// Number of amplitudes that the search has computed.
     pub evaluations: usize,
     /// Number of amplitudes that the search could not compute, because the motion has too many stops in a cycle or the
     /// solvers found no motion.

@@ -8,7 +8,7 @@ use super::scan::{Scanned, slope, with_slope};
 
 /// Largest number of peaks that the search tracks from each side.
 const MOST_FOLLOWED: usize = 6;
-/// Largest number of steps of the search towards a minimum.
+/// Largest number of steps of the search towards one minimum.
 const STEPS: usize = 40;
 /// Largest relative difference of the heights of two peaks that count as equally high.
 const EQUAL: f64 = 2e-13;

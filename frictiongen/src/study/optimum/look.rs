@@ -25,7 +25,7 @@ const UNKNOWN: f64 = 5.0;
 pub(in crate::study) struct BandPeak {
     pub r: f64,
     pub value: f64,
-    /// True if the maximum is at a bound of the band.
+    /// True if the maximum is at the lower or upper bound of the band.
     pub edge: bool,
 }
 

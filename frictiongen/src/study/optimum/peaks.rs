@@ -31,7 +31,7 @@ const ROUGHLY: f64 = 1e-3;
 /// Relative width of the first bracket of a maximum of the amplitude, if its position at another friction ratio is
 /// known.
 const NEIGHBOUR: f64 = 2e-3;
-/// Smallest amplitude that counts as infinite.
+/// Smallest amplitude that the search treats as infinite.
 pub(super) const POLE: f64 = 1e9;
 
 /// Largest relative difference of two amplitudes that count as equal.

@@ -11,7 +11,7 @@ use crate::study::words;
 pub enum FrequencyBand {
     /// Lowest and highest frequency ratio r, with m₁ and k₁ of the description.
     Ratio(f64, f64),
-    /// Lowest and highest frequency in Hz.
+    /// The band is given by its lowest and its highest frequency in Hz.
     Hertz(f64, f64),
 }
 
@@ -24,7 +24,7 @@ pub struct OptimumRequest {
     pub size: MotionQuantity,
     /// The band of frequencies. It includes both bounds, which must be above 0 and finite.
     pub band: FrequencyBand,
-    /// The load. A result in N and m requires it.
+    /// Load of the scene. Results in N and m require it.
     pub load: Option<Load>,
 }
 
@@ -40,7 +40,7 @@ pub enum OptimumError {
     UnknownMass(UnknownMass),
     /// The scene does not have the mass or the spring of the requested motion.
     NoSuchMotion(Of),
-    /// The load does not fit the scene.
+    /// The load does not fit the scene. The field gives the reason.
     Load(LoadError),
     /// Neither damping nor the contact acts on the mode with this index, counted from 0, although the load drives the
     /// mode.

@@ -48,7 +48,7 @@ pub(super) enum MinimumKind {
     Crossing,
     /// One peak is at its own minimum over friction, or at a jump of its height.
     Smooth,
-    /// The smallest amplitude occurs at zero friction.
+    /// The largest amplitude is smallest at zero friction.
     Without,
     /// The contact is stuck at the frequency of the peak, or over the whole band.
     Held,

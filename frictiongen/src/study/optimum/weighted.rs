@@ -108,7 +108,7 @@ struct Quotients {
 /// A search for the best friction for several quantities. It has one frequency band for each quantity.
 struct WeightedSearch<'s> {
     bands: Vec<AmplitudeBand<'s>>,
-    /// The value that divides each quantity.
+    /// For each quantity, the value by which the search divides it.
     over: Vec<f64>,
     watch: KeepGoing<'s>,
     /// Work that remains for the checks of the whole band, in units of about 10 µs.

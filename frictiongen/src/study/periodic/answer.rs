@@ -30,7 +30,7 @@ pub struct PeriodicState {
 /// A motion of the scene, or the force of a spring, over one period of a steady state.
 #[derive(Clone, Debug, PartialEq)]
 pub struct PeriodicTrack {
-    /// Selects the motion or the spring.
+    /// Motion or spring whose samples the track contains.
     pub of: Of,
     /// Value and time derivative at the start of each step, and at the end of the period.
     pub values: Vec<[f64; 2]>,
@@ -178,7 +178,7 @@ impl PeriodicState {
         self.residual
     }
 
-    /// Returns the time between two steps of the tracks, s.
+    /// Returns the time between two steps of the tracks, in s.
     #[must_use]
     pub fn step(&self) -> f64 {
         self.step

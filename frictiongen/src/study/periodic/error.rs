@@ -29,7 +29,7 @@ pub enum PeriodicError {
     Held,
     /// The period of the load needs more steps than the search permits.
     Long,
-    /// The scene has no such motion.
+    /// The scene does not have the mass or the spring of the requested motion.
     NoSuchMotion(Of),
     /// The stepper rejects a number of the request.
     Step(OutOfDomain),

@@ -25,22 +25,22 @@ const SWEEPS: usize = 64;
 /// One harmonic of a periodic load: a_n cos(nωt − φ).
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Harmonic {
-    /// The order n. Order 0 is a constant.
+    /// Order n of the harmonic. Order 0 is a constant.
     pub order: u32,
-    /// The amplitude a_n: a force, or a displacement of the base.
+    /// Amplitude a_n of the harmonic: a force, or a displacement of the base.
     pub amplitude: f64,
-    /// The lag φ, in rad.
+    /// Lag φ of the harmonic, in rad.
     pub lag: f64,
 }
 
 /// Physical quantity in a table of the base's motion: displacement, velocity or acceleration.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum BaseTable {
-    /// Displacements. A periodic cubic spline interpolates them.
+    /// The samples are displacements. A periodic cubic spline interpolates them.
     Displacement,
-    /// Velocities. Straight lines interpolate them.
+    /// The samples are velocities. Straight lines interpolate them.
     Velocity,
-    /// Accelerations. Straight lines interpolate them.
+    /// The samples are accelerations. Straight lines interpolate them.
     Acceleration,
 }
 
@@ -54,7 +54,7 @@ enum LoadKind {
     Forces(f64, Vec<f64>),
     /// Time between samples, and displacement and velocity of the base.
     Base(f64, Vec<[f64; 2]>),
-    /// Period of the load, and the list of its harmonics.
+    /// The load is a sum of harmonics. The fields are its period and the list of its harmonics.
     Harmonics(f64, Vec<Harmonic>),
 }
 

@@ -46,7 +46,7 @@ impl StateNumbers {
         pairs.fold(0.0, |most, (a, b)| most.max((a - b).abs()))
     }
 
-    /// Returns the largest absolute value among the numbers.
+    /// Returns the largest absolute value among the numbers of a state.
     pub fn size(&self) -> f64 {
         let values = self.values.iter();
         values.fold(0.0, |most, value| most.max(value.abs()))
@@ -89,7 +89,7 @@ impl<'a> Walk<'a> {
         }
     }
 
-    /// Advances by one step.
+    /// Advances the motion by one step of the stepper.
     pub fn step(&mut self) -> Result<Stepped<f64>, PeriodicError> {
         let (from, to) = (self.load.at(self.at), self.load.at(self.at + 1));
         let end = if self.load.hold { from } else { to };
@@ -110,7 +110,7 @@ impl<'a> Walk<'a> {
         Ok(stepped)
     }
 
-    /// Advances by a number of periods of the load.
+    /// Advances the motion by a number of periods of the load.
     pub fn periods(&mut self, count: usize) -> Result<(), PeriodicError> {
         for _ in 0..count * self.load.points.len() {
             self.step()?;

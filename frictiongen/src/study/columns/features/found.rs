@@ -12,7 +12,7 @@ use crate::study::features::{
 pub(super) struct Named<T> {
     /// Name of the contact or mass that has the feature.
     pub(super) of: String,
-    /// The feature itself, such as a resonance or a range.
+    /// Data of the feature itself, such as a resonance or a range.
     pub(super) it: T,
 }
 
@@ -20,7 +20,7 @@ pub(super) struct Named<T> {
 pub(super) struct FeatureAt<T> {
     /// Friction ratio β = F/P (F/(k₁Y) for base motion).
     pub(super) beta: f64,
-    /// The feature itself, such as a resonance or a range.
+    /// Data of the feature itself, such as a resonance or a range.
     pub(super) it: T,
 }
 

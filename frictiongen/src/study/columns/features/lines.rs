@@ -116,7 +116,7 @@ impl TableRow for FeatureLine {}
 /// A request for features: the friction ratios and the range of frequency ratios.
 #[derive(Clone, Copy, Debug)]
 pub struct FeaturesAsked<'a> {
-    /// Range of the frequency ratio r.
+    /// Range of the frequency ratio r in which the features are listed.
     pub range: [f64; 2],
     /// Friction ratios β for which the features are computed.
     pub frictions: &'a [f64],

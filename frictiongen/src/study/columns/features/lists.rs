@@ -14,7 +14,7 @@ use crate::study::{
 
 /// Receiver of the lists of features. It is a trait, because the rows of different lists have different types.
 pub trait FeatureVisitor {
-    /// Error that ends the visit.
+    /// Type of the error with which the receiver ends the visit of the lists.
     type Error;
 
     /// Receives one list, with its name, its columns and its rows.

@@ -17,11 +17,11 @@ pub struct OptimumLine {
     pub row: Option<usize>,
     /// Key of the value for programs, unique in its entry of the list.
     pub key: String,
-    /// Name of the value, for people.
+    /// Name of the line's value, in words for people.
     pub label: String,
-    /// The value, as a cell of a table.
+    /// Value of the line, as a cell of a table.
     pub value: Cell<'static>,
-    /// Unit of the value, empty for a ratio.
+    /// Unit of the line's value. It is empty for a ratio.
     pub unit: &'static str,
     /// Unit of the parameter, if the value is the relative change of the amplitude per unit of this parameter.
     pub per: Option<&'static str>,
@@ -35,7 +35,7 @@ impl TableRow for OptimumLine {}
 /// The number of the description that the search has optimised together with the friction, and its result.
 #[derive(Clone, Debug)]
 pub struct Tuned<'a> {
-    /// The optimised number.
+    /// Number of the description that the search has optimised together with the friction.
     pub of: Tunable,
     /// The result of the search for the number and the friction.
     pub found: &'a TunedOptimum,
@@ -45,7 +45,7 @@ pub struct Tuned<'a> {
 /// items: the quantity, its bound or divisor, and its largest value over the band of frequencies.
 #[derive(Clone, Copy, Debug)]
 pub enum Further<'a> {
-    /// No further quantities.
+    /// The search has considered no further quantities.
     None,
     /// Quantities with their upper bounds, which the search has kept.
     Kept(&'a [(MovingPart, f64, f64)]),

@@ -18,7 +18,7 @@ pub struct Tuning {
 /// The best friction at one value of the varied number.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct TunedPoint {
-    /// The value of the varied number.
+    /// Value of the varied number at this point.
     pub value: f64,
     /// The best friction ratio β, with m₁ and k₁ of the description. NaN if no best friction exists.
     pub beta: f64,

@@ -13,7 +13,7 @@ pub enum Tunable {
     /// A mass, the stiffness of a spring or of the contact, μ, the damping ratio of one mode, or a factor of C = aM +
     /// bK.
     Quantity(Quantity),
-    /// The common damping ratio of all modes.
+    /// The number is the common damping ratio of all modes.
     DampingRatios,
 }
 
