@@ -172,7 +172,7 @@ fn known_answers(
         /// Answers of the exact formulas, computed in arithmetic of 32 digits, which `self_check` compares with its own.
         ///
         #[doc = #checksum]
-        const KNOWN: [check::KnownAnswers<#scalar, #masses, #forces>; #count] = #list;
+        const KNOWN: [check::Known<#scalar, #masses, #forces>; #count] = #list;
     };
     let mut sum = 0;
     for known in all {
@@ -275,7 +275,7 @@ fn row(
             ),
         ],
     );
-    code!(check::KnownAnswers { #fields })
+    code!(check::Known { #fields })
 }
 
 /// Emits the allowed error, and the function that compares the answers at one frequency ratio with the known answers.
@@ -334,7 +334,7 @@ fn compared(emission: &Emission<'_>, wanted: &Wanted<'_>, allowed: &Allowed) -> 
 
         /// Compares the answers at one frequency ratio with known ones.
         fn check_answers(
-            known: &check::KnownAnswers<#scalar, #masses, #forces>,
+            known: &check::Known<#scalar, #masses, #forces>,
         ) -> Result<(), check::Fault> {
             let at = Self::at(known.r).or(Err(check::Fault::Answer("at")))?;
             known.limits(at.limits(), Self::TOLERANCE)?;
