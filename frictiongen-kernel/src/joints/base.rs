@@ -63,6 +63,11 @@ impl<S: Float> Curve<S> {
         self.wave.is_zero() && !self.bends()
     }
 
+    /// Returns true if the value has the opposite sign half a period of the angular frequency ω later, at every instant.
+    pub(super) fn is_odd(&self, omega: S) -> bool {
+        self.wave.is_odd(omega) && !self.bends()
+    }
+
     fn bends(&self) -> bool {
         !self.square.is_zero() || !self.cube.is_zero()
     }

@@ -159,18 +159,22 @@ impl<S: Float, Z: Size> Watch<S, Z> {
     }
 
     fn see_masses(&mut self, series: &Series<S, Z>, end: S) {
-        for (mass, amplitude) in self.cycle.amplitudes.as_mut().iter_mut().enumerate() {
-            let (x, v) = (series.displacement_terms(mass), series.velocity_terms(mass));
-            *amplitude = Scalar::max(*amplitude, largest(&x, &v, end));
-        }
-        for (mass, span) in self.spans.as_mut().iter_mut().enumerate() {
-            let drift = at(self.drifts.as_ref(), mass);
+        let amplitudes = self.cycle.amplitudes.as_mut().iter_mut();
+        let masses = amplitudes.zip(self.spans.as_mut()).enumerate();
+        for (mass, (amplitude, span)) in masses {
             let mut x = series.displacement_terms(mass);
             let mut v = series.velocity_terms(mass).map(|term| series.length * term);
-            add(&mut x, 0, -drift * self.passed);
-            add(&mut x, 1, -drift * series.length);
-            add(&mut v, 0, -drift * series.length);
-            for value in extremes(&x, &v, end) {
+            let mut values = extremes(&x, &v, end);
+            let sizes = values.into_iter().map(Scalar::abs);
+            *amplitude = sizes.fold(*amplitude, Scalar::max);
+            let drift = at(self.drifts.as_ref(), mass);
+            if !drift.is_zero() {
+                add(&mut x, 0, -drift * self.passed);
+                add(&mut x, 1, -drift * series.length);
+                add(&mut v, 0, -drift * series.length);
+                values = extremes(&x, &v, end);
+            }
+            for value in values {
                 let (least, most) = span.unwrap_or((value, value));
                 *span = Some((Scalar::min(least, value), Scalar::max(most, value)));
             }
@@ -234,46 +238,13 @@ impl<S: Float, Z: Size> Observe<S, Z> for Watch<S, Z> {
     }
 }
 
-/// Returns the largest slip that rounding errors can cause. `displacement` is the largest relative displacement of the
-/// contact.
-fn least_slip<S: Float>(displacement: S) -> S {
+/// Returns the rounding error of a slip, for the largest relative displacement of the contact.
+pub(super) fn least_slip<S: Float>(displacement: S) -> S {
     S::constant(64.0 * S::EPSILON) * displacement
 }
 
-/// Observer of a motion. It detects whether any contact slides.
-pub(super) struct Slid<S: Float, Z: Size> {
-    ends: Z::Contacts<(usize, usize)>,
-    /// True if some contact has slid farther than rounding errors can cause.
-    pub(super) slides: bool,
-    scalar: core::marker::PhantomData<S>,
-}
-
-impl<S: Float, Z: Size> Slid<S, Z> {
-    /// Starts to observe the contacts of a chain.
-    pub(super) fn new(model: &Model<S, Z>) -> Self {
-        Self {
-            ends: ends(model),
-            slides: false,
-            scalar: core::marker::PhantomData,
-        }
-    }
-}
-
-impl<S: Float, Z: Size> Observe<S, Z> for Slid<S, Z> {
-    fn stretch(&mut self, series: &Series<S, Z>, end: S, state: &State<S, Z>) {
-        let phases = state.phases.as_ref().iter().zip(self.ends.as_ref());
-        for (_, &(plus, minus)) in phases.filter(|(phase, _)| phase.abs() == 1) {
-            let slip = series.length * integral(&series.speed_terms(plus, minus), end).abs();
-            let place = series.place((plus, minus), end).abs();
-            self.slides |= slip > least_slip(place);
-        }
-    }
-
-    fn event(&mut self, _: S, _: &Z::Contacts<i8>, _: &Z::Contacts<i8>) {}
-}
-
-/// Returns the two nodes of each contact, `plus` and `minus`.
-fn ends<S: Float, Z: Size>(model: &Model<S, Z>) -> Z::Contacts<(usize, usize)> {
+/// Returns the two nodes of each contact.
+pub(super) fn ends<S: Float, Z: Size>(model: &Model<S, Z>) -> Z::Contacts<(usize, usize)> {
     let mut ends = model.size.contacts((0, 0));
     for (ends, contact) in ends.as_mut().iter_mut().zip(model.contacts()) {
         *ends = (contact.plus, contact.minus);
@@ -308,8 +279,8 @@ fn slope<S: Float>(terms: &Poly<S>) -> Poly<S> {
     slope
 }
 
-/// Returns the integral of the polynomial `terms` from 0 to `end`.
-fn integral<S: Float>(terms: &[S], end: S) -> S {
+/// Returns the integral of a polynomial from 0 to `end`.
+pub(super) fn integral<S: Float>(terms: &[S], end: S) -> S {
     let terms = terms.iter().enumerate().rev();
     terms.fold(S::constant(0.0), |sum, (order, term)| {
         (sum + *term / S::constant((order + 1) as f64)) * end

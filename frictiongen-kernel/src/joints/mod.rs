@@ -10,13 +10,14 @@
 //! * The *level* of a contact is its kinetic friction force F. A contact with the level 0 has no force.
 //!
 //! Between two events the equations are linear. A power series solves them over time intervals, which are called
-//! *stretches*. The length of a stretch is at most one radian of an upper bound on the fastest frequency. Events are
-//! roots of polynomials. Two masses with a sticking rigid contact between them have the same acceleration. The relative
-//! velocity of this contact is therefore exactly 0, and its relative displacement is constant.
+//! *stretches*. A stretch is at most 1.5 rad (1 rad in `f32`) of an upper bound on the fastest frequency. Events are
+//! roots of polynomials. Two masses with a sticking contact between them have the same acceleration. The relative
+//! velocity of this contact is therefore exactly 0, and its relative displacement a constant.
 //!
 //! The type parameter [`Size`] selects the arrays: arrays of fixed length in emitted code ([`Fixed`]), or vectors at
 //! run time. The code is the same for both.
 
+mod attractor;
 mod base;
 mod cycle;
 mod decide;
@@ -32,12 +33,15 @@ mod roots;
 mod run;
 mod series;
 mod shooting;
+mod shot;
 mod simulation;
 mod size;
+mod slid;
 mod state;
 mod steady;
 mod stepper;
 mod stuck;
+mod tangent;
 mod tolerances;
 mod tree;
 mod unknowns;

@@ -2,7 +2,7 @@
 //! base. They are numbered in this order.
 
 use super::base::Curve;
-use super::poly::Poly;
+use super::poly::{Poly, angle_of};
 use super::size::{Size, add, at};
 use super::wave::Wave;
 use crate::Float;
@@ -136,12 +136,23 @@ impl<S: Float, Z: Size> Model<S, Z> {
         mut size: Option<&mut Z::Nodes<S>>,
     ) -> Z::Nodes<S> {
         let mut force = self.size.nodes(S::constant(0.0));
-        let mut put = |node: usize, value: S| {
+        self.put_forces(x, v, load, |node, value| {
             add(force.as_mut(), node, value);
             if let Some(size) = size.as_deref_mut() {
                 add(size.as_mut(), node, value.abs());
             }
-        };
+        });
+        force
+    }
+
+    /// Passes each force of [`forces`](Self::forces) to `put`, with its node.
+    pub(super) fn put_forces(
+        &self,
+        x: &[S],
+        v: &[S],
+        load: impl Fn(usize) -> S,
+        mut put: impl FnMut(usize, S),
+    ) {
         for (index, (mass, _)) in self.loads.as_ref().iter().enumerate() {
             put(*mass, load(index));
         }
@@ -162,7 +173,6 @@ impl<S: Float, Z: Size> Model<S, Z> {
             let sum = products.fold(S::constant(0.0), |sum, (c, v)| sum + *c * (*v - base));
             put(row, -sum);
         }
-        force
     }
 
     /// Returns the power series of each load over a stretch (time interval).
@@ -193,9 +203,9 @@ impl<S: Float, Z: Size> Model<S, Z> {
         })
     }
 
-    /// Sets the longest stretch to 1/s, where s is an upper bound on the rates of the motion. Gershgorin's theorem
-    /// gives upper bounds on M⁻¹K and M⁻¹C. In K, elastic contacts are springs. A rate s satisfies s² ≤ ‖M⁻¹C‖s +
-    /// ‖M⁻¹K‖.
+    /// Sets the longest stretch to a/s, with an upper bound s on the rates of the motion and an angle a of 1.5 rad (1 rad
+    /// in `f32`). Gershgorin's theorem bounds M⁻¹K and M⁻¹C, where elastic contacts count as springs. A rate s satisfies
+    /// s² ≤ ‖M⁻¹C‖s + ‖M⁻¹K‖.
     pub fn set_stretch(&mut self) {
         let mut stiff = self.size.nodes(S::constant(0.0));
         let mut slow = self.size.nodes(S::constant(0.0));
@@ -222,7 +232,7 @@ impl<S: Float, Z: Size> Model<S, Z> {
             .map(Wave::fastest)
             .fold(S::constant(0.0), crate::Scalar::max);
         let motion = slow + (slow * slow + stiff).sqrt();
-        self.stretch = S::constant(1.0) / crate::Scalar::max(motion, waves);
+        self.stretch = S::constant(angle_of::<S>()) / crate::Scalar::max(motion, waves);
     }
 
     /// Divides each number in `values` by the mass with the same index. Returns the largest quotient.

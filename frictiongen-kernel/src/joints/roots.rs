@@ -1,6 +1,6 @@
 //! Finds the first instant at which a polynomial on the interval [0, 1] becomes negative.
 
-use super::poly::{Poly, TERMS, terms_of, value};
+use super::poly::{Poly, TERMS, terms_of, value, value_and_slope};
 use crate::Float;
 
 /// Number of bisections after which the two ends of the interval are equal apart from rounding.
@@ -22,15 +22,65 @@ pub fn first_negative<S: Float>(terms: &Poly<S>, zeros: usize) -> Option<S> {
     let falls = others
         .iter()
         .fold(zero, |falls, term| falls + crate::Scalar::min(*term, zero));
-    if *first + falls > zero {
+    if *first + falls > zero || stays_positive(terms) {
         return None;
+    }
+    if falls_steadily(terms) {
+        let one = S::constant(1.0);
+        let ends_positive = value(terms, one) > zero;
+        return (!ends_positive).then(|| bisect(terms, zero, one));
     }
     search(terms)
 }
 
-/// Bisects the interval [0, 1] until each subinterval has at most one root of the polynomial. The polynomial is in
-/// Bernstein form. A subinterval extends from index/2^depth to (index + 1)/2^depth. When the search returns to a
-/// subinterval, the code computes its Bernstein form again from the form on [0, 1], so that it needs no stack.
+/// Returns true if the derivative of the polynomial is clearly negative on [0, 1].
+fn falls_steadily<S: Float>(terms: &[S]) -> bool {
+    let mut slope = [S::constant(0.0); TERMS];
+    let mut order = S::constant(0.0);
+    for (slope, term) in slope.iter_mut().zip(terms.iter().skip(1)) {
+        order = order + S::constant(1.0);
+        *slope = -(order * *term);
+    }
+    slope
+        .get(..terms.len().saturating_sub(1))
+        .is_some_and(stays_positive)
+}
+
+/// Number of coefficients in the quick test of [`stays_positive`].
+const QUICK: usize = 6;
+/// Binomial coefficients of QUICK − 1.
+const BINOMIALS: [f64; QUICK] = [1.0, 5.0, 10.0, 10.0, 5.0, 1.0];
+
+/// Returns true if a lower bound on the polynomial, of degree 5, is clearly positive on [0, 1]. The bound replaces each
+/// negative term of higher degree by its value at 1, and omits the positive ones.
+fn stays_positive<S: Float>(terms: &[S]) -> bool {
+    let zero = S::constant(0.0);
+    let (Some(low), Some(high)) = (terms.first_chunk::<QUICK>(), terms.get(QUICK..)) else {
+        return false;
+    };
+    let falls = high
+        .iter()
+        .fold(zero, |falls, term| falls + crate::Scalar::min(*term, zero));
+    let mut values = [zero; QUICK];
+    for ((value, term), binomial) in values.iter_mut().zip(low).zip(BINOMIALS) {
+        *value = *term / S::constant(binomial);
+    }
+    for pass in (0..QUICK - 1).rev() {
+        let mut before = zero;
+        for value in values.iter_mut().skip(pass) {
+            *value = *value + before;
+            before = *value;
+        }
+    }
+    // The margin is far above rounding errors.
+    let [first, ..] = *low;
+    let least = S::constant(1e-3) * first - falls;
+    values.iter().all(|value| *value > least)
+}
+
+/// Bisects [0, 1], with the polynomial in Bernstein form, until each subinterval has at most one root. A subinterval
+/// extends from index/2^depth to (index + 1)/2^depth. The code computes its Bernstein form again from the form on [0,
+/// 1] when the search returns to it, so that no stack is needed.
 fn search<S: Float>(terms: &[S]) -> Option<S> {
     let half = S::constant(0.5);
     let whole = Form::new(terms);
@@ -75,7 +125,6 @@ impl<S: Float> Form<S> {
     /// Returns the Bernstein coefficients b_i = Σ_{k≤i} C(i, k)/C(n, k) a_k of a polynomial on [0, 1]. `terms` contains
     /// the coefficients a_k of the powers.
     fn new(terms: &[S]) -> Self {
-        // The numbers a_k/C(n, k) are differences of the Bernstein coefficients. Repeated sums give the coefficients.
         let degree = terms.len().saturating_sub(1);
         let mut values = [S::constant(0.0); TERMS];
         let mut binomial = S::constant(1.0);
@@ -85,11 +134,15 @@ impl<S: Float> Form<S> {
             binomial = binomial * left / S::constant((k + 1) as f64);
         }
         let count = terms.len();
-        for pass in (0..degree).rev() {
-            let mut before = S::constant(0.0);
-            for value in values.iter_mut().take(count).skip(pass) {
-                *value = *value + before;
-                before = *value;
+        for pass in 0..degree {
+            // In descending order the sums of a pass do not depend on each other.
+            let used = values.get_mut(pass..count).unwrap_or_default();
+            let mut upper: Option<&mut S> = None;
+            for lower in used.iter_mut().rev() {
+                if let Some(upper) = upper {
+                    *upper = *upper + *lower;
+                }
+                upper = Some(lower);
             }
         }
         Self { values, count }
@@ -152,11 +205,42 @@ impl<S: Float> Form<S> {
     }
 }
 
-/// Finds by bisection the point between `low` and `high` at which the polynomial changes its sign from positive to
-/// negative.
+/// Largest number of Newton steps before a bisection.
+const NEWTON: usize = 8;
+
+/// Finds by bisection the point at which the polynomial changes its sign from positive to negative. Newton's method
+/// first shortens the interval.
 fn bisect<S: Float>(terms: &[S], mut low: S, mut high: S) -> S {
+    let half = S::constant(0.5);
+    let mut middle = half * (low + high);
+    for _ in 0..NEWTON {
+        let (here, slope) = value_and_slope(terms, middle);
+        if here > S::constant(0.0) {
+            low = middle;
+        } else {
+            high = middle;
+        }
+        let next = middle - here / slope;
+        if !(next > low && next < high) {
+            break;
+        }
+        let moved = (next - middle).abs();
+        middle = next;
+        let near = S::constant(8.0 * S::EPSILON);
+        if moved <= S::constant(4.0) * near {
+            // The root is within rounding errors of this point.
+            let (below, above) = (middle - near, middle + near);
+            if below > low && value(terms, below) > S::constant(0.0) {
+                low = below;
+            }
+            if above < high && !(value(terms, above) > S::constant(0.0)) {
+                high = above;
+            }
+            break;
+        }
+    }
     for _ in 0..halvings::<S>() + 8 {
-        let middle = S::constant(0.5) * (low + high);
+        let middle = half * (low + high);
         if middle <= low || middle >= high {
             break;
         }

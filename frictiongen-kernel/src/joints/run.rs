@@ -33,18 +33,7 @@ impl<S: Float, Z: Size> Observe<S, Z> for () {
     fn event(&mut self, _: S, _: &Z::Contacts<i8>, _: &Z::Contacts<i8>) {}
 }
 
-/// Observer of a motion that counts the events.
-pub(super) struct Count(pub(super) u32);
-
-impl<S: Float, Z: Size> Observe<S, Z> for Count {
-    fn stretch(&mut self, _: &Series<S, Z>, _: S, _: &State<S, Z>) {}
-
-    fn event(&mut self, _: S, _: &Z::Contacts<i8>, _: &Z::Contacts<i8>) {
-        self.0 += 1;
-    }
-}
-
-/// Largest amounts of work in one call.
+/// Upper bounds on the work of one call.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Bounds {
     /// Largest number of events in one call.

@@ -45,17 +45,23 @@ impl<S: Float, Z: Size> Series<S, Z> {
             v: model.size.nodes(nothing()),
             forces: contact_levels(model, state, (start, length)),
         };
+        let zero = S::constant(0.0);
+        let (mut forces, mut rest) = (model.size.nodes(zero), model.size.nodes(zero));
+        let (mut a, mut holds) = (model.size.nodes(zero), model.size.contacts(zero));
         for order in 0..terms_of::<S>() {
             keep(series.x.as_mut(), order, x.as_ref());
             keep(series.v.as_mut(), order, v.as_ref());
             let load = |index| term(loads.as_ref(), index, order);
-            let mut forces = model.forces(x.as_ref(), v.as_ref(), load, None);
+            forces.as_mut().fill(zero);
+            model.put_forces(x.as_ref(), v.as_ref(), load, |node, value| {
+                add(forces.as_mut(), node, value);
+            });
             for (contact, terms) in model.contacts().iter().zip(series.forces.as_ref()) {
                 contact.pull(forces.as_mut(), at(terms, order));
             }
-            let mut holds = model.size.contacts(S::constant(0.0));
-            let lift = at(&lift, order);
-            let a = tree.accelerate(model, forces.as_ref(), lift, holds.as_mut());
+            let known = (forces.as_ref(), at(&lift, order));
+            let results = (a.as_mut(), holds.as_mut());
+            tree.accelerate_in(model, known, rest.as_mut(), results);
             let next = length / S::constant((order + 1) as f64);
             let contacts = model.contacts().iter().zip(series.forces.as_mut());
             for (j, (contact, terms)) in contacts.enumerate() {
@@ -127,8 +133,12 @@ impl<S: Float, Z: Size> Series<S, Z> {
         difference(self.x.as_ref(), plus, minus)
     }
 
-    /// Returns the displacement of the node `plus` minus that of the node `minus`, at the given fraction of the
-    /// stretch.
+    /// Returns the displacement of a node at the start of the stretch.
+    pub(super) fn displacement_at_start(&self, node: usize) -> S {
+        term(self.x.as_ref(), node, 0)
+    }
+
+    /// Returns the relative displacement of two nodes at a fraction of the stretch.
     pub fn place(&self, (plus, minus): (usize, usize), fraction: S) -> S {
         value(&self.place_terms(plus, minus), fraction)
     }

@@ -2,23 +2,32 @@
 
 use super::cycle::Watch;
 use super::least::{apart, solve, sort_by};
+use super::model::Model;
 use super::neutral::neutral;
 use super::run::Motion;
-use super::size::{Size, add, at, set};
+use super::shot::Span;
+use super::size::{Size, set};
 use super::state::FREE;
 use super::steady::{Search, Steady, from_one, modulus};
+use super::tangent::Tangent;
 use super::unknowns::Unknowns;
 use crate::Float;
 use crate::errors::Halt;
-use crate::number::complex::Complex;
+use crate::number::complex::{Complex, mul};
 use crate::number::matrix::SquareMatrix;
 
-/// Largest number of Newton steps in one attempt to find a periodic motion.
-const NEWTON: usize = 12;
+/// Largest number of steps in an attempt. A step computes the derivatives, or takes those of the step before it.
+const STEPS: usize = 24;
+/// Largest number of steps if the derivatives are differences.
+const DIFFERENCES: usize = 12;
+/// A step computes the derivatives again unless the residual has fallen to this fraction.
+const SLOW: f64 = 1e-2;
+/// A step computes the derivatives if the residual before it is above this value.
+const FAR: f64 = 1e-4;
 
 impl<S: Float, Z: Size> Search<S, Z> {
-    /// Returns the conversion between states of the motion and unknowns of the search.
-    fn unknowns(&self) -> Unknowns<'_, S, Z> {
+    /// Returns the conversion between states and unknowns.
+    pub(super) fn unknowns(&self) -> Unknowns<'_, S, Z> {
         let rate = S::constant(core::f64::consts::TAU) / self.cycle;
         Unknowns {
             place: self.place,
@@ -33,82 +42,104 @@ impl<S: Float, Z: Size> Search<S, Z> {
         motion: &Motion<S, Z>,
         period: usize,
     ) -> Result<Option<Steady<S, Z>>, Halt> {
-        let size = motion.model().size.clone();
-        let (zero, half) = (S::constant(0.0), S::constant(0.5));
-        let (same, rank) = (self.tolerances.same, self.tolerances.rank);
+        let (slow, far, half) = (S::constant(SLOW), S::constant(FAR), S::constant(0.5));
+        let same = self.tolerances.same;
+        let follows = Tangent::follows(motion.model());
+        let exact = if follows {
+            S::constant(16.0 * S::EPSILON)
+        } else {
+            same
+        };
         let mut start = motion.clone();
+        let mut span = self.span(motion, period);
         let mut before = S::constant(f64::INFINITY);
-        for _ in 0..NEWTON {
-            let mut watch = Watch::new(motion.model());
-            let mut end = start.clone();
-            self.advance(&mut end, period, &mut watch)?;
-            self.moving = watch.slides(motion.model());
-            if end.state().phases != start.state().phases {
-                start = end;
+        let mut known: Option<Z::Square<S>> = None;
+        let mut is_new = true;
+        let steps = if follows { STEPS } else { DIFFERENCES };
+        for _ in 0..steps {
+            let derives = known.is_none() || before > far;
+            let shot = self.shoot(&start, span, derives)?;
+            if shot.moving != self.moving {
+                (self.moving, known) = (shot.moving, None);
+            }
+            if span == Span::Half && !self.is_centred(&start) {
+                (span, known) = (Span::Cycles(period), None);
+                continue;
+            }
+            if shot.end.state().phases != start.state().phases {
+                start = shot.end;
                 continue;
             }
             let from = self.unknowns().read(&start);
-            let to = self.unknowns().read(&end);
+            let to = self.unknowns().read(&shot.end);
             let residual = apart(to.as_ref(), from.as_ref());
-            let Ok(mut matrix) = self.derivatives(&start, &to, period) else {
-                return Ok(None);
+            let stops = is_new && residual >= half * before && residual <= S::constant(50.0) * same;
+            let found = residual <= exact || stops;
+            // Exact derivatives of an earlier step serve as long as the residual falls quickly.
+            let kept = known.take().filter(|_| !found && residual <= slow * before);
+            is_new = kept.is_none() || shot.derivatives.is_some();
+            let mut matrix = match shot.derivatives.or(kept) {
+                Some(matrix) => matrix,
+                None => match self.derivatives(&start, &to, span) {
+                    Ok(matrix) => matrix,
+                    Err(_) => return Ok(None),
+                },
             };
-            let stops = residual >= half * before && residual <= S::constant(50.0) * same;
-            if residual <= same || stops {
-                let found = self.found(&start, &mut matrix, (period, residual), watch);
+            if found {
+                let mut watch = Watch::new(motion.model());
+                let mut end = start.clone();
+                self.advance(&mut end, period, &mut watch)?;
+                let end = self.unknowns().read(&end);
+                let residual = apart(end.as_ref(), from.as_ref());
+                let found = self.found(&start, (&mut matrix, span), (period, residual), watch);
                 return Ok(Some(found));
             }
             before = residual;
-            subtract_from_one(matrix.as_mut(), from.as_ref().len());
-            let mut difference = to;
-            for (to, from) in difference.as_mut().iter_mut().zip(from.as_ref()) {
-                *to = *to - *from;
-            }
-            let (mut turns, mut moved) = (size.square(zero), size.unknowns(zero));
-            let known = difference.as_ref();
-            solve(matrix.as_mut(), turns.as_mut(), known, rank, moved.as_mut());
-            for (to, from) in moved.as_mut().iter_mut().zip(from.as_ref()) {
-                *to = *from + *to;
-            }
+            let moved = self.step(start.model(), &matrix, (&from, &to));
             if moved.as_ref().iter().any(|value| !value.is_finite()) {
                 return Ok(None);
             }
             start = self.unknowns().write(&start, &moved);
+            known = follows.then_some(matrix);
         }
         Ok(None)
     }
 
-    /// Returns the derivatives of the unknowns after a period with respect to the unknowns before the period. The
-    /// matrix is stored column by column.
-    fn derivatives(
+    /// Returns the unknowns after a step of Newton's method. `from` and `to` are the unknowns at the start and at the end
+    /// of a period, and `matrix` has the derivatives of the latter.
+    fn step(
         &self,
-        start: &Motion<S, Z>,
-        to: &Z::Unknowns<S>,
-        period: usize,
-    ) -> Result<Z::Square<S>, Halt> {
-        let unknowns = self.unknowns();
-        let step = self.tolerances.step;
-        let from = unknowns.read(start);
-        let mut matrix = start.model().size.square(S::constant(0.0));
-        let size = from.as_ref().len().max(1);
-        for (index, column) in matrix.as_mut().chunks_exact_mut(size).enumerate() {
-            let mut moved = from.clone();
-            add(moved.as_mut(), index, step);
-            let mut end = unknowns.write(start, &moved);
-            self.advance(&mut end, period, &mut ())?;
-            let end = unknowns.read(&end);
-            for (row, entry) in column.iter_mut().enumerate() {
-                *entry = (at(end.as_ref(), row) - at(to.as_ref(), row)) / step;
-            }
+        model: &Model<S, Z>,
+        matrix: &Z::Square<S>,
+        (from, to): (&Z::Unknowns<S>, &Z::Unknowns<S>),
+    ) -> Z::Unknowns<S> {
+        let zero = S::constant(0.0);
+        let mut matrix = matrix.clone();
+        subtract_from_one(matrix.as_mut(), from.as_ref().len());
+        let mut difference = to.clone();
+        for (to, from) in difference.as_mut().iter_mut().zip(from.as_ref()) {
+            *to = *to - *from;
         }
-        Ok(matrix)
+        let (mut turns, mut moved) = (model.size.square(zero), model.size.unknowns(zero));
+        let (rank, difference) = (self.tolerances.rank, difference.as_ref());
+        solve(
+            matrix.as_mut(),
+            turns.as_mut(),
+            difference,
+            rank,
+            moved.as_mut(),
+        );
+        for (to, from) in moved.as_mut().iter_mut().zip(from.as_ref()) {
+            *to = *from + *to;
+        }
+        moved
     }
 
     /// Returns the steady state that belongs to a periodic motion. The function overwrites `matrix`.
     fn found(
         &self,
         start: &Motion<S, Z>,
-        matrix: &mut Z::Square<S>,
+        (matrix, span): (&mut Z::Square<S>, Span),
         (period, residual): (usize, S),
         watch: Watch<S, Z>,
     ) -> Steady<S, Z> {
@@ -117,6 +148,11 @@ impl<S: Float, Z: Size> Search<S, Z> {
         let mut multipliers = model.size.unknowns(Complex::new(zero, zero));
         let count = multipliers.as_ref().len();
         SquareMatrix::new(matrix.as_mut(), count).eigenvalues(multipliers.as_mut());
+        if span == Span::Half {
+            for multiplier in multipliers.as_mut() {
+                *multiplier = mul(*multiplier, *multiplier, true);
+            }
+        }
         let moving = self.moving.as_ref();
         let neutral = neutral(model, |j| moving.get(j) == Some(&false));
         // The position and the velocity of a part without a support give a double multiplier 1. The finite differences

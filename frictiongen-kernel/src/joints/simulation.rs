@@ -2,8 +2,9 @@
 
 use super::model::Model;
 use super::now::{ContactState, MassState};
-use super::run::{Bounds, Count, Motion};
+use super::run::{Bounds, Motion};
 use super::size::Size;
+use super::slid::Count;
 use super::wave::Wave;
 use crate::Float;
 use crate::errors::{Given, OutOfDomain};

@@ -66,7 +66,30 @@ impl<S: Float, Z: Size> State<S, Z> {
         (of(self.x.as_ref(), 0), of(self.v.as_ref(), 1))
     }
 
-    /// Copies the velocities of the masses from `v`, which contains the velocities of all nodes.
+    /// Returns the state with the opposite sign of all displacements, velocities and forces.
+    pub(super) fn opposite(&self) -> Self {
+        let mut state = self.clone();
+        let masses = state.x.as_mut().iter_mut().chain(state.v.as_mut());
+        let contacts = state.forces.as_mut().iter_mut();
+        let contacts = contacts.chain(state.places.as_mut());
+        for value in masses.chain(contacts) {
+            *value = -*value;
+        }
+        for phase in state
+            .phases
+            .as_mut()
+            .iter_mut()
+            .filter(|phase| **phase != FREE)
+        {
+            *phase = -*phase;
+        }
+        for (_, side) in state.zeros.as_mut() {
+            *side = -*side;
+        }
+        state
+    }
+
+    /// Sets the velocities of the masses from the velocities of the nodes.
     pub(super) fn keep_speeds(&mut self, v: &[S]) {
         for (mass, node) in self.v.as_mut().iter_mut().zip(v) {
             *mass = *node;

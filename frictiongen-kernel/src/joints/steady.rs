@@ -5,12 +5,14 @@
 //! is its relative displacement. If a contact does not slide in the period, its position stays constant and is not an
 //! unknown. The steady state is then *marginal*: it depends on the position that the earlier motion has left.
 
-use super::cycle::{Cycle, Slid, Watch};
+use super::cycle::{Cycle, Watch};
 use super::least::apart;
 use super::run::{Bounds, Motion, Observe};
 use super::simulation::{MAX_EVENTS, MAX_STRETCHES};
 use super::size::Size;
+use super::slid::{Slid, Slips};
 use super::state::State;
+use super::tangent::Both;
 use super::tolerances::Tolerances;
 use crate::errors::Halt;
 use crate::number::complex::Complex;
@@ -32,8 +34,8 @@ const DECAY: f64 = 1e-3;
 /// Largest number of cycles for which the test of a periodic motion follows the motion.
 const MAX_CONFIRM: usize = 256;
 
-/// Largest numbers of events and stretches in one cycle.
-const BOUNDS: Bounds = Bounds {
+/// Bounds on the work of one cycle.
+pub(super) const BOUNDS: Bounds = Bounds {
     events: MAX_EVENTS,
     stretches: MAX_STRETCHES,
 };
@@ -96,7 +98,7 @@ impl<S: Float, Z: Size> Motion<S, Z> {
     /// Searches for the steady state that the motion reaches, under loads of the angular frequency ω. If the motion
     /// does not settle, the function returns `None`. The period of a steady state is at most [`MAX_PERIOD`] cycles.
     ///
-    /// The search follows at most 1890 cycles until the motion settles, 12 times 319 cycles to confirm a result, and 12
+    /// The search follows at most 2407 cycles until the motion settles, 12 times 319 cycles to confirm a result, and 20
     /// times 12 periods for each unknown. If no contact slides for 128 cycles, the result is the state in which all
     /// contacts stick, even if a free vibration about this state does not decay.
     ///
@@ -105,6 +107,9 @@ impl<S: Float, Z: Size> Motion<S, Z> {
     /// [`Halt`] if the motion exceeds a bound.
     pub fn settle(&mut self, omega: S) -> Result<Option<Steady<S, Z>>, Halt> {
         let mut search = Search::new(self, omega, S::constant(1.0));
+        if let Some(steady) = search.only(self) {
+            return Ok(Some(steady));
+        }
         let mut cycles = WARM;
         for _ in 0..ATTEMPTS {
             let period = search.warm(self, cycles)?;
@@ -143,7 +148,9 @@ impl<S: Float, Z: Size> Motion<S, Z> {
 
 /// Search for a periodic motion by the shooting method.
 pub(super) struct Search<S: Float, Z: Size> {
-    /// Duration of one cycle of the load.
+    /// Angular frequency ω of the load.
+    pub(super) omega: S,
+    /// Duration of a cycle of the load.
     pub(super) cycle: S,
     /// Size of the displacements in the motion. The search divides displacements by it.
     pub(super) place: S,
@@ -157,6 +164,7 @@ pub(super) struct Search<S: Float, Z: Size> {
 impl<S: Float, Z: Size> Search<S, Z> {
     fn new(motion: &Motion<S, Z>, omega: S, place: S) -> Self {
         Self {
+            omega,
             cycle: S::constant(core::f64::consts::TAU) / omega,
             place,
             moving: motion.model().size.contacts(false),
@@ -178,10 +186,14 @@ impl<S: Float, Z: Size> Search<S, Z> {
         let mut aways = [zero; MAX_PERIOD];
         let mut most = zero;
         let mut watch = Watch::new(motion.model());
-        for away in aways.iter_mut().take(window) {
-            watch = Watch::new(motion.model());
-            self.advance(motion, 1, &mut watch)?;
-            let slides = watch.slides(motion.model());
+        for (index, away) in aways.iter_mut().take(window).enumerate() {
+            let mut slips = Slips::new(motion.model());
+            if index + 1 == window {
+                self.advance(motion, 1, &mut Both(&mut slips, &mut watch))?;
+            } else {
+                self.advance(motion, 1, &mut slips)?;
+            }
+            let slides = slips.slides(motion.model());
             self.note(slides.as_ref().contains(&true), 1);
             *away = self.between(motion.state(), &first);
             most = Scalar::max(most, *away);

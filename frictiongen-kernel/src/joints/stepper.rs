@@ -4,6 +4,7 @@
 use super::base::Curve;
 use super::model::Model;
 use super::now::{ContactState, MassState};
+use super::poly::angle_of;
 use super::run::{Bounds, Motion, Observe};
 use super::series::Series;
 use super::size::{Size, at};
@@ -14,8 +15,8 @@ use crate::errors::{Given, Halt, OutOfDomain};
 
 /// Largest number of events that the stepper follows in one step.
 pub const MAX_STEP_EVENTS: usize = 64;
-/// Largest time step of a stepper, in stretches. A stretch is one radian of an upper bound on the fastest angular
-/// frequency.
+/// Upper bound on the time step of a stepper, in radians of an upper bound on the fastest angular frequency. A stretch is
+/// at least one radian.
 pub const MAX_STEP: f64 = 1024.0;
 
 /// Largest amounts of work in one step. Every event ends a stretch, even if no contact changes its phase. A step may
@@ -62,7 +63,7 @@ impl<S: Float, Z: Size> Stepper<S, Z> {
     ///
     /// # Errors
     ///
-    /// [`OutOfDomain::Step`] if the step is not positive and finite, or is longer than [`MAX_STEP`] stretches.
+    /// [`OutOfDomain::Step`] for a step that is not positive and finite, or longer than [`MAX_STEP`] radians.
     pub fn new(mut model: Model<S, Z>, dt: S, holds: bool) -> Result<Self, OutOfDomain> {
         model.base = Curve::zero();
         for contact in model.contacts.as_mut() {
@@ -72,7 +73,7 @@ impl<S: Float, Z: Size> Stepper<S, Z> {
             *load = Wave::zero();
         }
         model.set_stretch();
-        let longest = S::constant(MAX_STEP) * model.stretch;
+        let longest = S::constant(MAX_STEP / angle_of::<S>()) * model.stretch;
         if !(dt > S::constant(0.0) && dt.is_finite() && dt <= longest) {
             return Err(OutOfDomain::Step(Given::of(dt)));
         }

@@ -14,16 +14,18 @@ pub(super) struct Tolerances<S> {
     pub(super) split: S,
     /// Distance of the motion from a periodic motion below which the search accepts the periodic motion at once.
     pub(super) close: S,
+    /// A multiplier belongs to an attracting state if its modulus is below 1 by more than this value, which is far above
+    /// the error of a multiplier.
+    pub(super) attracts: S,
 }
 
 impl<S: Float> Tolerances<S> {
     pub(super) fn new() -> Self {
-        let [same, step, rank, split, close] = if S::EPSILON < 1e-10 {
-            [2e-13, 1e-6, 1e-7, 1e-3, 1e-9]
+        let [same, step, rank, split, close, attracts] = if S::EPSILON < 1e-10 {
+            [2e-13, 1e-6, 1e-7, 1e-3, 1e-9, 1e-3]
         } else {
-            // In `f32` a cycle has a rounding error of about 1e-6. The finite differences divide this error by their
-            // step.
-            [2e-6, 2e-3, 2e-3, 0.1, 1e-4]
+            // A cycle has a rounding error of some 1e-6, which the differences divide by their step.
+            [2e-6, 2e-3, 2e-3, 0.1, 1e-4, 2e-2]
         };
         Self {
             same: S::constant(same),
@@ -31,6 +33,7 @@ impl<S: Float> Tolerances<S> {
             rank: S::constant(rank),
             split: S::constant(split),
             close: S::constant(close),
+            attracts: S::constant(attracts),
         }
     }
 }

@@ -166,27 +166,53 @@ impl<S: Float, Z: Size> Tree<S, Z> {
         base: S,
         holds: &mut [S],
     ) -> Z::Nodes<S> {
-        let mut total = model.size.nodes(S::constant(0.0));
-        for (force, &root) in forces.iter().zip(self.roots.as_ref()) {
-            add(total.as_mut(), root, *force);
-        }
-        let of_root = |root: usize| match root {
-            root if root < model.wall() => at(total.as_ref(), root) / self.mass(root),
-            root if root == model.wall() => S::constant(0.0),
-            _ => base,
-        };
         let mut accelerations = model.size.nodes(S::constant(0.0));
         let mut rest = model.size.nodes(S::constant(0.0));
-        let nodes = accelerations.as_mut().iter_mut().zip(rest.as_mut());
-        for (node, (acceleration, rest)) in nodes.enumerate() {
-            *acceleration = of_root(self.root_of(node));
+        let results = (accelerations.as_mut(), holds);
+        self.accelerate_in(model, (forces, base), rest.as_mut(), results);
+        accelerations
+    }
+
+    /// Computes accelerations and the forces of sticking contacts, as [`accelerate`](Self::accelerate) does, without new
+    /// arrays. `rest` is working space.
+    pub(super) fn accelerate_in(
+        &self,
+        model: &Model<S, Z>,
+        (forces, base): (&[S], S),
+        rest: &mut [S],
+        (accelerations, holds): (&mut [S], &mut [S]),
+    ) {
+        if self.count == 0 {
+            // Every mass moves alone.
+            let supports = [S::constant(0.0), base];
+            let alone = forces
+                .iter()
+                .zip(model.masses())
+                .map(|(force, mass)| *force / *mass);
+            for (acceleration, own) in accelerations.iter_mut().zip(alone.chain(supports)) {
+                *acceleration = own;
+            }
+            return;
+        }
+        // The total force on each tree, at its root.
+        rest.fill(S::constant(0.0));
+        for (force, &root) in forces.iter().zip(self.roots.as_ref()) {
+            add(rest, root, *force);
+        }
+        for (node, acceleration) in accelerations.iter_mut().enumerate() {
+            *acceleration = match self.root_of(node) {
+                root if root < model.wall() => at(rest, root) / self.mass(root),
+                root if root == model.wall() => S::constant(0.0),
+                _ => base,
+            };
+        }
+        for (node, (acceleration, rest)) in accelerations.iter().zip(rest.iter_mut()).enumerate() {
             *rest = at(forces, node) - at(model.masses(), node) * *acceleration;
         }
         for branch in self.branches().iter().rev() {
-            let held = at(rest.as_ref(), branch.child);
+            let held = at(rest, branch.child);
             set(holds, branch.contact, branch.turned(held));
-            add(rest.as_mut(), branch.parent, held);
+            add(rest, branch.parent, held);
         }
-        accelerations
     }
 }

@@ -19,7 +19,16 @@ pub(super) struct Unknowns<'s, S: Float, Z: Size> {
 }
 
 impl<S: Float, Z: Size> Unknowns<'_, S, Z> {
-    fn moves(&self, contact: usize) -> bool {
+    /// Returns the conversion with the same sizes for other contacts that slide.
+    pub(super) fn of<'m>(&self, moving: &'m Z::Contacts<bool>) -> Unknowns<'m, S, Z> {
+        Unknowns {
+            place: self.place,
+            speed: self.speed,
+            moving,
+        }
+    }
+
+    pub(super) fn moves(&self, contact: usize) -> bool {
         self.moving.as_ref().get(contact) == Some(&true)
     }
 

@@ -1,3 +1,4 @@
+mod attracted;
 mod creep;
 mod energy;
 mod fixed;

@@ -1,0 +1,140 @@
+//! One shot of the shooting method: the motion over a period, or over half a period, with its derivatives.
+
+use super::neutral::neutral;
+use super::run::{Motion, Observe};
+use super::size::{Size, add, at};
+use super::slid::Slips;
+use super::state::FREE;
+use super::steady::{BOUNDS, Search};
+use super::tangent::{Both, Tangent};
+use crate::Float;
+use crate::errors::Halt;
+
+/// Time of a shot.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Span {
+    /// Half a cycle of the load. The shot ends with the opposite of the state at this time, so that a motion that repeats
+    /// with the opposite sign after half a cycle ends where it starts.
+    Half,
+    /// A number of cycles of the load.
+    Cycles(usize),
+}
+
+/// The end of a shot.
+pub(super) struct Shot<S: Float, Z: Size> {
+    pub(super) end: Motion<S, Z>,
+    /// For each contact, true if it slides during the shot.
+    pub(super) moving: Z::Contacts<bool>,
+    /// Derivatives of the unknowns at the end with respect to those at the start, column by column, if they come with
+    /// the motion.
+    pub(super) derivatives: Option<Z::Square<S>>,
+}
+
+impl<S: Float, Z: Size> Search<S, Z> {
+    /// Returns the time of a shot. Half a cycle is enough if the equations keep their form under a change of all signs
+    /// half a cycle later, and if all contacts have μ = 1: then only one steady state exists. It has this symmetry.
+    pub(super) fn span(&self, motion: &Motion<S, Z>, period: usize) -> Span {
+        let model = motion.model();
+        let mut loads = model.loads.as_ref().iter();
+        let is_odd =
+            loads.all(|(_, load)| load.is_odd(self.omega)) && model.base.is_odd(self.omega);
+        let halves = period == 1 && is_odd && Tangent::follows(model);
+        if halves && neutral(model, |_| false) == 0 {
+            Span::Half
+        } else {
+            Span::Cycles(period)
+        }
+    }
+
+    /// Returns true if the sliders of all contacts that do not slide are at 0. A motion with another slider does not
+    /// repeat with the opposite sign.
+    pub(super) fn is_centred(&self, motion: &Motion<S, Z>) -> bool {
+        let contacts = motion.model().contacts().iter().enumerate();
+        let mut still = contacts.filter(|(j, _)| !self.unknowns().moves(*j));
+        still.all(|(j, contact)| {
+            let Some(stiffness) = contact
+                .stiffness
+                .filter(|_| motion.state().phase(j) != FREE)
+            else {
+                return true;
+            };
+            let force = at(motion.state().forces.as_ref(), j);
+            let shift = stiffness * motion.relative(j).1 - force;
+            shift.abs() <= S::constant(1e3 * S::EPSILON) * contact.level.constant
+        })
+    }
+
+    /// Follows the motion from a state. Computes the derivatives if `derives` is true and if they come with the motion.
+    pub(super) fn shoot(
+        &self,
+        start: &Motion<S, Z>,
+        span: Span,
+        derives: bool,
+    ) -> Result<Shot<S, Z>, Halt> {
+        let model = start.model();
+        let mut slips = Slips::new(model);
+        let mut end = start.clone();
+        let mut tangent = (derives && Tangent::follows(model))
+            .then(|| Tangent::new(model, start.state(), &self.unknowns()));
+        match &mut tangent {
+            Some(tangent) => self.pass(&mut end, span, &mut Both(&mut slips, tangent))?,
+            None => self.pass(&mut end, span, &mut slips)?,
+        }
+        let moving = slips.slides(model);
+        let unknowns = self.unknowns().of(&moving);
+        let derivatives = tangent.map(|tangent| tangent.derivatives(&unknowns, span));
+        Ok(Shot {
+            end,
+            derivatives,
+            moving,
+        })
+    }
+
+    /// Advances a motion to the end of a shot.
+    fn pass(
+        &self,
+        motion: &mut Motion<S, Z>,
+        span: Span,
+        watch: &mut impl Observe<S, Z>,
+    ) -> Result<(), Halt> {
+        match span {
+            Span::Cycles(cycles) => self.advance(motion, cycles, watch),
+            Span::Half => {
+                let state = motion.state().clone();
+                motion.restart(state);
+                motion.run(S::constant(0.5) * self.cycle, BOUNDS, watch)?;
+                let state = motion.state().opposite();
+                motion.restart(state);
+                Ok(())
+            }
+        }
+    }
+
+    /// Returns the derivatives of the unknowns after a shot with respect to the unknowns before it, column by column.
+    pub(super) fn derivatives(
+        &self,
+        start: &Motion<S, Z>,
+        to: &Z::Unknowns<S>,
+        span: Span,
+    ) -> Result<Z::Square<S>, Halt> {
+        if let Some(derivatives) = self.shoot(start, span, true)?.derivatives {
+            return Ok(derivatives);
+        }
+        let unknowns = self.unknowns();
+        let step = self.tolerances.step;
+        let from = unknowns.read(start);
+        let mut matrix = start.model().size.square(S::constant(0.0));
+        let size = from.as_ref().len().max(1);
+        for (index, column) in matrix.as_mut().chunks_exact_mut(size).enumerate() {
+            let mut moved = from.clone();
+            add(moved.as_mut(), index, step);
+            let mut end = unknowns.write(start, &moved);
+            self.pass(&mut end, span, &mut ())?;
+            let end = unknowns.read(&end);
+            for (row, entry) in column.iter_mut().enumerate() {
+                *entry = (at(end.as_ref(), row) - at(to.as_ref(), row)) / step;
+            }
+        }
+        Ok(matrix)
+    }
+}

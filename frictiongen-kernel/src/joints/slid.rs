@@ -1,0 +1,114 @@
+//! Observers that note which contacts slide, and the number of events.
+
+use super::cycle::{ends, integral, least_slip};
+use super::model::Model;
+use super::run::Observe;
+use super::series::Series;
+use super::size::{Size, add, at, set};
+use super::state::State;
+use crate::{Float, Scalar};
+
+/// Observer that notes whether a contact slides.
+pub(super) struct Slid<S: Float, Z: Size> {
+    ends: Z::Contacts<(usize, usize)>,
+    /// True if a contact has slid by more than rounding errors.
+    pub(super) slides: bool,
+    scalar: core::marker::PhantomData<S>,
+}
+
+impl<S: Float, Z: Size> Slid<S, Z> {
+    /// Starts to observe the contacts of a chain.
+    pub(super) fn new(model: &Model<S, Z>) -> Self {
+        Self {
+            ends: ends(model),
+            slides: false,
+            scalar: core::marker::PhantomData,
+        }
+    }
+}
+
+impl<S: Float, Z: Size> Observe<S, Z> for Slid<S, Z> {
+    fn stretch(&mut self, series: &Series<S, Z>, end: S, state: &State<S, Z>) {
+        let phases = state.phases.as_ref().iter().zip(self.ends.as_ref());
+        for (_, &(plus, minus)) in phases.filter(|(phase, _)| phase.abs() == 1) {
+            let slip = series.length * integral(&series.speed_terms(plus, minus), end).abs();
+            let place = series.place((plus, minus), end).abs();
+            self.slides |= slip > least_slip(place);
+        }
+    }
+
+    fn event(&mut self, _: S, _: &Z::Contacts<i8>, _: &Z::Contacts<i8>) {}
+}
+
+/// Observer of a period that measures how far each contact slides.
+pub(super) struct Slips<S: Float, Z: Size> {
+    ends: Z::Contacts<(usize, usize)>,
+    slips: Z::Contacts<S>,
+    /// Largest absolute relative displacement at the start of a stretch.
+    places: Z::Contacts<S>,
+}
+
+impl<S: Float, Z: Size> Slips<S, Z> {
+    /// Starts to observe the contacts of a chain.
+    pub(super) fn new(model: &Model<S, Z>) -> Self {
+        let zero = S::constant(0.0);
+        Self {
+            ends: ends(model),
+            slips: model.size.contacts(zero),
+            places: model.size.contacts(zero),
+        }
+    }
+
+    /// Returns for each contact true if it has slid by more than rounding errors.
+    pub(super) fn slides(&self, model: &Model<S, Z>) -> Z::Contacts<bool> {
+        let mut slides = model.size.contacts(false);
+        for (j, slides) in slides.as_mut().iter_mut().enumerate() {
+            let place = at(self.places.as_ref(), j);
+            *slides = at(self.slips.as_ref(), j) > least_slip(place);
+        }
+        slides
+    }
+}
+
+impl<S: Float, Z: Size> Observe<S, Z> for Slips<S, Z> {
+    fn stretch(&mut self, series: &Series<S, Z>, end: S, state: &State<S, Z>) {
+        let phases = state.phases.as_ref().iter().zip(self.ends.as_ref());
+        for (j, (phase, &(plus, minus))) in phases.enumerate() {
+            let place = |node| series.displacement_at_start(node);
+            let place = (place(plus) - place(minus)).abs();
+            let most = Scalar::max(place, at(self.places.as_ref(), j));
+            set(self.places.as_mut(), j, most);
+            if phase.abs() == 1 {
+                let speed = series.speed_terms(plus, minus);
+                let slip = series.length * integral(&speed, end);
+                add(self.slips.as_mut(), j, slip.abs());
+            }
+        }
+    }
+
+    fn event(&mut self, _: S, _: &Z::Contacts<i8>, _: &Z::Contacts<i8>) {}
+}
+
+/// An observer that counts the events.
+pub(super) struct Count(pub(super) u32);
+
+impl<S: Float, Z: Size> Observe<S, Z> for Count {
+    fn stretch(&mut self, _: &Series<S, Z>, _: S, _: &State<S, Z>) {}
+
+    fn event(&mut self, _: S, _: &Z::Contacts<i8>, _: &Z::Contacts<i8>) {
+        self.0 += 1;
+    }
+}
+
+/// An observer that measures the size of the displacements.
+pub(super) struct Reach<S>(pub(super) S);
+
+impl<S: Float, Z: Size> Observe<S, Z> for Reach<S> {
+    fn stretch(&mut self, series: &Series<S, Z>, _: S, state: &State<S, Z>) {
+        for mass in 0..state.x.as_ref().len() {
+            self.0 = Scalar::max(self.0, series.displacement_at_start(mass).abs());
+        }
+    }
+
+    fn event(&mut self, _: S, _: &Z::Contacts<i8>, _: &Z::Contacts<i8>) {}
+}

@@ -1,0 +1,102 @@
+//! Compares steady states of chains whose contacts are elastic with μ = 1 with the motion from rest, cycle after cycle.
+//! The search for these steady states does not follow the motion until it settles.
+
+use super::super::{Motion, State, steady_state};
+use super::{Chain, Random, random_chain};
+use std::f64::consts::TAU;
+
+/// Largest number of cycles of the motion from rest.
+const CYCLES: usize = 4000;
+
+/// Returns the largest differences of displacements, of velocities over ω, and of forces over their friction force.
+fn away(chain: &Chain, omega: f64, (a, b): (&State, &State)) -> (f64, f64) {
+    let most = |a: &[f64], b: &[f64]| {
+        let differences = a.iter().zip(b).map(|(a, b)| (a - b).abs());
+        differences.fold(0.0, f64::max)
+    };
+    let contacts = chain.contacts.iter().enumerate();
+    let forces = contacts.map(|(j, contact)| {
+        let differs = a.forces[j] - b.forces[j];
+        (differs / contact.level.constant).abs()
+    });
+    let motion = most(&a.x, &b.x).max(most(&a.v, &b.v) / omega);
+    (motion, forces.fold(0.0, f64::max))
+}
+
+/// Follows the motion from rest until it repeats. Returns `None` if it does not.
+fn settled(chain: &Chain, omega: f64) -> Option<State> {
+    let mut motion = Motion::from_rest(chain).expect("a chain");
+    let mut quiet = 0;
+    for _ in 0..CYCLES {
+        let before = motion.state().clone();
+        motion.restart(before.clone());
+        motion
+            .run(TAU / omega, &mut |_, _, _| {})
+            .expect("a motion");
+        let size = motion
+            .state()
+            .x
+            .iter()
+            .fold(1e-12_f64, |m, x| m.max(x.abs()));
+        let (moved, forces) = away(chain, omega, (motion.state(), &before));
+        let repeats = moved < 1e-13 * size && forces < 1e-12;
+        quiet = if repeats { quiet + 1 } else { 0 };
+        if quiet == 20 {
+            return Some(motion.state().clone());
+        }
+    }
+    None
+}
+
+/// Compares a number of random scenes. Returns the largest difference and the number of scenes with a contact that never
+/// slides, although another one does.
+fn compare(count: usize) -> (f64, usize) {
+    let mut random = Random::new(461);
+    let (mut worst, mut mixed, mut compared) = (0.0_f64, 0, 0);
+    while compared < count {
+        let (mut chain, omega) = random_chain(&mut random);
+        let held = chain.springs.len() == chain.masses.len();
+        for contact in &mut chain.contacts {
+            let stiffness = random.between(500.0, 20000.0);
+            contact.stiffness = contact.stiffness.or(Some(stiffness));
+            contact.stiction = 1.0;
+        }
+        if chain.contacts.is_empty() || !held {
+            continue;
+        }
+        let Some(expected) = settled(&chain, omega) else {
+            continue;
+        };
+        let steady = steady_state(&chain, omega).expect("a steady state");
+        assert_eq!(steady.period, 1);
+        let size = steady
+            .cycle
+            .amplitudes
+            .iter()
+            .fold(0.0_f64, |m, x| m.max(*x));
+        let (motion, forces) = away(&chain, omega, (&steady.state, &expected));
+        let differs = (motion / size).max(forces);
+        // The motion from rest has stopped within 1e-13 of a cycle from the next. A multiplier of 0.999 makes this 1e-10.
+        assert!(differs < 1e-9, "scene {compared}: {differs:.1e}");
+        worst = worst.max(differs);
+        let marginal = steady.marginal.len();
+        mixed += usize::from(marginal > 0 && marginal < chain.contacts.len());
+        compared += 1;
+    }
+    println!("{count} scenes: {worst:.1e}, {mixed} with contacts of both kinds");
+    (worst, mixed)
+}
+
+#[test]
+fn steady_states_are_those_that_the_motion_from_rest_reaches() {
+    let (_, mixed) = compare(12);
+    assert!(mixed > 0);
+}
+
+/// Repeats the test above with more scenes.
+#[test]
+#[ignore = "half a minute"]
+fn steady_states_are_those_that_the_motion_from_rest_reaches_long() {
+    let (_, mixed) = compare(300);
+    assert!(mixed > 20, "{mixed}");
+}
