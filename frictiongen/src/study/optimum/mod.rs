@@ -60,7 +60,7 @@ impl System {
     /// largest peak. A peak between two grid points may be higher.
     ///
     /// ```
-    /// use frictiongen::study::{System, optimum::{FrequencyBand, OptimumKind, OptimumRequest}, response::Size,
+    /// use frictiongen::study::{System, optimum::{FrequencyBand, OptimumKind, OptimumRequest}, response::MotionQuantity,
     /// units::Load};
     ///
     /// # fn main() -> Result<(), Box<dyn std::error::Error>> {
