@@ -1,22 +1,19 @@
-//! Sensitivities: exact derivatives of every result with respect to a number of the description. To compute them, the
-//! code evaluates the formulas with dual numbers.
+//! Systems whose results have derivatives. To compute them, the code evaluates the formulas with dual numbers.
 
 use super::at::SystemAt;
 use super::orbit::SystemOrbit;
-pub use super::parameter::{OperatingPoint, Parameter, Slope};
-pub use super::physical::{ParameterSensitivity, ResponseSensitivities};
+use super::parameter::quantities;
 use super::system::System;
 use crate::OutOfDomain;
 use crate::system::FrictionSystem;
 use frictiongen_kernel::motion::Part;
 use frictiongen_kernel::number::dd::Dd;
 use frictiongen_kernel::number::dual::Dual;
-pub use frictiongen_kernel::orbit::NoDerivative;
-use frictiongen_kernel::orbit::{self, CarryingStorage, Orbit};
+use frictiongen_kernel::orbit::{self, CarryingStorage, NoDerivative, Orbit};
 use frictiongen_kernel::{Float, Scalar};
 use frictiongen_model::modal::Modal;
-use frictiongen_model::scene::{Damping, Scene};
-pub use frictiongen_model::sensitivity::Quantity;
+use frictiongen_model::scene::Scene;
+use frictiongen_model::sensitivity::Quantity;
 use frictiongen_model::stepping::StepperSettings;
 use frictiongen_model::transient::Transient;
 use std::sync::OnceLock;
@@ -288,24 +285,4 @@ impl<S: Float> System<S> {
         }
         Ok(gradient)
     }
-}
-
-/// Returns every quantity of a description for which derivatives exist: masses, springs, damping, the stiffness of the
-/// contact and stiction.
-pub(super) fn quantities(scene: &Scene) -> Vec<Quantity> {
-    let masses = (0..scene.masses.len()).map(Quantity::Mass);
-    let springs = (0..scene.springs.len()).map(Quantity::Stiffness);
-    let mut all: Vec<Quantity> = masses.chain(springs).collect();
-    match scene.damping {
-        Damping::None => {}
-        Damping::Uniform(_) | Damping::Modal(_) => {
-            all.extend((0..scene.masses.len()).map(Quantity::DampingRatio));
-        }
-        Damping::Rayleigh { .. } => {
-            all.extend([Quantity::MassDamping, Quantity::StiffnessDamping]);
-        }
-    }
-    all.extend(scene.stiffness.map(|_| Quantity::ContactStiffness));
-    all.push(Quantity::Stiction);
-    all
 }
