@@ -15,8 +15,8 @@ use frictiongen_model::validate::MOST_MASSES;
 
 pub use diagnostics::{Diagnostic, Diagnostics, Problem, Problems, Reported, TokenPosition};
 pub use lower::{Located, Readable};
-pub use parse::header::{Attribute, Visibility};
 pub use parse::reader::Name;
+pub use parse::syntax::{Attribute, Visibility};
 pub use parse::syntax::{RustPath, Syntax};
 pub use parse::token::{DEEPEST, Delimiter, TOO_DEEP, Token, TokenKind};
 pub use parse::{parse_faulty, parse_tokens};

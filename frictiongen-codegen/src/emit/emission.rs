@@ -2,11 +2,10 @@
 //! emits.
 
 use super::names::{TypeNames, local};
-use super::self_check;
 use crate::Description;
 use crate::graph::Graph;
 use crate::graph::literal::{literal, scalar};
-use frictiongen_kernel::emitted::check::Listed;
+use frictiongen_kernel::emitted::check::{self, Listed};
 use frictiongen_kernel::number::dd::Dd;
 use frictiongen_model::modal::Modal;
 use frictiongen_model::reduced::Reduced;
@@ -275,6 +274,20 @@ pub(super) fn rounded(value: Dd, precision: Precision) -> f64 {
     }
 }
 
+/// Returns the checksum that the emitted code computes for a constant that consists of `numbers`.
+pub(super) fn sum(numbers: &(impl Listed<f64> + ?Sized)) -> u32 {
+    check::sum::<f64>(numbers)
+}
+
+/// Returns the checksum of double-double numbers, each rounded once to the given precision.
+pub(super) fn sum_of_rounded(numbers: &impl Listed<Dd>, precision: Precision) -> u32 {
+    let mut sum = 0;
+    numbers.list(&mut |number| {
+        sum = check::with(sum, rounded(number, precision));
+    });
+    sum
+}
+
 /// Code that one file of this folder emits.
 #[derive(Default)]
 pub(super) struct EmittedCode {
@@ -303,7 +316,7 @@ impl Checked {
     /// Returns the entry for constants with the given values. `numbers` is the expression for a reference to the
     /// constants in the emitted code.
     pub fn new(name: &str, numbers: TokenStream, values: &impl Listed<f64>) -> Self {
-        Self::of_sum(name, numbers, self_check::sum(values))
+        Self::of_sum(name, numbers, sum(values))
     }
 
     /// Returns the entry for constants with a given checksum. `numbers` is the expression for a reference to the

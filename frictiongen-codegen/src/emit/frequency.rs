@@ -1,7 +1,7 @@
 //! Emits the frequency stage, which evaluates a scene at one frequency ratio r.
 
 use super::emission::Emission;
-use super::mode;
+use super::mode::{self, operations_about};
 use super::names::{field, local};
 use super::trace::{Tracer, contact_outputs, mode_outputs, symbolic_sum};
 use crate::graph::count::OperationCount;
@@ -98,12 +98,6 @@ const FROM_BASE: [&str; 3] = [
     " base `static_residue` − 2iζx·wall takes the place of `static_residue`·(1 − 2iζx), wall being `static_residue` − (φᵀw)Γ.",
     " `QUADRATURES` has 2ζλΓ and wall of each mode.",
 ];
-
-/// Returns the documentation line with the number of operations of a function. The line does not count operations
-/// whose operands are all constants.
-pub(super) fn operations_about(operations: &OperationCount) -> String {
-    format!(" Operations: {operations}.")
-}
 
 fn uniform_kind(modes: &[Mode<f64>]) -> Option<Kind> {
     let kind = modes.first()?.kind;

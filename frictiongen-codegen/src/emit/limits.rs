@@ -1,7 +1,7 @@
 //! Emits the formulas of the limits of the friction ratio: β_lim of continuous motion, and β*_lim of sliding.
 
 use super::emission::Emission;
-use super::frequency::operations_about;
+use super::mode::operations_about;
 use super::trace::Tracer;
 use crate::graph::Expr;
 use crate::graph::count::OperationCount;

@@ -2,7 +2,6 @@
 //! mode has one call of such a function.
 
 use super::emission::Emission;
-use super::frequency::operations_about;
 use super::names::{field, local};
 use super::trace::Tracer;
 use crate::graph::count::OperationCount;
@@ -170,4 +169,10 @@ pub(super) fn symbolic(graph: &Graph, kind: Kind) -> Mode<Expr<'_>> {
         contact_squared: of("contact_squared"),
         static_residue: of("static_residue"),
     }
+}
+
+/// Returns the documentation line with the number of operations of a function. The line does not count operations
+/// whose operands are all constants.
+pub(super) fn operations_about(operations: &OperationCount) -> String {
+    format!(" Operations: {operations}.")
 }

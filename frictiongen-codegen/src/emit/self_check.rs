@@ -19,20 +19,6 @@ const WIDEST: f64 = 16.0 * ROUNDINGS;
 /// number times the highest resonance.
 const BAND: (f64, f64) = (0.2, 1.5);
 
-/// Returns the checksum that the emitted code computes for a constant that consists of `numbers`.
-pub(super) fn sum(numbers: &(impl Listed<f64> + ?Sized)) -> u32 {
-    check::sum::<f64>(numbers)
-}
-
-/// Returns the checksum of double-double numbers, each rounded once to the given precision.
-pub(super) fn sum_of_rounded(numbers: &impl Listed<Dd>, precision: Precision) -> u32 {
-    let mut sum = 0;
-    numbers.list(&mut |number| {
-        sum = check::with(sum, super::emission::rounded(number, precision));
-    });
-    sum
-}
-
 /// Emits the function `self_check` and its known answers. `constants` has all other emitted constants.
 pub(super) fn emit(
     emission: &Emission<'_>,

@@ -5,7 +5,6 @@ use super::checksum;
 use super::dynamics::count;
 use super::emission::{Emission, rounded};
 use super::fields::fields;
-use super::self_check::sum_of_rounded;
 use frictiongen_kernel::Float;
 use frictiongen_kernel::motion::AnyContact;
 use frictiongen_kernel::number::dd::Dd;

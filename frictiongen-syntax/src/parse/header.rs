@@ -4,48 +4,9 @@ use frictiongen_model::validate::is_keyword;
 
 use super::fields;
 use super::reader::{Name, TokenReader};
-use super::syntax::RustPath;
+use super::syntax::{Attribute, RustPath, Visibility};
 use super::token::{Delimiter, Token, TokenKind};
 use crate::diagnostics::{Problems, TokenPosition};
-
-/// A doc comment or an attribute before the struct of a description.
-#[derive(Clone, Debug)]
-pub enum Attribute {
-    /// A doc comment in a text.
-    Doc {
-        /// The text of the comment.
-        text: String,
-        /// The position of the comment.
-        place: TokenPosition,
-    },
-    /// An attribute. The parser checks only its name and its outer form.
-    Other {
-        /// The group in square brackets.
-        group: Token,
-        /// The position of the `#`.
-        place: TokenPosition,
-    },
-}
-
-/// The visibility of the struct of a description.
-#[derive(Clone, Debug)]
-pub enum Visibility {
-    /// No visibility is written.
-    Inherited,
-    /// `pub`, at this position.
-    Public(TokenPosition),
-    /// `pub(path)` or `pub(in path)`.
-    Restricted {
-        /// The position of `pub`.
-        place: TokenPosition,
-        /// The position of the bracket.
-        bracket: TokenPosition,
-        /// True if `in` is written.
-        is_in: bool,
-        /// The path.
-        path: RustPath,
-    },
-}
 
 const FORM: &str =
     "write `struct Name { masses: { … }, springs: { … }, contact: …, excitation: … }`";

@@ -2,10 +2,48 @@
 
 use frictiongen_model::scene::{Beyond, DampingFrom, Precision, Proving, Side, StepInput};
 
-use super::header::{Attribute, Visibility};
 use super::number::Number;
 use super::reader::{List, Name};
 use crate::diagnostics::TokenPosition;
+
+/// A doc comment or an attribute before the struct.
+#[derive(Clone, Debug)]
+pub enum Attribute {
+    /// A doc comment in a text.
+    Doc {
+        /// The text of the comment.
+        text: String,
+        /// The position of the comment.
+        place: TokenPosition,
+    },
+    /// An attribute. The parser checks only its name and its outer form.
+    Other {
+        /// The group in square brackets.
+        group: Token,
+        /// The position of the `#`.
+        place: TokenPosition,
+    },
+}
+
+/// The visibility of the struct.
+#[derive(Clone, Debug)]
+pub enum Visibility {
+    /// No visibility is written.
+    Inherited,
+    /// `pub`, at this position.
+    Public(TokenPosition),
+    /// `pub(path)` or `pub(in path)`.
+    Restricted {
+        /// The position of `pub`.
+        place: TokenPosition,
+        /// The position of the bracket.
+        bracket: TokenPosition,
+        /// True if `in` is written.
+        is_in: bool,
+        /// The path.
+        path: RustPath,
+    },
+}
 
 /// The value of a description's field, which may be missing or unreadable.
 #[derive(Default)]

@@ -1,7 +1,5 @@
 //! Errors of run-time systems and of scenes that are built in code.
 
-use super::naming::UnknownMotion;
-use super::words;
 use crate::{Error, NoOrbit, NotContinuous, Of, OutOfDomain, StuckResonance};
 use frictiongen_kernel::orbit::NoDerivative;
 use frictiongen_model::validate::SceneError;
@@ -28,6 +26,77 @@ impl std::fmt::Display for UnknownMass {
 }
 
 impl std::error::Error for UnknownMass {}
+
+/// The reason why a name does not denote a motion of the scene.
+#[derive(Clone, Debug, PartialEq, Eq)]
+#[non_exhaustive]
+pub enum UnknownMotion {
+    /// A name in the expression is not that of a mass.
+    Mass(UnknownMass),
+    /// The motion is that of a mass relative to itself, which is zero.
+    Itself(String),
+    /// The base is the first of two names. It must be the second: `roof-base`, not `base-roof`.
+    BaseFirst(String),
+    /// No spring connects the two nodes. The second field lists the springs of the scene.
+    Spring(String, Vec<String>),
+    /// The scene has no spring between a mass and the base, so that there is no base shear.
+    NoShear,
+    /// The name in front of the brackets is not that of a known function.
+    Function(String),
+    /// The name asks for the velocity or the acceleration of a force, which do not exist.
+    Rate(String),
+    /// The brackets of `slip(…)`, `force(…)` or `energy(…)` do not contain the name of a contact. The first field is
+    /// the name of the function, and the second field is the text in its brackets.
+    Slip(String, String),
+    /// The closing bracket is missing, or text follows it.
+    Brackets(String),
+}
+
+impl std::fmt::Display for UnknownMotion {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        match self {
+            Self::Mass(error) => error.fmt(f),
+            Self::Itself(name) => write!(
+                f,
+                "`{name}` does not move relative to itself; write two different masses, or one mass and `base`"
+            ),
+            Self::BaseFirst(mass) => {
+                write!(f, "the base is the reference; write `{mass}-base`")
+            }
+            Self::Spring(name, known) => write!(
+                f,
+                "there is no spring `{name}`; the springs are {}",
+                known.join(", ")
+            ),
+            Self::NoShear => write!(
+                f,
+                "no spring connects a mass with the base, so there is no base shear"
+            ),
+            Self::Function(name) => write!(
+                f,
+                "there is no quantity `{name}(…)`; write the name of a mass, `contact`, `mass-base`, `mass-mass`, `spring(a-b)`, `shear`, `vel(…)`, `accel(…)`, `slip(contact)`, `force(contact)`, `energy(contact)`, `zeta_eq` or `zeta_eq(a-b)`"
+            ),
+            Self::Rate(name) => write!(
+                f,
+                "`{name}` is a force, which has neither a velocity nor an acceleration"
+            ),
+            Self::Slip(function, name) => {
+                write!(f, "`{name}` is no contact; write `{function}(contact)`")
+            }
+            Self::Brackets(text) => {
+                write!(f, "`{text}`: write one closing bracket, at the end")
+            }
+        }
+    }
+}
+
+impl std::error::Error for UnknownMotion {}
+
+impl From<UnknownMass> for UnknownMotion {
+    fn from(error: UnknownMass) -> Self {
+        Self::Mass(error)
+    }
+}
 
 /// A scene built in code is invalid. The error lists all its faults.
 #[derive(Clone, Debug, PartialEq)]
@@ -131,7 +200,7 @@ impl std::fmt::Display for StudyError {
             Self::Solver(error) => error.fmt(f),
             Self::UnknownMass(error) => error.fmt(f),
             Self::UnknownMotion(error) => error.fmt(f),
-            Self::NoSuchMotion(of) => words::no_such_motion(f, *of),
+            Self::NoSuchMotion(of) => no_such_motion(f, *of),
             Self::ForceHasNoDerivative => write!(
                 f,
                 "a spring force has no derivatives here; ask for the relative displacement of the spring's ends"
@@ -139,6 +208,22 @@ impl std::fmt::Display for StudyError {
             Self::Load(error) => error.fmt(f),
             Self::NoDerivative(error) => error.fmt(f),
         }
+    }
+}
+
+/// Writes the message that the scene does not have the motion `of`.
+pub(crate) fn no_such_motion(f: &mut std::fmt::Formatter<'_>, of: Of) -> std::fmt::Result {
+    match of {
+        Of::Mass(index) | Of::FromBase(index) => {
+            write!(f, "the scene has no mass with the index {index}")
+        }
+        Of::Relative(a, b) if a == b => write!(f, "a mass does not move relative to itself"),
+        Of::Relative(a, b) => write!(
+            f,
+            "the scene has no two masses with the indices {a} and {b}"
+        ),
+        Of::Spring(index) => write!(f, "the scene has no spring with the index {index}"),
+        Of::Contact | Of::Shear => write!(f, "the scene has no such motion"),
     }
 }
 

@@ -7,7 +7,6 @@ mod builder;
 pub mod columns;
 mod combined;
 pub mod compiled;
-mod compiled_stuck;
 #[cfg(feature = "desk")]
 pub mod curve;
 mod error;
@@ -32,6 +31,7 @@ mod parameter;
 #[doc(hidden)]
 pub mod periodic;
 mod physical;
+mod quantity;
 mod rates;
 pub mod response;
 pub mod sensitivity;
@@ -41,6 +41,7 @@ mod steady_state;
 pub mod stepper;
 mod system;
 pub mod units;
+mod varied;
 mod varied_steps;
 #[doc(hidden)]
 pub mod words;
@@ -48,10 +49,9 @@ mod work;
 
 pub use at::SystemAt;
 pub use builder::Builder;
-pub use error::{InvalidScene, StudyError, UnknownMass};
+pub use error::{InvalidScene, StudyError, UnknownMass, UnknownMotion};
 /// The parts of a description: masses, springs, contact, excitation and damping.
 pub use frictiongen_model::scene;
-pub use naming::UnknownMotion;
 /// Tables of the response with a declared accuracy.
 pub mod table {
     /// Types and constants that describe a table and its report. The commands `compile` and `report` use them.

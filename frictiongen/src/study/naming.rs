@@ -1,82 +1,11 @@
 //! Names of motions: `roof`, `roof-base`, `roof-first`, `spring(first-roof)`, `shear`, `contact`.
 
-use super::error::UnknownMass;
-use super::response::MotionQuantity;
+use super::error::UnknownMotion;
+use super::quantity::MotionQuantity;
 use super::system::System;
 use crate::Of;
 use frictiongen_kernel::Float;
 use frictiongen_model::scene::Node;
-
-/// The reason why a name does not denote a motion of the scene.
-#[derive(Clone, Debug, PartialEq, Eq)]
-#[non_exhaustive]
-pub enum UnknownMotion {
-    /// A name in the expression is not that of a mass.
-    Mass(UnknownMass),
-    /// The motion is that of a mass relative to itself, which is zero.
-    Itself(String),
-    /// The base is the first of two names. It must be the second: `roof-base`, not `base-roof`.
-    BaseFirst(String),
-    /// No spring connects the two nodes. The second field lists the springs of the scene.
-    Spring(String, Vec<String>),
-    /// The scene has no spring between a mass and the base, so that there is no base shear.
-    NoShear,
-    /// The name in front of the brackets is not that of a known function.
-    Function(String),
-    /// The name asks for the velocity or the acceleration of a force, which do not exist.
-    Rate(String),
-    /// The brackets of `slip(…)`, `force(…)` or `energy(…)` do not contain the name of a contact. The first field is
-    /// the name of the function, and the second field is the text in its brackets.
-    Slip(String, String),
-    /// The closing bracket is missing, or text follows it. The field is the given text.
-    Brackets(String),
-}
-
-impl std::fmt::Display for UnknownMotion {
-    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
-        match self {
-            Self::Mass(error) => error.fmt(f),
-            Self::Itself(name) => write!(
-                f,
-                "`{name}` does not move relative to itself; write two different masses, or one mass and `base`"
-            ),
-            Self::BaseFirst(mass) => {
-                write!(f, "the base is the reference; write `{mass}-base`")
-            }
-            Self::Spring(name, known) => write!(
-                f,
-                "there is no spring `{name}`; the springs are {}",
-                known.join(", ")
-            ),
-            Self::NoShear => write!(
-                f,
-                "no spring connects a mass with the base, so there is no base shear"
-            ),
-            Self::Function(name) => write!(
-                f,
-                "there is no quantity `{name}(…)`; write the name of a mass, `contact`, `mass-base`, `mass-mass`, `spring(a-b)`, `shear`, `vel(…)`, `accel(…)`, `slip(contact)`, `force(contact)`, `energy(contact)`, `zeta_eq` or `zeta_eq(a-b)`"
-            ),
-            Self::Rate(name) => write!(
-                f,
-                "`{name}` is a force, which has neither a velocity nor an acceleration"
-            ),
-            Self::Slip(function, name) => {
-                write!(f, "`{name}` is no contact; write `{function}(contact)`")
-            }
-            Self::Brackets(text) => {
-                write!(f, "`{text}`: write one closing bracket, at the end")
-            }
-        }
-    }
-}
-
-impl std::error::Error for UnknownMotion {}
-
-impl From<UnknownMass> for UnknownMotion {
-    fn from(error: UnknownMass) -> Self {
-        Self::Mass(error)
-    }
-}
 
 impl<S: Float> System<S> {
     /// Returns the motion with this name.

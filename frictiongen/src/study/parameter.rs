@@ -1,6 +1,5 @@
 //! Parameters of a response, with their symbols and units: the numbers of a description and of an operating point.
 
-use super::sensitivity::quantities;
 use super::system::System;
 use super::units::Load;
 use frictiongen_model::scene::{Damping, Scene};
@@ -191,5 +190,25 @@ pub(super) fn parameters_of(
             ]);
         }
     }
+    all
+}
+
+/// Returns every quantity of a description for which derivatives exist: masses, springs, damping, the stiffness of the
+/// contact and stiction.
+pub(super) fn quantities(scene: &Scene) -> Vec<Quantity> {
+    let masses = (0..scene.masses.len()).map(Quantity::Mass);
+    let springs = (0..scene.springs.len()).map(Quantity::Stiffness);
+    let mut all: Vec<Quantity> = masses.chain(springs).collect();
+    match scene.damping {
+        Damping::None => {}
+        Damping::Uniform(_) | Damping::Modal(_) => {
+            all.extend((0..scene.masses.len()).map(Quantity::DampingRatio));
+        }
+        Damping::Rayleigh { .. } => {
+            all.extend([Quantity::MassDamping, Quantity::StiffnessDamping]);
+        }
+    }
+    all.extend(scene.stiffness.map(|_| Quantity::ContactStiffness));
+    all.push(Quantity::Stiction);
     all
 }

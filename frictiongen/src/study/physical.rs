@@ -7,16 +7,14 @@
 use super::error::StudyError;
 use super::held::offset_from_rest;
 use super::parameter::{OperatingPoint, Parameter, Slope, parameters_of};
-use super::sensitivity::{Sensitive, Varied};
+use super::response::{SystemHeld, SystemResponse};
 use super::system::System;
 use super::units::{Load, angular_frequency, reversed_phase};
-use super::{
-    response::{SystemHeld, SystemResponse},
-    sensitivity::NoDerivative,
-};
+use super::varied::{Sensitive, Varied};
 use crate::{Given, Of, OutOfDomain, Regime};
 use frictiongen_kernel::number::dd::Dd;
 use frictiongen_kernel::number::dual::Dual;
+use frictiongen_kernel::orbit::NoDerivative;
 use frictiongen_kernel::{Float, Scalar};
 use frictiongen_model::sensitivity::Quantity;
 

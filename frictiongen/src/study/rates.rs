@@ -6,7 +6,7 @@
 
 use super::golden::smallest;
 use super::motion::SystemMotion;
-use super::response::MotionQuantity;
+use super::quantity::MotionQuantity;
 use crate::Of;
 use std::convert::Infallible;
 use std::f64::consts::PI;

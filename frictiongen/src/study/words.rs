@@ -18,22 +18,6 @@ use frictiongen_kernel::simulation::{Contact, Event};
 #[cfg(feature = "desk")]
 use std::borrow::Cow;
 
-/// Writes the message that the scene does not have the motion `of`.
-pub(crate) fn no_such_motion(f: &mut std::fmt::Formatter<'_>, of: Of) -> std::fmt::Result {
-    match of {
-        Of::Mass(index) | Of::FromBase(index) => {
-            write!(f, "the scene has no mass with the index {index}")
-        }
-        Of::Relative(a, b) if a == b => write!(f, "a mass does not move relative to itself"),
-        Of::Relative(a, b) => write!(
-            f,
-            "the scene has no two masses with the indices {a} and {b}"
-        ),
-        Of::Spring(index) => write!(f, "the scene has no spring with the index {index}"),
-        Of::Contact | Of::Shear => write!(f, "the scene has no such motion"),
-    }
-}
-
 /// Returns the word for a regime.
 #[must_use]
 pub fn regime(regime: Regime) -> &'static str {

@@ -3,7 +3,7 @@
 use super::super::formulas::Formulas;
 use super::super::known::known_answers;
 use super::super::{NumberFormat, Source, checksum, columns};
-use super::{constant, header, status};
+use super::{constant, status, units};
 use crate::standalone::origin::c_text;
 use frictiongen_kernel::Float;
 
@@ -82,7 +82,7 @@ pub(super) fn source<S: Float>(source: &Source<'_, S>, formulas: &Formulas, name
          enum {name}_fault {name}_self_check(void)\n{{\n    \
          const {real} constants[] = {{\n{}    }};\n    const {real} units[] = {{\n{}    }};\n",
         formulas.constants.expressions(),
-        header::unit_names(source, name)
+        units::unit_names(source, name)
             .into_iter()
             .map(|unit| format!("        {unit},\n"))
             .collect::<String>(),

@@ -174,34 +174,3 @@ fn stuck<S: Float>(source: &Source<'_, S>, name: &str, words: &LoadWords) -> Str
          enum {name}_status {name}_holding_force({real} r, {real} *re, {real} *im);\n"
     )
 }
-
-/// Returns the checksum of the constants in the header, including the reference frequency.
-pub(super) fn checksum_of_units<S: Float>(source: &Source<'_, S>) -> u32 {
-    let numbers = NumberFormat::of::<S>(Language::C);
-    checksum::of_numbers(numbers, unit_numbers(source))
-}
-
-/// Returns the constants of the header, in the order of their checksum.
-fn unit_numbers<S: Float>(source: &Source<'_, S>) -> Vec<f64> {
-    let mut all = UnitConstants::of::<S>(source.scene).numbers();
-    let [r, beta] = domain(source.scene, source.tables);
-    all.extend([r.0, r.1]);
-    if source.tables.moves() {
-        all.extend([beta.0, beta.1]);
-    }
-    all
-}
-
-/// Returns the names of the constants of the header, in the order of their checksum.
-pub(super) fn unit_names<S: Float>(source: &Source<'_, S>, name: &str) -> Vec<String> {
-    let of = |of: &str| constant(name, of);
-    let modes = source.scene.masses.len();
-    let mut names = vec![of("K1"), of("M1"), "REFERENCE".to_owned()];
-    names.extend((1..=modes).map(|mode| of(&format!("NATURAL_FREQUENCY_{mode}_HZ"))));
-    names.extend((1..=modes).map(|mode| of(&format!("RESONANCE_{mode}"))));
-    names.extend([of("R_MIN"), of("R_MAX")]);
-    if source.tables.moves() {
-        names.extend([of("BETA_MIN"), of("BETA_MAX")]);
-    }
-    names
-}

@@ -5,6 +5,7 @@ mod contact;
 mod header;
 mod numbers;
 mod stuck;
+mod units;
 
 pub use header::c_header;
 pub use numbers::c_tables;

@@ -153,7 +153,7 @@ fn checksums<S: Float>(source: &Source<'_, S>, formulas: &Formulas) -> String {
             "CONSTANTS",
             checksum::of_numbers(numbers, formulas.constants.values()),
         ),
-        ("UNITS", header::checksum_of_units(source)),
+        ("UNITS", units::checksum_of_units(source)),
     ];
     if !known.is_empty() {
         let known = known.iter().flat_map(known_numbers);

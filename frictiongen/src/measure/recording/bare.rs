@@ -1,7 +1,7 @@
 //! Reads records without a line of column names: PEER AT2 records, and columns that contain only numbers.
 
 use super::channel::Channel;
-use super::csv::{CsvRequest, CsvTable};
+use super::table::{CsvRequest, CsvTable, number};
 use super::unit::Unit;
 use crate::measure::MeasureError;
 
@@ -10,14 +10,6 @@ const FORMATS: &str = "CSV with a line of names and units, columns of numbers al
 
 /// Number of lines at the start of an AT2 record in which its number of samples and its time step may stand.
 const HEADER: usize = 6;
-
-/// Parses a finite number. If `comma` is true, the number may have a decimal comma.
-pub(super) fn number(cell: &str, comma: bool) -> Option<f64> {
-    let point = || cell.replacen(',', ".", 1);
-    let parsed = cell.parse().ok();
-    let parsed = parsed.or_else(|| comma.then(point)?.parse().ok());
-    parsed.filter(|value: &f64| value.is_finite())
-}
 
 /// Returns the cells of a line of numbers, or `None` if a cell is not a number. If `commas_separate` is true, commas
 /// separate the cells. Otherwise semicolons, tabs or blanks separate them, and numbers may have decimal commas.

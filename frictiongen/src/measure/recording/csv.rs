@@ -4,39 +4,10 @@ use super::bare;
 use super::channel::Channel;
 use super::rate::even_rate;
 use super::series::Recording;
+use super::table::{CsvColumn, CsvRequest, CsvTable, number};
 use super::unit::{Dimension, Unit};
 use crate::measure::MeasureError;
 use std::fmt::Write as _;
-
-/// Information for reading a CSV file that the file itself does not contain, such as the sampling rate.
-#[derive(Clone, Debug, Default, PartialEq)]
-pub struct CsvRequest {
-    /// Sampling rate, in samples per second. It is necessary if no column contains the time.
-    pub rate: Option<f64>,
-    /// The columns to read, with their meaning. An empty list selects every column, under its own name.
-    pub columns: Vec<CsvColumn>,
-}
-
-/// A column to read, and the signal that the column contains.
-#[derive(Clone, Debug, PartialEq)]
-pub struct CsvColumn {
-    /// Name of the signal: `base`, `force`, the name of a mass, or `time`.
-    pub name: String,
-    /// Name of the column in the file, or its number from 1.
-    pub column: String,
-    /// Unit of the column. If it is `None`, the column's name in the file must contain the unit.
-    pub unit: Option<Unit>,
-}
-
-/// A table of numbers as a file contains it, with a name for each column.
-#[derive(Debug)]
-pub(crate) struct CsvTable {
-    pub(crate) names: Vec<String>,
-    /// Line number of each row in the file, counted from 1.
-    pub(crate) lines: Vec<usize>,
-    /// Cells of each row of the file. An empty cell is `None`.
-    pub(crate) rows: Vec<Vec<Option<f64>>>,
-}
 
 impl CsvTable {
     /// Reads a table: a line of names, optionally a line of units, then numbers. The function ignores lines that begin
@@ -108,7 +79,7 @@ impl CsvTable {
                     return Ok(None);
                 }
                 // If commas do not separate the cells, a comma is a decimal comma.
-                let value = bare::number(cell, separator != Some(','));
+                let value = number(cell, separator != Some(','));
                 value.map(Some).ok_or_else(|| MeasureError::NotANumber {
                     line,
                     channel: name.clone(),

@@ -7,13 +7,14 @@ mod csv;
 mod named;
 mod rate;
 mod series;
+mod table;
 mod uff58;
 mod unit;
 
 pub use channel::Channel;
-pub(super) use csv::CsvTable;
-pub use csv::{CsvColumn, CsvRequest};
 pub use series::Recording;
+pub(super) use table::CsvTable;
+pub use table::{CsvColumn, CsvRequest};
 pub use unit::{Dimension, Unit};
 
 use super::MeasureError;

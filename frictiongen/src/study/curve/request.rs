@@ -1,8 +1,8 @@
 //! The request for a curve over frequency.
 
 use crate::Of;
+use crate::study::error::no_such_motion;
 use crate::study::system::System;
-use crate::study::words;
 
 /// Default bound on the work of a curve, in units of about 10 µs. The default corresponds to two seconds.
 const WORK: usize = 200_000;
@@ -131,7 +131,7 @@ impl std::fmt::Display for CurveError {
             Self::Accuracy => write!(f, "the accuracy of a curve must be between 1e-9 and 1"),
             Self::Widest => write!(f, "the largest distance between two points must be above 0"),
             Self::Friction => write!(f, "a friction ratio must be a finite number, 0 or above"),
-            Self::NoSuchMotion(of) => words::no_such_motion(f, *of),
+            Self::NoSuchMotion(of) => no_such_motion(f, *of),
             Self::SeveralContacts => crate::Unsupported::SeveralContacts.fmt(f),
         }
     }

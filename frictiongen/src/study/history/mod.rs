@@ -10,8 +10,8 @@ mod steady;
 
 pub use spectrum::{SpectralLine, Spectrum};
 
+use super::error::no_such_motion;
 use super::system::System;
-use super::words;
 use crate::{Error, Of, OutOfDomain};
 use frictiongen_kernel::simulation::{Contact, Event};
 use std::f64::consts::TAU;
@@ -94,7 +94,7 @@ impl std::fmt::Display for HistoryError {
                 f,
                 "the contact has more than {MOST_EVENTS} events, or the masses vibrate too often in a cycle to be followed"
             ),
-            Self::NoSuchMotion(of) => words::no_such_motion(f, *of),
+            Self::NoSuchMotion(of) => no_such_motion(f, *of),
             Self::Solver(error) => error.fmt(f),
         }
     }

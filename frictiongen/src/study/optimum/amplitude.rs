@@ -1,7 +1,7 @@
 //! Computes the quantity that the search for an optimum minimises, at one frequency ratio and one friction ratio.
 
 use super::objective::Objective;
-use super::places::beside;
+use super::resonance::beside;
 use crate::study::physical::swing;
 use crate::study::sensitivity::Varied;
 use crate::study::system::System;

@@ -5,11 +5,12 @@
 
 use super::amplitude::KeepGoing;
 use super::answer::{Optimum, OptimumEnd, OptimumKind};
+use super::minima::narrowed;
 use super::peaks::AmplitudeBand;
 use super::problem::OptimumProblem;
 use super::request::{OptimumError, OptimumRequest};
 use super::scan::{Scanned, scanned_at};
-use super::search::{Least, narrowed};
+use super::search::Least;
 use super::whole::{WORK_OF_ALL_CHECKS, whole};
 use crate::Of;
 use crate::study::response::MotionQuantity;

@@ -11,11 +11,13 @@ mod grid;
 mod kept;
 mod line;
 mod look;
+mod minima;
 mod objective;
 pub(in crate::study) mod peaks;
 mod places;
 mod problem;
 mod request;
+mod resonance;
 mod scan;
 mod search;
 mod tuned;
@@ -60,7 +62,7 @@ impl System {
     /// largest peak. A peak between two grid points may be higher.
     ///
     /// ```
-    /// use frictiongen::study::{System, optimum::{FrequencyBand, OptimumKind, OptimumRequest}, response::Size,
+    /// use frictiongen::study::{System, optimum::{FrequencyBand, OptimumKind, OptimumRequest}, response::MotionQuantity,
     /// units::Load};
     ///
     /// # fn main() -> Result<(), Box<dyn std::error::Error>> {

@@ -1,7 +1,7 @@
 //! The quantity whose largest value over a band of frequencies the search minimises. The module also takes account of
 //! the load, which makes values at different frequencies comparable.
 
-use super::places;
+use super::resonance;
 use crate::Of;
 use crate::study::response::{MotionQuantity, SystemResponse};
 use crate::study::system::System;
@@ -80,7 +80,7 @@ impl Objective {
     /// Returns the limits β_lim and β*_lim at the frequency ratio r, converted to frictions.
     pub fn limits(&self, system: &System, r: f64) -> [f64; 2] {
         let factor = r.powi(self.fall);
-        places::limits(system, r).map(|limit| limit / factor)
+        resonance::limits(system, r).map(|limit| limit / factor)
     }
 
     /// Returns true if the quantity is constant while the contact is stuck. This is the case for the contact's own

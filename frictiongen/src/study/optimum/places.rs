@@ -7,11 +7,6 @@ use super::amplitude::FrictionAmount;
 use super::objective::Objective;
 use crate::study::system::System;
 
-/// Smallest relative distance from a pole at which the code evaluates a function to detect the pole. At a pole, the
-/// value at this distance is ten times the value at ten times the distance.
-const BESIDE: f64 = 1e-9;
-/// Upper bound on the value at the distance `BESIDE` of a function without a pole. Such a value is only rounding error.
-const DRIVEN: f64 = 1e-3;
 /// Number of intervals of the grid of frequency ratios.
 const GRID: usize = 96;
 /// Largest order of the sub-harmonics of a resonance near which the search evaluates the amplitude.
@@ -44,35 +39,6 @@ impl BandPlace {
             FrictionAmount::Locked => true,
             FrictionAmount::Ratio(beta) => beta == 0.0 || beta < continuous.min(sliding),
         }
-    }
-}
-
-/// Returns β_lim and β*_lim at the frequency ratio r, or NaN if they are not defined.
-pub(super) fn limits(system: &System, r: f64) -> [f64; 2] {
-    let limits = |r: f64| {
-        system.at(r).map_or([f64::NAN; 2], |at| {
-            let limits = at.limits();
-            [limits.continuous, limits.sliding]
-        })
-    };
-    let [continuous, sliding] = limits(r);
-    if sliding == f64::INFINITY {
-        // r is a resonance of the chain with its contact stuck. The limit is finite if the load does not drive this
-        // resonance.
-        return [continuous, beside(r, |r| limits(r)[1])];
-    }
-    [continuous, sliding]
-}
-
-/// Returns the value that a function approaches towards a resonance at which the function is undefined. The result is
-/// infinite if the function grows towards the resonance.
-pub(super) fn beside(r: f64, function: impl Fn(f64) -> f64) -> f64 {
-    let at = |distance: f64| function(r * (1.0 + distance));
-    let (far, near) = (at(10.0 * BESIDE), at(BESIDE));
-    if DRIVEN < near && 5.0 * far < near {
-        f64::INFINITY
-    } else {
-        near
     }
 }
 

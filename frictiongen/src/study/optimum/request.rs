@@ -1,10 +1,9 @@
 //! The request for a search for the best friction.
 
 use crate::Of;
-use crate::study::error::{InvalidScene, UnknownMass};
+use crate::study::error::{InvalidScene, UnknownMass, no_such_motion};
 use crate::study::response::MotionQuantity;
 use crate::study::units::{Load, LoadError};
-use crate::study::words;
 
 /// A band of frequencies, given as frequency ratios or in Hz.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -84,7 +83,7 @@ impl std::fmt::Display for OptimumError {
             Self::Band => "both bounds of the band must be above 0 and finite",
             Self::Width => "the end of the band must be above its start",
             Self::UnknownMass(error) => return error.fmt(f),
-            Self::NoSuchMotion(of) => return words::no_such_motion(f, *of),
+            Self::NoSuchMotion(of) => return no_such_motion(f, *of),
             Self::Load(error) => return error.fmt(f),
             Self::Undamped(mode) => {
                 return write!(

@@ -9,26 +9,17 @@
 //! sections narrow the bracket around the best friction ratio. Golden sections need no slopes.
 
 use super::amplitude::FrictionAmount;
-use super::candidates::{FrictionCandidate, HOLDS, before, between, of_scan, stays, valleys};
-use super::creep::crept;
-use super::look::{BandPeak, Closely, Look};
+use super::candidates::{FrictionCandidate, HOLDS, before, of_scan, stays};
+use super::look::{BandPeak, Closely};
+use super::minima::{minima, minimum, narrowed};
 use super::peaks::AmplitudeBand;
 use super::scan::{Scanned, add, best, closer, scanned, scanned_at, slope, with_slope};
 use super::verified::{raise, verified};
 use crate::Regime;
 
-/// Largest number of attempts at one minimum. The search makes a further attempt if it has found a higher peak at the
-/// minimum.
-const AGAIN: usize = 4;
 /// Largest number of checks of the best friction ratio over the whole band. The search makes a further check if it has
 /// found a higher peak.
 const CHECKS: usize = 6;
-/// Largest number of golden-section steps. The steps end earlier if the relative width of the bracket reaches `NARROW`.
-const SECTIONS: usize = 40;
-/// Relative width of a bracket of friction at which golden sections end.
-const NARROW: f64 = 1e-7;
-/// Smaller of the two fractions into which a golden section divides an interval.
-const GOLDEN: f64 = 0.381_966_011_250_105_1;
 /// Largest relative change of a stationary peak, divided by the relative change of friction.
 const STATIONARY: f64 = 1e-4;
 /// Bound on the work of one of the many searches for a tuned optimum, in units of about 10 µs. It corresponds to a few
@@ -115,37 +106,6 @@ pub(super) fn least(band: &AmplitudeBand<'_>, work: usize) -> Option<Least> {
     })
 }
 
-/// Returns the minima between points of the scan that may have an amplitude below `top`, the best amplitude so far.
-pub(super) fn minima(
-    band: &AmplitudeBand<'_>,
-    scan: &[Scanned],
-    mut top: f64,
-) -> Vec<FrictionCandidate> {
-    // With μ > 1 the amplitude of an unchecked minimum is a lower bound. Such a bound must not exclude other minima.
-    let exact = band.amplitude.system.scene().stiction <= 1.0;
-    let mut minima: Vec<FrictionCandidate> = Vec::new();
-    // No amplitude is smaller than 0. Just below the friction that stops the contact, motions that are too small to
-    // settle have amplitudes close to 0.
-    if top <= 0.0 {
-        return minima;
-    }
-    for (below, above) in between(scan, top) {
-        let found = minimum(band, below, above, top);
-        if exact {
-            top = found.iter().fold(top, |top, found| top.min(found.at.value));
-        }
-        minima.extend(found);
-    }
-    for (below, at, above) in valleys(scan, top) {
-        let inside =
-            |found: &FrictionCandidate| below.beta < found.at.beta && found.at.beta < above.beta;
-        if !minima.iter().any(inside) {
-            minima.push(narrowed(band, (&below, &above), Some(at)));
-        }
-    }
-    minima
-}
-
 /// Finds the friction between two nearby friction ratios with which the largest amplitude is smallest. Returns `None`
 /// unless the amplitude falls at the first friction ratio and rises at the second.
 pub(super) fn near(band: &AmplitudeBand<'_>, ends: [f64; 2]) -> Option<Least> {
@@ -220,135 +180,6 @@ fn checked(
     }
     let least = candidates.into_iter().min_by(|a, b| before(a, b, locked));
     least.filter(|least| least.at.value.is_finite())
-}
-
-/// Returns the minimum between two friction ratios, after a further evaluation of the whole band. Returns `None` if its
-/// amplitude is not below `best`.
-fn minimum(
-    band: &AmplitudeBand<'_>,
-    mut below: Scanned,
-    mut above: Scanned,
-    best: f64,
-) -> Option<FrictionCandidate> {
-    let mut least = None;
-    for _ in 0..AGAIN {
-        if band.amplitude.is_spent() {
-            return least;
-        }
-        let Some(found) = crept(band, &below, &above) else {
-            break;
-        };
-        let (beta, value) = (found.best.beta, found.best.value);
-        if best <= value && found.done {
-            return None;
-        }
-        let open = band.open(FrictionAmount::Ratio(beta));
-        let look = band.look(open, best.max(value) * (1.0 + 1e-6), Closely::First);
-        let Some(top) = look.peaks.first().copied() else {
-            break;
-        };
-        if top.value <= value * (1.0 + 1e-10) {
-            let bracket = [found.below.beta, found.above.beta];
-            if found.done && look.complete {
-                return Some(FrictionCandidate {
-                    at: found.best,
-                    bracket,
-                });
-            }
-            let seen = look.complete.then_some(found.best);
-            return Some(narrowed(band, (&found.below, &found.above), seen));
-        }
-        // The evaluation found a peak that was known on neither side of the bracket.
-        let look = Look {
-            complete: look.complete,
-            peaks: look.peaks,
-        };
-        let here = with_slope(beta, look, |peak| slope(band, beta, peak));
-        if here.complete && here.value < best {
-            let candidate = FrictionCandidate {
-                at: here.clone(),
-                bracket: [below.beta, above.beta],
-            };
-            let better = |least: &FrictionCandidate| candidate.at.value < least.at.value;
-            if least.as_ref().is_none_or(better) {
-                least = Some(candidate);
-            }
-        }
-        if here.slope < 0.0 {
-            below = here;
-        } else {
-            above = here;
-        }
-    }
-    let seen = least.map(|least| least.at);
-    let found = narrowed(band, (&below, &above), seen);
-    found.at.complete.then_some(found)
-}
-
-/// Narrows an interval of friction ratios around the best one by golden sections, and returns the best friction ratio
-/// found.
-///
-/// At frictions at which steady states appear and disappear, the search cannot track peaks, and slopes are useless. It
-/// rejects a friction ratio as soon as one amplitude shows that the ratio is not better.
-pub(super) fn narrowed(
-    band: &AmplitudeBand<'_>,
-    ends: (&Scanned, &Scanned),
-    seen: Option<Scanned>,
-) -> FrictionCandidate {
-    let value = |beta, cutoff| scanned_at(band, beta, cutoff);
-    narrowed_by(&value, &|| band.amplitude.is_spent(), ends, seen)
-}
-
-/// Narrows an interval of friction ratios as [`narrowed`] does, for any function of friction. `value` returns the
-/// function at a friction ratio. It may return early if the function exceeds the cutoff. `spent` returns true if the
-/// search must end.
-pub(super) fn narrowed_by(
-    value: &dyn Fn(f64, f64) -> Scanned,
-    spent: &dyn Fn() -> bool,
-    (below, above): (&Scanned, &Scanned),
-    seen: Option<Scanned>,
-) -> FrictionCandidate {
-    let (mut a, mut b) = (below.beta, above.beta);
-    let ends = [below, above].into_iter().filter(|end| end.complete);
-    let known = seen.iter().chain(ends);
-    let known = known.filter(|known| a <= known.beta && known.beta <= b);
-    let mut best = known
-        .min_by(|x, y| x.value.total_cmp(&y.value))
-        .cloned()
-        .unwrap_or_else(|| value(0.5 * (a + b), f64::INFINITY));
-    for _ in 0..SECTIONS {
-        if b - a <= NARROW * b || spent() {
-            break;
-        }
-        let (left, right) = (best.beta - a, b - best.beta);
-        let beta = if right < left {
-            best.beta - GOLDEN * left
-        } else {
-            best.beta + GOLDEN * right
-        };
-        let cutoff = if best.complete {
-            best.value
-        } else {
-            f64::INFINITY
-        };
-        let here = value(beta, cutoff);
-        if here.complete && (here.value < best.value || !best.complete) {
-            if beta < best.beta {
-                b = best.beta;
-            } else {
-                a = best.beta;
-            }
-            best = here;
-        } else if beta < best.beta {
-            a = beta;
-        } else {
-            b = beta;
-        }
-    }
-    FrictionCandidate {
-        at: best,
-        bracket: [a, b],
-    }
 }
 
 fn end(least: &Scanned, kind: MinimumKind, spent: bool) -> SearchEnd {

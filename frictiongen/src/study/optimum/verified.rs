@@ -8,9 +8,9 @@
 use super::amplitude::FrictionAmount;
 use super::candidates::FrictionCandidate;
 use super::look::Closely;
+use super::minima::minima;
 use super::peaks::AmplitudeBand;
 use super::scan::{Scanned, scanned_at, slope, with_slope};
-use super::search::minima;
 
 /// Largest number of friction ratios that one round evaluates on the grid.
 const MOST: usize = 24;

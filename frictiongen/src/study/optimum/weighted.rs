@@ -3,11 +3,12 @@
 
 use super::amplitude::KeepGoing;
 use super::answer::{Optimum, OptimumEnd, OptimumKind};
+use super::minima::narrowed_by;
 use super::peaks::AmplitudeBand;
 use super::problem::OptimumProblem;
 use super::request::{OptimumError, OptimumRequest};
 use super::scan::{Scanned, scanned_at};
-use super::search::{Least, SearchEnd, narrowed_by};
+use super::search::{Least, SearchEnd};
 use super::whole::{WORK_OF_ALL_CHECKS, whole};
 use crate::Of;
 use crate::study::response::MotionQuantity;

@@ -2,8 +2,7 @@
 
 use super::error::PeriodicError;
 use super::load::Sampled;
-use super::search::FixedPoint;
-use super::walk::Walk;
+use super::walk::{FixedPoint, Walk};
 use crate::{Complex, Of};
 use frictiongen_kernel::motion::Contact;
 use frictiongen_kernel::stepper::Work;

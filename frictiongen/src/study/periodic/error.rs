@@ -1,6 +1,6 @@
 //! The reasons why the search finds no steady state under a periodic load.
 
-use crate::study::words;
+use crate::study::error::no_such_motion;
 use crate::{Of, OutOfDomain};
 use std::fmt;
 
@@ -72,7 +72,7 @@ impl fmt::Display for PeriodicError {
             Self::Long => {
                 "the period needs more than 65536 steps of the fastest mode; give fewer samples or a shorter period"
             }
-            Self::NoSuchMotion(of) => return words::no_such_motion(f, *of),
+            Self::NoSuchMotion(of) => return no_such_motion(f, *of),
             Self::Step(error) => return error.fmt(f),
             Self::NotSteady => {
                 "the motion from rest repeats neither after one period of the load nor after up to 64"

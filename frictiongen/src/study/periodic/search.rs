@@ -3,7 +3,7 @@
 use super::PeriodicRequest;
 use super::answer::PeriodicState;
 use super::error::PeriodicError;
-use super::walk::{StateNumbers, StepState, Walk};
+use super::walk::{FixedPoint, StateNumbers, StepState, Walk};
 use crate::study::System;
 use nalgebra::{Complex, DMatrix, DVector};
 
@@ -42,25 +42,6 @@ const REACHED: f64 = 1e-7;
 /// Largest distance of the motion from a steady state in a continuum that counts as reached. In a continuum, the
 /// initial state decides in which steady state the motion ends.
 const SETTLED: f64 = 1e-10;
-
-/// A state that repeats after a period, with the Floquet multipliers of the period.
-pub(super) struct FixedPoint {
-    pub place: StepState,
-    pub numbers: StateNumbers,
-    pub period: usize,
-    pub multipliers: Vec<Complex<f64>>,
-    /// Difference of the state after a period, divided by the size of the motion.
-    pub residual: f64,
-}
-
-impl FixedPoint {
-    /// Returns the largest modulus of the Floquet multipliers.
-    pub fn largest(&self) -> f64 {
-        self.multipliers
-            .iter()
-            .fold(0.0, |most, value| most.max(value.norm()))
-    }
-}
 
 /// Returns the steady state in which the motion from rest ends.
 pub(super) fn steady(

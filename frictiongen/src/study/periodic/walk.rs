@@ -172,3 +172,22 @@ impl<'a> Walk<'a> {
             .visit_state(|value| *value += changes.next().copied().unwrap_or(0.0));
     }
 }
+
+/// A state that repeats after a period, with the Floquet multipliers of the period.
+pub(super) struct FixedPoint {
+    pub place: StepState,
+    pub numbers: StateNumbers,
+    pub period: usize,
+    pub multipliers: Vec<Complex<f64>>,
+    /// Difference of the state after a period, divided by the size of the motion.
+    pub residual: f64,
+}
+
+impl FixedPoint {
+    /// Returns the largest modulus of the Floquet multipliers.
+    pub fn largest(&self) -> f64 {
+        self.multipliers
+            .iter()
+            .fold(0.0, |most, value| most.max(value.norm()))
+    }
+}

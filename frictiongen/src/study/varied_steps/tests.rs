@@ -6,8 +6,9 @@
     reason = "a test may fail"
 )]
 
+use crate::study::parameter::quantities;
 use crate::study::scene::{Damping, Scene};
-use crate::study::sensitivity::{Quantity, Sensitive, quantities};
+use crate::study::sensitivity::{Quantity, Sensitive};
 use crate::study::{System, SystemInput};
 use frictiongen_kernel::number::dd::Dd;
 

@@ -1,8 +1,8 @@
 //! The numbers of a description that a search for the best friction can vary together with the friction.
 
 use crate::study::error::InvalidScene;
+use crate::study::parameter::quantities;
 use crate::study::parameter::symbol;
-use crate::study::sensitivity::quantities;
 use crate::study::system::System;
 use frictiongen_model::scene::{Damping, Scene, Spring};
 use frictiongen_model::sensitivity::Quantity;

@@ -1,9 +1,7 @@
-//! A run-time system with tables. They correspond to the tables that the macro emits for the field `accuracy` of a
-//! description.
+//! A run-time system with tables of its limits and of its motions.
 
-pub use super::compiled_stuck::CompiledStuck;
-use super::error::UnknownMass;
-use super::system::System;
+use crate::study::error::UnknownMass;
+use crate::study::system::System;
 use crate::system::FrictionSystem;
 use crate::{Limits, OutOfDomain};
 use frictiongen_kernel::Float;

@@ -1,8 +1,8 @@
 //! The response of a [`CompiledSystem`] while its contact is stuck.
 
-use super::compiled::CompiledSystem;
-use super::error::UnknownMass;
+use super::system::CompiledSystem;
 use crate::Complex;
+use crate::study::error::UnknownMass;
 use frictiongen_kernel::Float;
 use frictiongen_kernel::response::{ProvidesStuck, Stuck};
 use frictiongen_kernel::table::{Sticking, TabledStuck};
