@@ -14,7 +14,7 @@ use crate::number::scalar::Float;
 pub struct Work<S> {
     /// Work that the forces on the masses and the moving base have done on the chain.
     pub load: S,
-    /// Energy that friction has dissipated.
+    /// Energy that friction in the contact has dissipated since the start.
     pub friction: S,
     /// Energy that modal damping has dissipated. It is the work of the load, minus the work of friction, minus the
     /// stored energy.
@@ -26,7 +26,7 @@ pub struct Work<S> {
 impl<S: Float, const D: usize, T: StepTables<S, D>, V: Store<S, D>, K: StepContact<S>>
     Stepper<'_, S, D, T, V, K>
 {
-    /// Returns the energy balance since the start.
+    /// Returns the energy balance of the chain since the start.
     #[must_use]
     pub fn work(&self) -> Work<S> {
         let stiffness = self.scene.units.stiffness;

@@ -17,19 +17,19 @@ pub(super) const PIECES: u32 = 4;
 /// Numbers of modes, inputs and table entries of a scene, from which the cost of a step follows.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Extent {
-    /// Number of modes.
+    /// Number of modes of the chain.
     pub modes: u64,
     /// Number of modes that the contact drives.
     pub driven: u64,
     /// Number of modes of the chain minus the number of modes of the chain with its contact stuck.
     pub lost: u64,
-    /// Number of inputs.
+    /// Number of inputs of the stepper.
     pub inputs: u64,
     /// Number of coefficients of an input's polynomial over a sub-interval.
     pub coefficients: u64,
-    /// Number of terms of a power series.
+    /// Number of terms of a power series of the motion.
     pub terms: u64,
-    /// Number of sub-intervals of a step.
+    /// Number of sub-intervals into which the stepper divides a step.
     pub parts: u64,
     /// True if the contact rubs on a moving base.
     pub on_moving_base: bool,
@@ -118,7 +118,7 @@ impl Cost {
     }
 }
 
-/// Returns the larger one of two costs.
+/// Returns the larger of two costs.
 const fn larger(one: u64, other: u64) -> u64 {
     if one < other { other } else { one }
 }

@@ -6,12 +6,12 @@ use crate::errors::{Given, OutOfDomain};
 use crate::motion::{ContactChain, Law};
 use crate::number::scalar::Float;
 
-/// The input at one instant, in the scene's units.
+/// Input of a stepper at one instant, in the units of the scene.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Sample<'i, S> {
-    /// Displacement and velocity of the base.  A scene whose base is at rest ignores them.
+    /// Displacement and velocity of the base. A scene whose base is at rest ignores them.
     pub base: [S; 2],
-    /// The forces, one for each loaded mass.
+    /// Forces at the instant, one for each mass on which the input acts.
     pub forces: &'i [S],
     /// The kinetic friction force F, at least 0. With linear input, F acts during the step that ends at this sample.
     /// With zero-order hold, F acts during the step that starts at this sample.
@@ -60,7 +60,7 @@ impl<S: Float> Sample<'_, S> {
 /// A sub-interval of a step, as start and length in fractions of the step.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct SubInterval<S> {
-    /// Start of the sub-interval, from 0 to 1.
+    /// Start of the sub-interval, as a fraction of the step from 0 to 1.
     pub start: S,
     /// Length of the sub-interval, as a fraction of the step.
     pub length: S,
@@ -75,7 +75,7 @@ impl<S: Float> SubInterval<S> {
         }
     }
 
-    /// Returns a straight line over the step, as a polynomial over this sub-interval.  `from` and `to` are the values
+    /// Returns a straight line over the step, as a polynomial over this sub-interval. `from` and `to` are the values
     /// at the start and at the end of the step.
     pub(super) fn line<const D: usize>(self, from: S, to: S) -> [S; D] {
         let rise = to - from;
@@ -103,8 +103,8 @@ impl<S: Float> SubInterval<S> {
     }
 }
 
-/// Returns the base's displacement over a step as a cubic, with the step as the unit of time.  With linear input the
-/// cubic has the given displacement and velocity at both end points.  With zero-order hold it is a straight line
+/// Returns the base's displacement over a step as a cubic, with the step as the unit of time. With linear input the
+/// cubic has the given displacement and velocity at both end points. With zero-order hold it is a straight line
 /// from the displacement at the start of the step.
 pub(super) fn base_motion<S: Float>(input: Input, from: [S; 2], to: [S; 2]) -> [S; 4] {
     let zero = S::constant(0.0);
@@ -122,7 +122,7 @@ pub(super) fn base_motion<S: Float>(input: Input, from: [S; 2], to: [S; 2]) -> [
     }
 }
 
-/// Shifts the origin of a polynomial by `by`.
+/// Moves the origin of the polynomial's variable by `by`.
 pub(super) fn shift<S: Float>(terms: &mut [S], by: S) {
     // Short polynomials are written out without loops, as in `dot.rs`.
     match terms {
@@ -152,7 +152,7 @@ pub(super) fn shift<S: Float>(terms: &mut [S], by: S) {
     }
 }
 
-/// Returns the coefficients of a cubic's derivative.
+/// Returns the coefficients of the derivative of a cubic polynomial.
 pub(super) fn derived<S: Float>([_, b, c, d]: [S; 4]) -> [S; 4] {
     let (two, three) = (S::constant(2.0), S::constant(3.0));
     [b, two * c, three * d, S::constant(0.0)]

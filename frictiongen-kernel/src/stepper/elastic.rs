@@ -1,8 +1,8 @@
 //! An elastic contact within a step: a spring in series with the slider.
 //!
 //! The field `stuck_at` of the status is the displacement of the slider while the contact sticks. The contact itself
-//! may move.  The field `contact_force` is the force of the spring at the end of every sub-interval, also while the
-//! slider moves.  The slider has no mass.  If the kinetic friction force falls below the force of the spring, the
+//! may move. The field `contact_force` is the force of the spring at the end of every sub-interval, also while the
+//! slider moves. The slider has no mass. If the kinetic friction force falls below the force of the spring, the
 //! slider jumps. Friction then dissipates the energy that the spring loses.
 
 use super::interval::StepInterval;
@@ -28,7 +28,7 @@ impl<S: Float> StepContact<S> for AnyContact<S> {
 }
 
 /// Returns the force of the spring over a sub-interval, as a polynomial, without the contribution of the stuck chain's
-/// modes.  The slider moves with the base on which it rubs.
+/// modes. The slider moves with the base on which it rubs.
 fn spring_terms<S: Float, const D: usize, K: StepContact<S>>(
     interval: &StepInterval<'_, '_, S, D, K>,
 ) -> [S; 4] {
@@ -47,7 +47,7 @@ impl<S: Float, const D: usize, K: StepContact<S>> StepInterval<'_, '_, S, D, K> 
         0 < self.scene.dynamics.chain.remembered()
     }
 
-    /// Updates a sliding elastic contact after a change of the kinetic friction force between steps.  If the force has
+    /// Updates a sliding elastic contact after a change of the kinetic friction force between steps. If the force has
     /// become larger, the contact sticks, and the load on its spring increases further.
     pub(super) fn adapt_to_level(&mut self) {
         if self.status.contact == Contact::Stuck || self.status.unknown {
@@ -62,7 +62,7 @@ impl<S: Float, const D: usize, K: StepContact<S>> StepInterval<'_, '_, S, D, K> 
         }
     }
 
-    /// Lets the slider jump, so that the force of the spring changes.  Friction dissipates the energy of the
+    /// Lets the slider jump, so that the force of the spring changes. Friction dissipates the energy of the
     /// difference.
     pub(super) fn drop_force(&mut self, from: S, to: S) {
         let half = S::constant(0.5);
@@ -72,7 +72,7 @@ impl<S: Float, const D: usize, K: StepContact<S>> StepInterval<'_, '_, S, D, K> 
         self.status.contact_force = to;
     }
 
-    /// Starts the motion of the slider, when the force of the spring has reached or exceeded μF.  If the contact moves
+    /// Starts the motion of the slider, when the force of the spring has reached or exceeded μF. If the contact moves
     /// against the force, the slider only jumps, and the contact then sticks under F.
     pub(super) fn yield_under(&mut self, force: S, contact: Contact) {
         let kinetic = self.law().kinetic(contact);
@@ -99,8 +99,8 @@ impl<S: Float, const D: usize, K: StepContact<S>> StepInterval<'_, '_, S, D, K> 
         }
     }
 
-    /// Changes the state to sticking under a given force of the spring.  Computes the stuck chain's modes from the
-    /// modes of the chain.  With a stiff spring, the force is a small difference of displacements. The function
+    /// Changes the state to sticking under a given force of the spring. Computes the stuck chain's modes from the
+    /// modes of the chain. With a stiff spring, the force is a small difference of displacements. The function
     /// therefore corrects the stiffest stuck mode so that the modes give this force.
     pub(super) fn start_sticking_under(&mut self, force: S) {
         let zero = S::constant(0.0);

@@ -22,20 +22,20 @@ use crate::errors::OutOfDomain;
 use crate::motion::{Contact, Total};
 use crate::number::scalar::Float;
 
-/// The first bytes of an image.
+/// First bytes of every image (saved state of a stepper).
 const NAME: [u8; 2] = *b"fs";
 /// Version of the form that [`Stepper::write_image`] writes.
 const VERSION: u8 = 1;
 /// Number of bytes before the counts: name, version, size of a scalar, and hash of scene and step.
 const HEAD: usize = 12;
-/// Number of bytes of the counts and flags of an image.
+/// Number of bytes that an image (saved state of a stepper) uses for its counts and flags.
 const COUNTS: usize = 24;
 /// Number of bytes of the checksum at the end of an image.
 const CHECKSUM: usize = 4;
 /// Number of scalars that stand in an image before those of the modes: the step dt and the numbers of the status.
 const SCALARS: usize = 14;
 
-/// Returns the length of an image in bytes.  `scalar` is the size of the scalar in bytes.
+/// Returns the length of an image in bytes. `scalar` is the size of the scalar in bytes.
 #[doc(hidden)]
 #[must_use]
 pub const fn image_bytes(scalar: usize, modes: usize, held: usize, inputs: usize) -> usize {
@@ -316,6 +316,6 @@ impl<S: Float, const D: usize, T: StepTables<S, D>, V: Store<S, D>, K: StepConta
 impl<S: Float, const D: usize, T, const MODES: usize, const HELD: usize, const INPUTS: usize, K>
     Stepper<'_, S, D, T, FixedStore<S, D, MODES, HELD, INPUTS>, K>
 {
-    /// Length of an image in bytes.
+    /// Length of an image (saved state of this stepper), in bytes.
     pub const IMAGE: usize = image_bytes(size_of::<S>(), MODES, HELD, INPUTS);
 }

@@ -45,7 +45,7 @@ impl<S: Float, const D: usize, K: ContactChain<S>> StepInterval<'_, '_, S, D, K>
         self.scene.dynamics.in_contact().min(self.store.modes.len())
     }
 
-    /// Returns the law of the contact, with forces over k₁.
+    /// Returns the law of the contact. Its forces are divided by k₁.
     #[inline]
     pub(super) fn law(&self) -> K::Law {
         self.status.law(self.scene)

@@ -22,19 +22,19 @@ impl<S: Float, const D: usize, T: StepTables<S, D>, V: Store<S, D>, K: StepConta
         Cost::within(&extent, self.status.budget)
     }
 
-    /// Returns the length of a step, in seconds.
+    /// Returns the time step of the stepper, in seconds.
     #[must_use]
     pub fn dt(&self) -> S {
         self.tables.view().pace.step
     }
 
-    /// Returns the number of steps taken since the start.
+    /// Returns the number of steps that the stepper has taken since its start.
     #[must_use]
     pub fn steps(&self) -> u64 {
         self.status.steps
     }
 
-    /// Returns the time since the start, in seconds.
+    /// Returns the time since the start of the stepper, in seconds.
     #[must_use]
     pub fn time(&self) -> S {
         // A conversion of 64 bits would need double precision, which a microcontroller emulates. Two conversions of 32
@@ -106,7 +106,7 @@ impl<S: Float, const D: usize, T: StepTables<S, D>, V: Store<S, D>, K: StepConta
         }
     }
 
-    /// Returns the motion of a mass at the end of the last step, by its index in the description.  An invalid index
+    /// Returns the motion of a mass at the end of the last step, by its index in the description. An invalid index
     /// gives a motion at rest.
     #[must_use]
     pub fn mass(&self, index: usize) -> MassNow<S> {
@@ -154,7 +154,7 @@ impl<S: Float, const D: usize, T: StepTables<S, D>, V: Store<S, D>, K: StepConta
         }
     }
 
-    /// Returns true if a rigid contact sticks.  An elastic contact moves while it sticks.
+    /// Returns true if a rigid contact sticks. An elastic contact moves while it sticks.
     #[inline]
     fn rests(&self) -> bool {
         let rigid = self.scene.dynamics.chain.remembered() == 0;

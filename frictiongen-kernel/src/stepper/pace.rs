@@ -5,7 +5,7 @@ use crate::number::scalar::Float;
 /// Division of a step into sub-intervals, and constants that depend on this division.
 #[derive(Clone, Copy, Debug)]
 pub struct Pace<S> {
-    /// The step, in seconds.
+    /// Time step of the stepper, in seconds.
     pub step: S,
     /// Number of sub-intervals in a step.
     pub parts: u32,

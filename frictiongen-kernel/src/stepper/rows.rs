@@ -36,7 +36,7 @@ pub struct HeldRow<S, const D: usize> {
 pub struct ModeStep<S, const D: usize> {
     /// Ω, the phase by which the mode would advance in a sub-interval without damping, in rad.
     pub angle: S,
-    /// ζ, the modal damping ratio.
+    /// Modal damping ratio ζ of the mode.
     pub zeta: S,
     /// Rate u′ per unit of force on the mode: Ω/σ², where σ is the natural frequency of the mode as a frequency ratio.
     pub per_force: S,
@@ -55,7 +55,7 @@ pub struct ModeStep<S, const D: usize> {
 pub struct HeldStep<S, const D: usize> {
     /// Ω, the phase by which the mode would advance in a sub-interval without damping, in rad.
     pub angle: S,
-    /// ζ, the modal damping ratio.
+    /// Modal damping ratio ζ of the mode.
     pub zeta: S,
     /// Contact force per unit of the mode's displacement y, with the opposite sign.
     pub force: S,

@@ -25,11 +25,11 @@ pub struct StepScene<'a, S, K = Chain<S>> {
     pub dynamics: Dynamics<'a, S, K>,
     /// Factors that convert non-dimensional groups to the units of the scene.
     pub units: Units<S>,
-    /// True if the base moves.
+    /// True if the motion of the base excites the scene.
     pub on_base: bool,
-    /// Indices of the masses that a force acts on, in the description.  The excited mass is the first.
+    /// Indices of the masses that a force acts on, in the description. The excited mass is the first.
     pub forces: &'a [usize],
-    /// Interpolation of the input between two samples.
+    /// Interpolation of the stepper's input between two samples.
     pub input: Input,
     /// Points (v, f) of Stribeck's law, with v ascending. v is the speed in the scene's unit. f is the kinetic friction
     /// force at this speed over that at speed zero. Without points the kinetic friction is constant.
@@ -146,7 +146,7 @@ impl<S: Float, K: ContactChain<S>> StepScene<'_, S, K> {
         }
     }
 
-    /// Returns the load on a mode per unit of an input.
+    /// Returns the load on a mode caused by one unit of an input.
     pub(super) fn load(&self, channel: usize, mode: usize) -> S {
         let zero = S::constant(0.0);
         if self.on_base && channel == 0 {

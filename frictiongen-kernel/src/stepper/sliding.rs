@@ -47,7 +47,7 @@ impl<S: Float, const D: usize, K: StepContact<S>> StepInterval<'_, '_, S, D, K> 
         [velocity[0], at(&velocity, S::constant(1.0))]
     }
 
-    /// Advances the sub-interval with the constant tables, if the contact provably keeps sliding.  Returns true if it
+    /// Advances the sub-interval with the constant tables, if the contact provably keeps sliding. Returns true if it
     /// advanced.
     pub(super) fn slide_by_tables(&mut self) -> bool {
         let zero = S::constant(0.0);

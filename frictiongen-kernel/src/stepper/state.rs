@@ -13,11 +13,11 @@ pub struct StoreMut<'s, S, const D: usize> {
     /// Displacement y and scaled velocity u of each mode of the chain with its contact stuck. These numbers are valid
     /// only while the contact sticks.
     pub held: &'s mut [[S; 2]],
-    /// Working space, with one entry for each mode.
+    /// Working memory with one entry for each mode.
     pub scratch: &'s mut [[S; 2]],
     /// Polynomials of the inputs over the present sub-interval.
     pub drive: &'s mut [[S; D]],
-    /// The forces at the last sample, divided by k₁.
+    /// Forces of the input at the last sample, divided by k₁.
     pub last: &'s mut [S],
 }
 
@@ -43,7 +43,7 @@ pub struct StoreRef<'s, S> {
     pub modes: &'s [[S; 2]],
     /// Displacement y and scaled velocity u of each mode of the chain with its contact stuck.
     pub held: &'s [[S; 2]],
-    /// The forces at the last sample, divided by k₁.
+    /// Forces of the input at the last sample, divided by k₁.
     pub last: &'s [S],
 }
 
@@ -55,7 +55,7 @@ pub trait Store<S, const D: usize> {
     fn read(&self) -> StoreRef<'_, S>;
 }
 
-/// The numbers of a stepper in arrays.
+/// All numbers of a stepper, stored in arrays.
 #[derive(Clone, Copy, Debug)]
 pub struct FixedStore<S, const D: usize, const MODES: usize, const HELD: usize, const INPUTS: usize>
 {
@@ -135,14 +135,14 @@ pub struct Status<S> {
     pub budget: u8,
     /// Number of events in the earlier sub-intervals of the present step. It is 0 between steps.
     pub spent: u8,
-    /// Relative displacement of the contact while it sticks.  For an elastic contact it is the displacement of the
+    /// Relative displacement of the contact while it sticks. For an elastic contact it is the displacement of the
     /// slider.
     pub stuck_at: S,
     /// Index of the straight line of the friction law that contains the contact's present speed.
     pub line: usize,
     /// Displacement and velocity of the base at the end of the last step.
     pub base: [S; 2],
-    /// The kinetic friction force, divided by k₁.
+    /// Kinetic friction force of the contact, divided by k₁.
     pub level: S,
     /// Ratio μ of the static to the kinetic friction force.
     pub stiction: S,
@@ -165,7 +165,7 @@ pub struct Status<S> {
 }
 
 impl<S: Float> Status<S> {
-    /// Returns the law of the contact, with forces over k₁.
+    /// Returns the law of the contact. Its forces are divided by k₁.
     #[inline]
     pub(super) fn law<K: ContactChain<S>>(&self, scene: &StepScene<'_, S, K>) -> K::Law {
         scene.dynamics.chain.law_with(self.level, self.stiction)

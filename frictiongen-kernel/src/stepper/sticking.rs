@@ -9,7 +9,7 @@ use crate::motion::{Contact, Law, WalkResult, WalkStart, first_reach, lift};
 use crate::number::scalar::Float;
 
 impl<S: Float, const D: usize, K: StepContact<S>> StepInterval<'_, '_, S, D, K> {
-    /// Advances the sub-interval with the constant tables, if the contact provably keeps sticking.  Returns true if it
+    /// Advances the sub-interval with the constant tables, if the contact provably keeps sticking. Returns true if it
     /// advanced.
     pub(super) fn stick_by_tables(&mut self) -> bool {
         let zero = S::constant(0.0);

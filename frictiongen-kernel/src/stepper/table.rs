@@ -22,7 +22,7 @@ pub struct HeldLoad<S> {
     pub reach: [S; 2],
 }
 
-/// Coupling of one input with the contact.
+/// Coupling of one input of the stepper with the contact.
 #[derive(Clone, Copy, Debug)]
 pub struct Channel<S> {
     /// wᵀΓ⁻¹p, the contact's acceleration per unit of the input. w is the contact's direction vector, Γ is the mass
@@ -38,7 +38,7 @@ pub struct Channel<S> {
 pub struct View<'t, S, const D: usize> {
     /// Division of the step into sub-intervals.
     pub pace: Pace<S>,
-    /// Tables of all modes.
+    /// Tables of all modes, with the constants of one step.
     pub modes: &'t [ModeStep<S, D>],
     /// Tables of the modes of the chain with its contact stuck.
     pub held: &'t [HeldStep<S, D>],
@@ -71,9 +71,9 @@ fn row<T>(entries: &[T], index: usize, length: usize) -> &[T] {
     entries.get(start..start + length).unwrap_or_default()
 }
 
-/// Storage of the tables: arrays, constants or vectors.
+/// Storage of a stepper's tables: arrays, constants or vectors.
 pub trait StepTables<S, const D: usize> {
-    /// Returns a view of all tables.
+    /// Returns a view of all tables of the stepper.
     fn view(&self) -> View<'_, S, D>;
 }
 
@@ -88,7 +88,7 @@ pub struct FixedTables<
 > {
     /// Division of the step into sub-intervals.
     pub pace: Pace<S>,
-    /// Tables of all modes.
+    /// Tables of all modes, with the constants of one step.
     pub modes: [ModeStep<S, D>; MODES],
     /// Tables of the modes of the chain with its contact stuck.
     pub held: [HeldStep<S, D>; HELD],
@@ -256,7 +256,7 @@ pub fn series_terms<S: Float>(rate: S, epsilon: f64) -> u32 {
     u32::try_from(terms).unwrap_or(u32::MAX)
 }
 
-/// Divides a step into sub-intervals.
+/// Divides a step of the stepper into sub-intervals.
 fn pace<S: Float, K: ContactChain<S>>(
     scene: &StepScene<'_, S, K>,
     step: S,

@@ -85,7 +85,7 @@ pub struct Stepped<S> {
     pub force: S,
     /// Number of stops, break-aways and reversals in the step.
     pub events: u32,
-    /// True if a sub-interval of the step reached the bound on events or pieces of motion.  In the rest of that
+    /// True if a sub-interval of the step reached the bound on events or pieces of motion. In the rest of that
     /// sub-interval the stepper followed no further events.
     pub exceeded: bool,
 }
@@ -128,15 +128,15 @@ impl<S: Float> ContactNow<S> {
         self.motion.displacement
     }
 
-    /// Returns the relative velocity of the contact, in the scene's unit of length per second.  It is 0 while the
+    /// Returns the relative velocity of the contact, in the scene's unit of length per second. It is 0 while the
     /// contact sticks.
     #[must_use]
     pub fn velocity(&self) -> S {
         self.motion.velocity
     }
 
-    /// Returns the friction force in the contact, in the scene's unit of force.  While the contact sticks, it is the
-    /// force that keeps the contact at rest.  A positive force opposes sliding in the positive direction.
+    /// Returns the friction force in the contact, in the scene's unit of force. While the contact sticks, it is the
+    /// force that keeps the contact at rest. A positive force opposes sliding in the positive direction.
     #[must_use]
     pub fn force(&self) -> S {
         self.force
@@ -148,7 +148,7 @@ impl<S: Float> ContactNow<S> {
         self.contact
     }
 
-    /// Returns true if the contact sticks.
+    /// Returns true if the contact sticks at the end of the last step.
     #[must_use]
     pub fn is_sticking(&self) -> bool {
         self.contact == Contact::Stuck
