@@ -16,7 +16,7 @@ pub const MOST_HARMONICS: u32 = 9999;
 pub struct RequestedMass {
     /// Index of the mass in the description.
     pub index: usize,
-    /// Name of the mass.
+    /// Name of the requested mass.
     pub name: String,
 }
 

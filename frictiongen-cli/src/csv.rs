@@ -4,7 +4,7 @@
 use std::borrow::Cow;
 use std::io::{self, Write};
 
-/// Writes one line of cells, separated by commas.
+/// Writes one line of a CSV table. Commas separate its cells.
 pub fn line<'a>(out: &mut dyn Write, cells: impl Iterator<Item = Cow<'a, str>>) -> io::Result<()> {
     for (index, cell) in cells.enumerate() {
         let comma = if index == 0 { "" } else { "," };

@@ -56,7 +56,7 @@ pub struct Decimals {
     first: i128,
     step: i128,
     exponent: i32,
-    /// Number of steps from the first to the last point.
+    /// Number of steps from the first to the last point of the range.
     pub steps: i128,
 }
 

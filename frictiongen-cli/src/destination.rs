@@ -10,24 +10,24 @@ use std::path::Path;
 /// Optional additions to a CSV file: a row of units, and comment lines.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Extras {
-    /// True for a second line with the units of the columns.
+    /// True if the CSV table has a second line with the units of its columns.
     pub unit_row: bool,
-    /// True for comment lines (#) before the table.
+    /// True if comment lines (#) precede the CSV table.
     pub comments: bool,
 }
 
 /// The format of a command's output.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum OutputFormat {
-    /// A printed table for people, within the available width.
+    /// The output is a printed table for people, within the available width.
     Table(TableLayout),
-    /// Comma-separated values.
+    /// The output is a table of comma-separated values.
     Csv(Extras),
-    /// One JSON object.
+    /// The output is one JSON object.
     Json,
-    /// A vector picture.
+    /// The output is a vector picture (SVG).
     Svg,
-    /// A picture in pixels.
+    /// The output is a picture in pixels (PNG).
     Png,
 }
 
@@ -70,7 +70,7 @@ impl FormatArguments {
         self.check(self.form()).map(|()| self.form())
     }
 
-    /// Returns the format that the options select.
+    /// Returns the output format that the options select.
     fn form(&self) -> OutputFormat {
         match (self.json, self.csv) {
             (true, _) => OutputFormat::Json,

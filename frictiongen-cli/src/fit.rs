@@ -16,7 +16,7 @@ const GAP: usize = 2;
 /// Available width of a printed table, and the choice of its optional columns.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct TableLayout {
-    /// Largest width in characters. `None` for a table of any width.
+    /// Largest width of the table in characters. `None` for a table of any width.
     pub width: Option<usize>,
     /// True if the table contains the columns r and β next to the columns in Hz and N.
     pub groups: bool,

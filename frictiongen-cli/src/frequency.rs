@@ -125,7 +125,7 @@ fn quantity(unit: Unit, in_time: bool) -> GridQuantity {
 pub struct Frequencies {
     given: Vec<f64>,
     unit: Unit,
-    /// Quantity by which the parser has read the frequencies.
+    /// Quantity (r, Hz or rad/s) as which the parser has read the frequencies.
     pub quantity: GridQuantity,
 }
 
@@ -174,7 +174,7 @@ impl Frequencies {
         }
     }
 
-    /// Returns the number of frequencies.
+    /// Returns the number of frequencies in the grid.
     pub fn len(&self) -> usize {
         self.given.len()
     }

@@ -112,7 +112,7 @@ impl Frictions {
         }
     }
 
-    /// Returns the number of frictions.
+    /// Returns the number of frictions in the grid.
     pub fn len(&self) -> usize {
         self.given.len()
     }

@@ -14,22 +14,22 @@ pub const STEPS: u32 = 100;
 /// Physical quantity of the numbers in a grid.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum GridQuantity {
-    /// Frequency ratio r. It may be 0 or infinite.
+    /// The numbers are frequency ratios r. A number may be 0 or infinite.
     FrequencyRatio,
     /// Frequency ratio r of a motion in time. It must be above 0 and finite, so that the excitation has a cycle.
     FrequencyRatioInTime,
-    /// Frequency in Hz. It may be 0 or infinite.
+    /// The numbers are frequencies in Hz. A number may be 0 or infinite.
     Hertz,
     /// Frequency in Hz of a motion in time. It must be above 0 and finite, so that the excitation has a cycle.
     HertzInTime,
-    /// Angular frequency in rad/s. It may be 0 or infinite.
+    /// The numbers are angular frequencies in rad/s. A number may be 0 or infinite.
     Omega,
     /// Angular frequency in rad/s of a motion in time. It must be above 0 and finite, so that the excitation has a
     /// cycle.
     OmegaInTime,
-    /// Friction ratio β. It must be finite.
+    /// The numbers are friction ratios β. Each must be finite.
     FrictionRatio,
-    /// Friction force in N. It must be finite.
+    /// The numbers are friction forces in N. Each must be finite.
     FrictionForce,
 }
 
@@ -294,7 +294,7 @@ impl GridRange {
     }
 }
 
-/// Parses a number. Replaces −0 by 0.
+/// Parses a number of a grid. Replaces −0 by 0.
 fn number(text: &str, quantity: GridQuantity) -> Result<f64, String> {
     let text = text.trim();
     let value: f64 = text.parse().map_err(|_| {

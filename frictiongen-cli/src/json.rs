@@ -53,7 +53,7 @@ impl<'a> JsonWriter<'a> {
         write!(self.out, "{comma}\n{point}")
     }
 
-    /// Ends the list of points and the object.
+    /// Ends the list of points and the JSON object.
     pub fn end(self) -> io::Result<()> {
         writeln!(self.out, "\n]\n}}")
     }

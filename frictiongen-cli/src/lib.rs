@@ -63,9 +63,9 @@ use std::io::Write;
 /// The reason why a command ended without a whole result.
 #[derive(Debug)]
 pub enum Ended {
-    /// The command line is not valid, or asks for help.
+    /// The command line is not valid, or requests help.
     Usage(clap::Error),
-    /// Lines of a message for the user.
+    /// The command failed. The field contains the lines of a message for the user.
     Lines(Vec<String>),
     /// The program that reads the output of the command has closed it.
     Closed,

@@ -16,10 +16,10 @@ pub type Visitor<'a, P> = &'a mut dyn FnMut(&P) -> Result<(), Failure>;
 
 /// A table of results: its rows and columns, and their layout.
 pub trait ResultTable {
-    /// The type of a row.
+    /// Type of a row in the table.
     type Row;
 
-    /// Returns the number of rows.
+    /// Returns the number of rows in the table.
     fn len(&self) -> usize;
     /// Computes the rows in order, and passes each to `visit` until `visit` fails.
     fn each(&self, visit: Visitor<'_, Self::Row>) -> Result<(), Failure>;

@@ -51,12 +51,12 @@ impl Progress {
         }
     }
 
-    /// Counts one more item as finished.
+    /// Adds 1 to the number of finished items of the run.
     pub fn step(&mut self) {
         self.reach(self.done + 1);
     }
 
-    /// Sets the number of finished items.
+    /// Sets the number of finished items of the run to `done`.
     pub fn reach(&mut self, done: usize) {
         self.done = self.done.max(done);
         let Some(next) = self.next else { return };

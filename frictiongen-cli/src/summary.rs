@@ -18,9 +18,9 @@ pub struct Summary {
     /// Natural frequencies in the units of the scene's masses and stiffnesses (rad/s for kg and N/m), in ascending
     /// order.
     pub natural_frequencies: Vec<f64>,
-    /// Natural frequencies as frequency ratios r.
+    /// Natural frequencies of the scene, as frequency ratios r.
     pub resonances: Vec<f64>,
-    /// Contact, excitation, damping and μ, in words.
+    /// Contact, excitation, damping and μ of the scene, in words.
     description: String,
     /// True if the excitation is base motion.
     base_motion: bool,

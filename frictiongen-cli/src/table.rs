@@ -7,13 +7,13 @@ use std::io::{self, Write};
 /// The format of the values in a column of a printed table.
 #[derive(Clone, Copy, Debug)]
 enum Style {
-    /// Words, aligned left.
+    /// The column contains words, aligned left.
     Words,
-    /// Numbers that the user gave, with this number of decimals.
+    /// The column contains numbers that the user gave. The field is the number of decimals.
     Given(usize),
-    /// Counts, without decimals.
+    /// The column contains counts, without decimals.
     Counts,
-    /// Computed numbers, with six decimals or six digits.
+    /// The column contains computed numbers, with six decimals or six digits.
     Computed,
 }
 
@@ -39,7 +39,7 @@ impl PrintedColumn {
         }
     }
 
-    /// Returns a column of words.
+    /// Creates a column of words for a printed table.
     pub fn words<'a>(title: &[&str], words: impl IntoIterator<Item = &'a str>) -> Self {
         let widest = words.into_iter().map(|word| word.chars().count()).max();
         Self::new(title, Style::Words, widest.unwrap_or(0))
@@ -52,12 +52,12 @@ impl PrintedColumn {
         Self::new(title, Style::Given(most), widest.unwrap_or(0))
     }
 
-    /// Returns a column of counts.
+    /// Creates a column of counts for a printed table.
     pub fn counts(title: &[&str]) -> Self {
         Self::new(title, Style::Counts, 1)
     }
 
-    /// Returns a column of computed numbers.
+    /// Creates a column of computed numbers for a printed table.
     pub fn computed(title: &[&str]) -> Self {
         Self::new(title, Style::Computed, COMPUTED_WIDTH)
     }
@@ -113,7 +113,7 @@ pub fn header(out: &mut dyn Write, columns: &[PrintedColumn]) -> io::Result<()> 
     write_line(out, columns.iter().map(|column| "-".repeat(column.width)))
 }
 
-/// Writes a line of values.
+/// Writes one line of values of a printed table.
 pub fn row(out: &mut dyn Write, columns: &[PrintedColumn], values: &[Cell<'_>]) -> io::Result<()> {
     let cells = columns.iter().zip(values);
     write_line(

@@ -6,7 +6,7 @@ use std::fmt::Display;
 /// The text of the option `--vary`, divided into a name and an interval.
 pub struct Vary<'t> {
     text: &'t str,
-    /// Name of the number that varies.
+    /// Name of the number of the description that varies.
     pub name: &'t str,
     interval: &'t str,
 }
@@ -40,7 +40,7 @@ impl<'t> Vary<'t> {
         Ok((end(from)?, end(to)?))
     }
 
-    /// Returns the failure for an error in the option.
+    /// Returns the failure for an error in the option `--vary`.
     pub fn wrong(&self, problem: &dyn Display) -> Failure {
         wrong(self.text, problem)
     }

@@ -181,7 +181,7 @@ macro_rules! emitted_stepper {
             pub const IMAGE: ::core::primitive::usize =
                 <<Self as ::core::ops::Deref>::Target>::IMAGE;
 
-            /// Returns the state as bytes, for a file or for flash memory.  `stepper_from_image` continues from them.
+            /// Returns the state as bytes, for a file or for flash memory. `stepper_from_image` continues from them.
             /// The bytes contain a hash of the scene, the step, a version and a checksum.
             #[must_use]
             pub fn image(&self) -> [::core::primitive::u8; <<$stepper as ::core::ops::Deref>::Target>::IMAGE] {

@@ -69,7 +69,7 @@ fn known<S: frictiongen::scalar::Float>(source: &Source<'_, S>) -> Value {
     json!({ "tolerance": tolerance, "points": points.collect::<Vec<_>>() })
 }
 
-/// Converts the tables to JSON.
+/// Converts the tables of a scene to JSON.
 fn of<S: frictiongen::scalar::Float>(scene: &Scene, tables: &Tables<S>) -> Value {
     let value = |value: S| value.to_f64();
     let factor = |factor: &Factor<S>| match *factor {

@@ -23,11 +23,11 @@ const CONTINUOUS: &str = "where both motions are continuous";
 /// Largest difference of one result of two scenes over the compared frequencies.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Difference {
-    /// Name of the result.
+    /// Name of the result that the command compares.
     pub name: String,
-    /// Unit of the old and the new value.
+    /// Unit of the result's old and new value.
     pub unit: &'static str,
-    /// Frequency of the largest difference, Hz.
+    /// Frequency of the largest difference, in Hz.
     pub hertz: f64,
     /// Value in the old scene and value in the new scene at this frequency.
     pub values: (f64, f64),

@@ -10,20 +10,20 @@ use frictiongen::study::scene::{
 pub struct DescriptionField {
     /// Name of the field, with the name of its mass or spring.
     pub name: String,
-    /// Value in the notation of a description.
+    /// Value of the field, in the notation of a description.
     pub text: String,
-    /// Value as a number, or `None` if it is not a number.
+    /// Value of the field as a number, or `None` if it is not a number.
     pub number: Option<f64>,
 }
 
 /// A field with different values in two descriptions. The value is `None` if a description does not contain the field.
 #[derive(Clone, Debug, PartialEq)]
 pub struct FieldChange {
-    /// Name of the field.
+    /// Name of the field that differs.
     pub name: String,
-    /// Value in the old description.
+    /// Value of the field in the old description.
     pub old: Option<DescriptionField>,
-    /// Value in the new description.
+    /// Value of the field in the new description.
     pub new: Option<DescriptionField>,
 }
 

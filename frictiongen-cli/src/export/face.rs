@@ -1,14 +1,14 @@
 //! The functions and structs that an exported crate offers to C. The command writes the header and the Rust file from
 //! this list. Both therefore declare the same functions.
 
-/// Type of a number or a struct in the C interface.
+/// Type of a field or a parameter in the C interface.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub enum FieldType {
-    /// A number of the scene's scalar type.
+    /// A number in the scene's number type.
     Real,
     /// A signed number of 32 bits, for flags and enumerations.
     Int,
-    /// An unsigned number of 32 bits.
+    /// An unsigned number of 32 bits, for counts.
     Count,
     /// An unsigned number of 64 bits.
     Long,
@@ -21,9 +21,9 @@ pub enum FieldType {
 /// A field of a struct in the C interface.
 #[derive(Clone, Debug)]
 pub struct StructField {
-    /// Name in C and in Rust.
+    /// Name of the field in C and in Rust.
     pub name: String,
-    /// Type of the field.
+    /// Type of the field in the C interface.
     pub kind: FieldType,
     /// Meaning and unit of the field, for a comment.
     pub about: String,
@@ -43,46 +43,46 @@ impl StructField {
 /// A struct of numbers in the C interface.
 #[derive(Clone, Debug)]
 pub struct ExportedStruct {
-    /// Name of the struct in snake case, without the prefix.
+    /// Name of the struct in snake case, without the prefix of the export.
     pub name: &'static str,
-    /// Meaning of the struct, for a comment.
+    /// Meaning of the struct, for a comment in the header.
     pub about: String,
-    /// The fields of the struct.
+    /// Fields of the exported struct, in their order.
     pub fields: Vec<StructField>,
 }
 
 /// The way in which an exported function takes a parameter.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub enum Passed {
-    /// By value.
+    /// The function takes the parameter by value.
     Value(FieldType),
-    /// By a pointer to a constant struct.
+    /// The function takes a pointer to a constant struct.
     Input(&'static str),
-    /// By a pointer to memory for the result.
+    /// The function takes a pointer to memory for its result.
     Output(FieldType),
     /// By a pointer to memory for an opaque struct, which the function initialises.
     Fresh(&'static str),
-    /// By a pointer to an opaque struct that the function changes.
+    /// The function takes a pointer to an opaque struct that it changes.
     Changed(&'static str),
-    /// By a pointer to an opaque struct that the function only reads.
+    /// The function takes a pointer to an opaque struct that it only reads.
     Read(&'static str),
 }
 
 /// A function of the C interface.
 #[derive(Clone, Debug)]
 pub struct ExportedFunction {
-    /// Name of the function without the prefix.
+    /// Name of the function, without the prefix of the export.
     pub name: &'static str,
-    /// Meaning of the function, for a comment.
+    /// Meaning of the function, for a comment in the header.
     pub about: String,
-    /// Names and types of the parameters.
+    /// Names and types of the function's parameters.
     pub parameters: Vec<(&'static str, Passed)>,
     /// Body of the function in Rust. Its statements return `Result<(), i32>`, and write the results last.
     pub body: String,
 }
 
 impl ExportedFunction {
-    /// Creates an exported function.
+    /// Creates a function of the C interface.
     pub fn new(
         name: &'static str,
         about: impl Into<String>,
@@ -101,9 +101,9 @@ impl ExportedFunction {
 /// An opaque struct of the C interface. C allocates its memory.
 #[derive(Clone, Debug)]
 pub struct Opaque {
-    /// Name of the struct in snake case, without the prefix.
+    /// Name of the struct in snake case, without the prefix of the export.
     pub name: &'static str,
-    /// Meaning of the struct, for a comment.
+    /// Meaning of the struct, for a comment in the header.
     pub about: &'static str,
     /// Rust type of the struct's contents.
     pub contents: String,
@@ -116,9 +116,9 @@ pub struct Opaque {
 pub struct ExportedItems {
     /// The structs of numbers. Each struct comes before the structs that contain it.
     pub records: Vec<ExportedStruct>,
-    /// The opaque structs.
+    /// Opaque structs of the C interface.
     pub opaque: Vec<Opaque>,
-    /// The functions.
+    /// Functions of the C interface.
     pub functions: Vec<ExportedFunction>,
 }
 

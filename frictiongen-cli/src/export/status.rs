@@ -3,11 +3,11 @@
 /// Cause of an error: its name and number in C, its meaning, and the error in Rust to which it corresponds.
 #[derive(Debug)]
 pub struct StatusCode {
-    /// Name of the cause without the prefix.
+    /// Name of the error's cause, without the prefix of the export.
     pub name: &'static str,
     /// Number of the cause. It stays the same in every version and for every scene.
     pub number: i32,
-    /// Meaning of the cause, for a comment.
+    /// Meaning of the error's cause, for a comment in the header.
     pub about: &'static str,
     /// Variant of `OutOfDomain` with the same meaning, as a Rust pattern.
     pattern: Option<&'static str>,

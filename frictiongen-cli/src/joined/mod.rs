@@ -81,7 +81,7 @@ impl Question<'_> {
 }
 
 impl<'a> Asked<'a> {
-    /// Collects the options of a command.
+    /// Collects the options of a command for scenes with several contacts.
     pub fn of(
         point: &'a PointArguments,
         frequencies: Frequencies,
@@ -157,7 +157,7 @@ impl<'a> Asked<'a> {
         })
     }
 
-    /// Draws steady states over frequency and friction.
+    /// Draws the steady states of a scene with several contacts over frequency and friction.
     #[cfg(feature = "pictures")]
     pub fn draw(
         self,

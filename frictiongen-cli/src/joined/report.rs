@@ -8,9 +8,9 @@ use frictiongen::study::columns::{Column, JoinedRow};
 
 /// Steady states of a scene with several contacts, with the settings for their output.
 pub struct JoinedReport<'q> {
-    /// Frequencies, frictions, units and masses.
+    /// Frequencies, frictions, units and masses that the user has requested.
     pub(super) question: &'q Question<'q>,
-    /// True if the user requests every steady state.
+    /// True if the user requests every steady state at a point.
     pub states: bool,
 }
 

@@ -30,7 +30,7 @@ pub fn number(system: &System, joined: &Joined<'_>, name: &str) -> Result<Joined
 
 /// Derivatives of a number of a steady state, with the settings for their output.
 pub struct SensitivityReport<'q> {
-    /// Frequencies, frictions and units.
+    /// Frequencies, frictions and units that the user has requested.
     pub(super) question: &'q Question<'q>,
     /// The number whose derivatives the user requests.
     pub of: &'q JoinedNumber,

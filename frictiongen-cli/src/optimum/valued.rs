@@ -13,7 +13,7 @@ use std::fmt::Display;
 pub struct QuantityArgument {
     /// Name of the quantity.
     pub name: String,
-    /// Text of the value on the command line.
+    /// Text of the quantity's value on the command line.
     pub text: String,
     pub part: MovingPart,
     /// The value in the unit of `Optimum::amplitude` for this quantity.

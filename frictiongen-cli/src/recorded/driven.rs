@@ -16,7 +16,7 @@ pub struct DrivenReport<'s> {
     system: &'s System,
     /// The contact and masses whose motions the output contains.
     pub parts: Vec<MovingPart>,
-    /// The motion at every sample.
+    /// Motion of the scene at every sample of the recording.
     pub motion: Driven,
     work: Work<f64>,
     exceeded: u64,

@@ -32,7 +32,7 @@ const MOST_OF_LONG: usize = 2;
 pub struct Best {
     /// The contact or mass whose largest amplitude is minimised.
     pub part: MovingPart,
-    /// The result of the search.
+    /// Result of the search for the best friction, or the reason for its failure.
     pub found: Result<Optimum, String>,
 }
 

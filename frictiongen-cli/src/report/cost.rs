@@ -29,11 +29,11 @@ struct MeasuredErrors {
     continuous: f64,
     sliding: f64,
     amplitude: f64,
-    /// Number of compared limits, and number of compared amplitudes.
+    /// Number of limits and number of amplitudes that the check has compared.
     compared: (usize, usize),
 }
 
-/// Tables with a declared accuracy.
+/// Costs of the scene's tables, which have a declared accuracy.
 struct TableCosts {
     pieces: usize,
     bytes: usize,

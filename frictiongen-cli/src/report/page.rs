@@ -15,18 +15,18 @@ use serde_json::{Value as Json, json};
 /// Version of the format of the page's data. It increases when a field gets another name or another meaning.
 const VERSION: u32 = 1;
 
-/// Style sheet of the page.
+/// Style sheet of the report page.
 const STYLE: &str = include_str!("style.css");
-/// Script of the page.
+/// Script of the report page.
 const SCRIPT: &str = include_str!("read.js");
 /// Hash of the page's script. A browser runs no other script in the page. A test compares this hash with the script.
 const SCRIPT_HASH: &str = include_str!("read.js.sha256");
 
 /// Contents of the report page.
 pub struct ReportPage<'a> {
-    /// Name of the description.
+    /// Name of the description, which the report page shows.
     pub file: &'a str,
-    /// Doc comments of the description.
+    /// Doc comments of the description, which the report page shows.
     pub documentation: &'a str,
     /// Scene, range, units and motions of the page, from the user's options and the defaults.
     pub asked: ReportRequest,
@@ -47,7 +47,7 @@ pub struct ReportPage<'a> {
 }
 
 impl ReportPage<'_> {
-    /// Returns the HTML of the page.
+    /// Returns the HTML of the report page.
     pub fn html(&self) -> String {
         let asked = &self.asked;
         let (modes, regimes) = (self.modes.plot(asked), self.regimes.plot(asked));

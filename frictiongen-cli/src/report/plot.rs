@@ -117,17 +117,17 @@ pub struct Plot {
 
 /// Name and unit of the quantity on a panel's vertical axis.
 pub struct Axes<'a> {
-    /// Name of the quantity.
+    /// Name of the quantity on a panel's vertical axis.
     pub quantity: &'a str,
-    /// Unit of the quantity, which may be empty.
+    /// Unit of the quantity on a panel's vertical axis. It may be empty.
     pub unit: &'a str,
 }
 
 /// Name and unit of the quantity on the horizontal axis.
 pub struct HorizontalAxis<'a> {
-    /// Name of the axis.
+    /// Name of the quantity on the horizontal axis.
     pub name: &'a str,
-    /// Unit of the axis, which may be empty.
+    /// Unit of the quantity on the horizontal axis. It may be empty.
     pub unit: &'a str,
 }
 

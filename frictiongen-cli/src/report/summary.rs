@@ -16,7 +16,7 @@ use maud::{Markup, html};
 /// Largest number of resonances that the summary names.
 const MOST_NAMED: usize = 4;
 
-/// Returns the summary as HTML.
+/// Returns the summary of the report page as HTML.
 pub fn html(
     asked: &ReportRequest,
     modes: &ModeSection,

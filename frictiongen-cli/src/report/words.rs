@@ -14,7 +14,7 @@ pub struct PageUnits {
     pub scales: Scales,
     /// True if the page shows frequencies in Hz.
     pub in_hertz: bool,
-    /// The load and its units.
+    /// Load of the report, and the units that follow from it.
     pub measure: Measure,
 }
 

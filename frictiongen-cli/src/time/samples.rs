@@ -9,13 +9,13 @@ use serde_json::Value as Json;
 
 /// Table of the samples of a motion over time.
 pub struct SamplesReport<'m> {
-    /// The motion over time.
+    /// Motion over time whose samples or events the table contains.
     pub motion: &'m RunMotion<'m>,
 }
 
 /// Table of the events of a motion over time.
 pub struct EventsReport<'m> {
-    /// The motion over time.
+    /// Motion over time whose samples or events the table contains.
     pub motion: &'m RunMotion<'m>,
 }
 

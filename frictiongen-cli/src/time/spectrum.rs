@@ -11,7 +11,7 @@ use std::borrow::Cow;
 
 /// Table of the spectra of a motion over time.
 pub struct SpectrumReport<'m> {
-    /// The motion over time.
+    /// Motion over time whose spectra the table contains.
     pub motion: &'m RunMotion<'m>,
     /// Spectra of the contact and masses in the output.
     pub spectra: &'m [Spectrum],

@@ -108,7 +108,7 @@ impl<S: Scalar> Heaviest<S> {
 /// Identifies the dominant mode, whose terms outweigh those of all other modes.
 #[derive(Clone, Copy)]
 enum Which<S> {
-    /// The only mode of the chain is dominant.
+    /// The chain has only one mode, which is dominant.
     Only,
     /// The first of two modes is dominant. Each mode gets the terms of the other mode, in which nothing cancels.
     First,

@@ -9,7 +9,7 @@ use crate::oscillator::mode::{Mode, ModeResponse};
 /// Constants of a chain with its contact that do not belong to a single mode.
 #[derive(Clone, Copy, Debug)]
 pub struct Chain<S> {
-    /// True if any mode is damped.
+    /// True if any mode of the chain is damped.
     pub damped: bool,
     /// Static relative displacement wᵀK̄⁻¹p − 1 of the contact, if the contact slides on a moving base. `None` for
     /// every other contact.

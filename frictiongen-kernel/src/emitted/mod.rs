@@ -77,7 +77,7 @@ macro_rules! scene_items {
             Self::MODES.map(|mode| $crate::emitted::Wave::idle(&mode))
         }
 
-        /// Copies the modes, so that a motion can own them.
+        /// Copies the response and damping functions of the modes, so that a motion can own the copy.
         #[inline]
         fn kept(modes: &Self::Modes) -> Self::Modes {
             *modes

@@ -12,68 +12,69 @@ use core::fmt;
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[non_exhaustive]
 pub enum OutOfDomain {
-    /// Frequency ratio r of a steady response.
+    /// The frequency ratio r of a steady response is outside its domain.
     FrequencyRatio(Given),
-    /// Frequency ratio r of a motion in time. Its reciprocal must also be finite.
+    /// The frequency ratio r of a motion in time is outside its domain. Its reciprocal must also be finite.
     FrequencyRatioInTime(Given),
-    /// Friction ratio β.
+    /// The friction ratio β is outside its domain.
     FrictionRatio(Given),
     /// A frequency ratio or friction ratio outside the range for which the scene's tables were made.
     OutsideTables(Ratio),
     /// A frequency ratio or friction ratio that differs from that of the orbit. An orbit has derivatives only at its
     /// own ratios.
     OtherPoint(Ratio),
-    /// Initial state of the masses (displacements and velocities) that is invalid.
+    /// The initial state of the masses (displacements and velocities) is invalid.
     State,
-    /// Initial state of an orbit with a number that is not finite.
+    /// The initial state of an orbit (steady state) contains a number that is not finite.
     Start,
-    /// Initial state of an orbit with a stuck contact, at a friction ratio β at which the contact cannot stick.
+    /// In the initial state of an orbit (steady state) the contact sticks, but at the friction ratio β it cannot stick.
     StuckStart,
-    /// Duration by which a simulation is advanced.
+    /// The duration by which a simulation is to advance is outside its domain.
     Duration(Given),
-    /// Length of a slice of numbers that the caller passes.
+    /// A slice of numbers that the caller passes has a wrong length.
     Length(Slice),
-    /// Range of frequency ratios. The upper bound must exceed the lower one.
+    /// The range of frequency ratios is invalid. Its upper bound must exceed its lower bound.
     Range,
-    /// Number of intervals into which a search divides its range.
+    /// The number of intervals into which a search divides its range is 0.
     Intervals,
-    /// Index of a mass.
+    /// No mass of the scene has the given index.
     Mass,
-    /// Time step dt of a stepper, in s.
+    /// The time step dt of a stepper, in s, is outside its domain.
     Step(Given),
-    /// Force on a mass in one step.
+    /// The force on a mass in one step of a stepper is outside its domain.
     Force(Given),
-    /// Set of masses on which the samples of a stepper act.
+    /// An input of a stepper does not have one force for each mass that may be loaded, or has a force on another mass.
     Forces,
-    /// Displacement or velocity of the base in one step.
+    /// The displacement or velocity of the base in one step of a stepper is outside its domain.
     BaseMotion(Given),
-    /// Base motion for a scene whose base rests.
+    /// The input contains a base motion, but the base of the scene rests.
     BaseAtRest,
-    /// Kinetic friction force F in one step of a stepper.
+    /// The kinetic friction force F in one step of a stepper is outside its domain.
     Friction(Given),
-    /// Stiction μ, the ratio of the static to the kinetic friction force.
+    /// The stiction μ, the ratio of the static to the kinetic friction force, is outside its domain.
     Stiction(Given),
     /// Input that a stepper accepts only before its first step, such as an initial state. The caller gave this input
     /// after the first step.
     Begun,
-    /// Saved state of a stepper that had another scene or another time step dt.
+    /// The saved state comes from a stepper with another scene or another time step dt.
     Saved,
-    /// Image of a stepper's state with a wrong length or checksum.
+    /// The image (bytes) of a stepper's state has a wrong length or checksum.
     ImageDamaged,
-    /// Image of a stepper's state that another version of this library wrote.
+    /// Another version of this library wrote the image (bytes) of a stepper's state.
     ImageVersion,
     /// Work of the load on the chain since the start. It is so large that it may overflow the number type after one
     /// more step.
     Work,
-    /// Amplitude of the load of a simulation, in a scene whose kinetic friction depends on the speed.
+    /// In a scene whose kinetic friction depends on the speed, the amplitude of a simulation's load is outside its
+    /// domain.
     LoadAmplitude(Given),
-    /// Slope of a speed-dependent friction law that is too steep for a simulation.
+    /// The slope of a speed-dependent friction law is too steep for a simulation.
     Steepness,
-    /// Slope of a speed-dependent friction law that is too steep for one step of a stepper.
+    /// The slope of a speed-dependent friction law is too steep for one step of a stepper.
     StepSteepness,
-    /// Input or load of a scene with several contacts under which its motion exceeds a bound of the solver.
+    /// The motion of a scene with several contacts exceeds a bound of the solver. The field gives the reason.
     Motion(Halt),
-    /// Request that the scene does not support.
+    /// The scene does not support the request. The field gives the reason.
     Unsupported(Unsupported),
 }
 
@@ -81,15 +82,15 @@ pub enum OutOfDomain {
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub enum Given {
-    /// NaN.
+    /// The caller gave NaN (not a number).
     NotANumber,
-    /// A number below zero, or −∞.
+    /// The caller gave a number below zero, or −∞.
     Negative,
-    /// The number 0.
+    /// The caller gave the number 0.
     Zero,
-    /// A finite number above zero.
+    /// The caller gave a finite number above zero.
     Positive,
-    /// ∞.
+    /// The caller gave +∞.
     Infinite,
 }
 
@@ -97,9 +98,9 @@ pub enum Given {
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub enum Ratio {
-    /// Frequency ratio r.
+    /// The frequency ratio r.
     Frequency,
-    /// Friction ratio β.
+    /// The friction ratio β is outside its domain.
     Friction,
 }
 

@@ -71,7 +71,7 @@ pub enum NoOrbit {
     Unsettled,
 }
 
-/// Any error of a solver.  A function that calls several solvers can use `?` on each of their results.
+/// Any error of a solver. A function that calls several solvers can use `?` on each of their results.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[non_exhaustive]

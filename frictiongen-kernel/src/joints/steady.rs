@@ -146,7 +146,7 @@ impl<S: Float, Z: Size> Motion<S, Z> {
     }
 }
 
-/// Search for a periodic motion by the shooting method.
+/// Search for a periodic motion of a chain by the shooting method.
 pub(super) struct Search<S: Float, Z: Size> {
     /// Angular frequency ω of the load.
     pub(super) omega: S,

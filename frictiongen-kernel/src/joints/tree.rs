@@ -29,7 +29,7 @@ impl Branch {
 pub struct Tree<S: Float, Z: Size> {
     /// Contacts of all trees. Each contact follows the contacts between it and the root. Unused entries are at the end.
     branches: Z::Contacts<Branch>,
-    /// Number of contacts in all trees.
+    /// Number of contacts that belong to the trees.
     count: usize,
     /// For each node, the root of the tree that contains the node.
     roots: Z::Nodes<usize>,

@@ -146,9 +146,9 @@ pub struct Sum<'a, S, D> {
 /// Modal sum and its first three derivatives with respect to τ, at one instant.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct SumDerivatives<S> {
-    /// sin τ at the instant.
+    /// Sine of the phase τ at the instant.
     pub sine: S,
-    /// cos τ at the instant.
+    /// Cosine of the phase τ at the instant.
     pub cosine: S,
     pub value: S,
     pub slope: S,
@@ -157,7 +157,7 @@ pub(crate) struct SumDerivatives<S> {
 }
 
 impl<S: Float, D: Decay<S>> Sum<'_, S, D> {
-    /// Evaluates the modal sum at an instant.
+    /// Returns the value of the modal sum at an instant.
     pub fn value(&self, at: &Instant<S>) -> S {
         let mut sum = self.cosine * at.cosine + self.sine * at.sine;
         for wave in self.waves {

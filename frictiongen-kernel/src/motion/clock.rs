@@ -7,9 +7,9 @@ use crate::number::scalar::Float;
 /// A sum of many numbers whose rounding errors do not accumulate (compensated summation).
 #[derive(Clone, Copy, Debug)]
 pub struct Total<S> {
-    /// The sum, rounded to the scalar's precision.
+    /// Value of the sum, rounded to the precision of the number type.
     pub value: S,
-    /// Rounding error of `value` so far.  The exact sum is `value` + `low`.
+    /// Rounding error of `value` so far. The exact sum is `value` + `low`.
     low: S,
 }
 
@@ -47,11 +47,11 @@ impl<S: Float> Total<S> {
 /// Phase of the excitation within its cycle, and the number of completed cycles.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Clock<S> {
-    /// The phase in half-turns (units of π rad), in [0, 2).
+    /// Phase of the excitation in half-turns (units of π rad), in [0, 2).
     pub t: S,
-    /// Rounding error of `t` so far.  The exact phase is `t` + `low`.
+    /// Rounding error of `t` so far. The exact phase is `t` + `low`.
     low: S,
-    /// Number of completed cycles.
+    /// Number of excitation cycles that are complete.
     pub cycles: u64,
 }
 

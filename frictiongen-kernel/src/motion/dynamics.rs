@@ -14,7 +14,7 @@ pub struct HeldMode<S> {
     pub kind: Kind,
     /// Undamped natural frequency ω of the mode, as a frequency ratio r.
     pub frequency: S,
-    /// Modal damping ratio ζ.
+    /// Modal damping ratio ζ of the mode.
     pub zeta: S,
     /// √|1 − ζ²|, the damped natural frequency divided by the undamped one.
     pub q: S,
@@ -25,10 +25,10 @@ pub struct HeldMode<S> {
     pub inverse: [S; 3],
 }
 
-/// Data of a scene for its motion in time.  The data do not depend on r or β.
+/// Data of a scene for its motion in time. The data do not depend on r or β.
 #[derive(Clone, Copy, Debug)]
 pub struct Dynamics<'a, S, K = Chain<S>> {
-    /// Constants of the scene other than its modes.  Their type selects the law of the contact.
+    /// Constants of the scene other than its modes. Their type selects the law of the contact.
     pub chain: K,
     /// All modes of the chain. The modes that the contact drives come first.
     pub modes: &'a [Mode<S>],

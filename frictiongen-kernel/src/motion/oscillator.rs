@@ -25,9 +25,9 @@ pub struct Part<S> {
     /// Undamped natural frequency of the oscillator divided by the excitation frequency, x = σ/r.
     pub(crate) x: S,
     pub(crate) zeta: S,
-    /// q = √|1 − ζ²|, with the modal damping ratio ζ.
+    /// q = √|1 − ζ²|, where ζ is the damping ratio of the oscillator.
     q: S,
-    /// 1 − ζ², with the modal damping ratio ζ.
+    /// 1 − ζ², where ζ is the damping ratio of the oscillator.
     pub(crate) q2: S,
     /// Undamped natural frequency σ of the oscillator, as a frequency ratio.
     sigma: S,
@@ -44,7 +44,7 @@ pub struct Part<S> {
     pub(crate) centre: S,
     /// Displacement y of the oscillator at the present instant, or at the start of the segment.
     pub(crate) y: S,
-    /// Scaled velocity u at the same instant as y.
+    /// Scaled velocity u = y′/x at the same instant as the displacement y.
     pub(crate) u: S,
     /// Displacement y and scaled velocity u of the free motion, at the start of the segment.
     pub(crate) free: [S; 2],
@@ -251,7 +251,7 @@ impl<S: Float> Part<S> {
         }
     }
 
-    /// Returns an upper bound on |`steady`|.  Near the resonance, `steady` is the complex amplitude of the force.
+    /// Returns an upper bound on |`steady`|. Near the resonance, `steady` is the complex amplitude of the force.
     pub(crate) fn push(&self) -> S {
         self.steady.re.abs() + self.steady.im.abs()
     }
@@ -288,7 +288,7 @@ impl<S: Float> Part<S> {
         Some([y, slope / self.x - rotated(self.direct, sine, cosine)])
     }
 
-    /// Sets the oscillator to its steady motion.  Returns `None` on an undamped resonance.
+    /// Sets the oscillator to its steady motion. Returns `None` on an undamped resonance.
     pub(crate) fn settle(&mut self, phase: (S, S)) -> Option<()> {
         self.centre = S::constant(0.0);
         [self.y, self.u] = self.settled(phase)?;

@@ -14,7 +14,7 @@ pub struct MotionSetting<'a, S, K = Chain<S>> {
     pub(crate) dynamics: Dynamics<'a, S, K>,
     /// Frequency ratio r, clamped to the range in which the formulas can be evaluated.
     pub(crate) r: S,
-    /// Friction ratio β.
+    /// Friction ratio β = F/P of the motion.
     pub(crate) beta: S,
     /// Coefficient s of the base motion in z̄: 1 if the contact rubs on the moving base, otherwise 0.
     pub(crate) base: S,
@@ -199,7 +199,7 @@ impl<'a, S: Float, K: ContactChain<S>> MotionSetting<'a, S, K> {
         sum / self.dynamics.chain().inverse_mass
     }
 
-    /// Returns the relative acceleration z̄″.  `excess` is the contact force minus the force that would keep the
+    /// Returns the relative acceleration z̄″. `excess` is the contact force minus the force that would keep the
     /// relative velocity constant.
     pub(crate) fn acceleration(&self, excess: S) -> S {
         self.dynamics.chain().inverse_mass * excess / (self.r * self.r)

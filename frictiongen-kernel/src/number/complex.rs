@@ -13,7 +13,7 @@ pub fn real<S: Scalar>(re: S) -> Complex<S> {
     Complex::new(re, S::constant(0.0))
 }
 
-/// Returns a + b.
+/// Returns the sum a + b of two complex numbers.
 #[inline(always)]
 pub fn add<S: Scalar>(a: Complex<S>, b: Complex<S>) -> Complex<S> {
     Complex::new(a.re + b.re, a.im + b.im)

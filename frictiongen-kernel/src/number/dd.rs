@@ -89,11 +89,11 @@ pub(crate) fn two_product(a: f64, b: f64) -> (f64, f64) {
 }
 
 impl Dd {
-    /// The number 0.
+    /// The number 0 in double-double precision.
     pub const ZERO: Self = Self::new(0.0, 0.0);
-    /// The number 1.
+    /// The number 1 in double-double precision.
     pub const ONE: Self = Self::new(1.0, 0.0);
-    /// The number π, to about 32 digits.
+    /// The number π in double-double precision, to about 32 digits.
     pub const PI: Self = Self::new(core::f64::consts::PI, 1.2246467991473532e-16);
 
     /// Creates the number `hi + lo`. The two terms must be normalised: `hi` is the sum `hi + lo` rounded to `f64`.

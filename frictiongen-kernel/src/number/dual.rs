@@ -21,9 +21,9 @@ use core::ops::{Add, Div, Mul, Neg, Sub};
 /// ```
 #[derive(Clone, Copy, Debug)]
 pub struct Dual<S> {
-    /// Value f of the function.
+    /// Value f of the function with the parameter p.
     pub value: S,
-    /// Derivative ∂f/∂p of the function.
+    /// Derivative ∂f/∂p of the function with respect to the parameter p.
     pub slope: S,
 }
 

@@ -35,7 +35,7 @@ impl<'a, S: Float> SquareMatrix<'a, S> {
         }
     }
 
-    /// Solves (shift·1 − M)x = b in place, and overwrites the matrix.  Returns false if the matrix shift·1 − M is
+    /// Solves (shift·1 − M)x = b in place, and overwrites the matrix. Returns false if the matrix shift·1 − M is
     /// singular.
     pub(crate) fn solve_shifted(&mut self, shift: S, b: &mut [S]) -> bool {
         let n = self.size;

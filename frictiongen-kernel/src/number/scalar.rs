@@ -30,9 +30,9 @@ pub trait Scalar:
 
     /// Returns the number of this type that is nearest to `value`.
     fn constant(value: f64) -> Self;
-    /// Returns π.
+    /// Returns the number π.
     fn pi() -> Self;
-    /// Returns 1/π.
+    /// Returns the number 1/π.
     fn inverse_pi() -> Self;
     /// Returns the condition `self < other`.
     fn lt(self, other: Self) -> Self::Condition;
@@ -40,7 +40,7 @@ pub trait Scalar:
     fn is_zero(self) -> Self::Condition;
     /// Returns `yes` if `condition` is true, and `no` if `condition` is false.
     fn select(condition: Self::Condition, yes: Self, no: Self) -> Self;
-    /// Returns |self|.
+    /// Returns |self|, the absolute value.
     fn abs(self) -> Self;
     /// Returns √self. The result is correctly rounded in `f64` and `f32`, and accurate to about 1e-32 in double-double.
     fn sqrt(self) -> Self;

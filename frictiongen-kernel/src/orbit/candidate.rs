@@ -57,7 +57,7 @@ const ONE_REVERSAL: EventPattern = EventPattern {
 pub(super) struct FoundState<S> {
     /// True if the motion repeats.
     pub settled: bool,
-    /// Period in cycles of the excitation.
+    /// Period of the steady state, in cycles of the excitation.
     pub period: u32,
     /// True if the motion half a period later is the present motion with the opposite sign.
     pub symmetric: bool,

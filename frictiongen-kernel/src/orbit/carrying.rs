@@ -37,7 +37,7 @@ const SAME: f64 = 1e-12;
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
 #[non_exhaustive]
 pub enum NoDerivative {
-    /// There is no steady state.
+    /// The search finds no steady state. The field gives the reason.
     NoOrbit(NoOrbit),
     /// The motion does not repeat, and only its last cycles are known.
     Unsettled,
@@ -88,7 +88,7 @@ pub struct CarryingStorage<'m, S, P, V, C> {
     pub parts: P,
     /// Room for the scalars of any orbit (steady state) of the scene ([`numbers_of`](super::numbers_of)).
     pub numbers: V,
-    /// Room for two scalars of each mass.
+    /// Working memory for two scalars of each mass.
     pub masses: &'m mut [S],
     /// Empty storage, because the multipliers carry no derivative.
     pub multipliers: C,

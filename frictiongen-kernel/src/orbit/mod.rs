@@ -99,7 +99,7 @@ where
         Segments::from(self, 0)
     }
 
-    /// Returns the friction ratio β = F/P.
+    /// Returns the friction ratio β = F/P of this steady state.
     #[must_use]
     pub fn beta(&self) -> S {
         self.setting.beta

@@ -9,9 +9,9 @@ use crate::motion::Dynamics;
 pub struct OrbitQuestion<'a, 's, S, K = Chain<S>> {
     /// Data of the scene from which the search computes its motion.
     pub dynamics: Dynamics<'a, S, K>,
-    /// Frequency ratio r.
+    /// Frequency ratio r of the steady state.
     pub r: S,
-    /// Friction ratio β.
+    /// Friction ratio β of the steady state.
     pub beta: S,
     /// β*_lim, the limit of sliding. For β ≥ β*_lim the motion may end in a stuck state.
     pub sliding: S,

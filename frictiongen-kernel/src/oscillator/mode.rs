@@ -15,14 +15,14 @@ use crate::number::scalar::Scalar;
 /// Kind of damping of a mode. The kind selects the closed form with which the code evaluates the functions of the mode.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Kind {
-    /// No damping, ζ = 0.
+    /// The mode has no damping, ζ = 0.
     Undamped,
     /// Light damping, 0 < ζ < 1/2. The mode stores 1 − q in addition to q = √(1 − ζ²), because 1 − q computed from q
     /// would lose digits for small ζ.
     Light,
     /// Heavy damping below the critical damping, 1/2 ≤ ζ < 1.
     Heavy,
-    /// Critical damping, ζ = 1.
+    /// The mode has critical damping, ζ = 1.
     Critical,
     /// Damping above the critical damping, ζ > 1. The free motion does not oscillate.
     Over,

@@ -28,9 +28,9 @@ pub struct ModeResponse<S> {
 /// An instant of the half period. It stores the phase τ = ωt from a maximum of z̄, and the sine and the cosine of τ.
 #[derive(Clone, Copy, Debug)]
 pub struct Instant<S> {
-    /// Phase in half-turns (π rad), t = τ/π.
+    /// Phase of the instant in half-turns (π rad), t = τ/π.
     pub t: S,
-    /// Phase τ, in rad.
+    /// Phase τ of the instant, in rad.
     pub tau: S,
     /// Sine of the phase τ.
     pub sine: S,

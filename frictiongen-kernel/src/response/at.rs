@@ -144,7 +144,7 @@ impl<T: Scene> At<T> {
         &self.scene
     }
 
-    /// Returns the frequency ratio r = ω√(m₁/k₁).
+    /// Returns the frequency ratio r = ω√(m₁/k₁) at which the scene is evaluated.
     #[inline]
     #[must_use]
     pub fn frequency_ratio(&self) -> T::Scalar {

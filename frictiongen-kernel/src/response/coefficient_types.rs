@@ -7,7 +7,7 @@ use crate::number::scalar::Scalar;
 /// calculation.
 #[derive(Clone, Copy, Debug)]
 pub struct Friction<S> {
-    /// Friction ratio β = F/P.
+    /// Friction ratio β = F/P of this motion.
     pub beta: S,
     /// In-phase term Q = √(|V|² − (βU)²) of the contact's relative motion. V is the response of the contact to the
     /// load, and βU the part of its velocity that friction causes. Q is multiplied by r² and by the scale E of

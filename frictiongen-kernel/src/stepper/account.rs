@@ -1,4 +1,4 @@
-//! Energy balance of a stepper: work and energy since the start.
+//! Energy balance of a stepper: the work of the load, and the dissipated and stored energy since the start.
 
 use super::law::StepContact;
 use super::state::Store;
@@ -7,26 +7,26 @@ use super::types::Stepper;
 use crate::errors::OutOfDomain;
 use crate::number::scalar::Float;
 
-/// Energy balance of a stepper since the start: work of the load, dissipated energy and stored energy. Their unit is
-/// the scene's unit of force times its unit of length.
+/// Energy balance of a stepper since its start: the work of the load, the dissipated energy and the stored energy. The
+/// unit of these numbers is the scene's unit of force times its unit of length.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct Work<S> {
-    /// Work that the forces on the masses and the moving base have done on the chain.
+    /// Work that the forces on the masses and the moving base have done on the chain since the start.
     pub load: S,
-    /// Energy that friction has dissipated.
+    /// Energy that friction in the contact has dissipated since the start.
     pub friction: S,
-    /// Energy that modal damping has dissipated. It is the work of the load, minus the work of friction, minus the
-    /// stored energy.
+    /// Energy that modal damping has dissipated since the start. The code computes it as the work of the load minus the
+    /// energy that friction has dissipated, minus the stored energy.
     pub damping: S,
-    /// Increase of kinetic and elastic energy since the start.
+    /// Increase of the chain's kinetic and elastic energy since the start.
     pub stored: S,
 }
 
 impl<S: Float, const D: usize, T: StepTables<S, D>, V: Store<S, D>, K: StepContact<S>>
     Stepper<'_, S, D, T, V, K>
 {
-    /// Returns the energy balance since the start.
+    /// Returns the energy balance of the chain since the start.
     #[must_use]
     pub fn work(&self) -> Work<S> {
         let stiffness = self.scene.units.stiffness;
@@ -43,7 +43,7 @@ impl<S: Float, const D: usize, T: StepTables<S, D>, V: Store<S, D>, K: StepConta
         }
     }
 
-    /// Fails if the work since the start is so large that one more step could overflow the number type.
+    /// Returns an error if the work since the start is so large that one more step could overflow the number type.
     pub(super) fn check_work(&self) -> Result<(), OutOfDomain> {
         let (_, most) = S::inverse_ratio_range();
         let status = &self.status;
@@ -55,8 +55,8 @@ impl<S: Float, const D: usize, T: StepTables<S, D>, V: Store<S, D>, K: StepConta
         }
     }
 
-    /// Returns the kinetic and elastic energy of the chain, divided by k₁. [`pull`](Self::pull) returns the further
-    /// elastic energy that the base's displacement causes.
+    /// Returns the kinetic and elastic energy of the chain, divided by k₁. The result does not contain the elastic
+    /// energy that the displacement of the base causes, which [`pull`](Self::pull) returns.
     pub(super) fn energy(&self) -> S {
         let half = S::constant(0.5);
         let modes = self.scene.dynamics.modes.iter().enumerate();
@@ -73,7 +73,8 @@ impl<S: Float, const D: usize, T: StepTables<S, D>, V: Store<S, D>, K: StepConta
         sum * half
     }
 
-    /// Returns the energy that the base's displacement adds to the springs between masses and base, divided by k₁.
+    /// Returns the elastic energy that the displacement of the base adds to the springs between masses and base,
+    /// divided by k₁.
     pub(super) fn pull(&self) -> S {
         let zero = S::constant(0.0);
         if !self.scene.on_base {

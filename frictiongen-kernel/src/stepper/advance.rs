@@ -1,5 +1,5 @@
-//! Advances through one sub-interval of a step. The stepper uses its constant tables if the contact provably has no
-//! event, and otherwise searches for events.
+//! Advances the motion through one sub-interval of a step. If the contact provably has no event, the stepper uses its
+//! constant tables. In every other case it searches for events.
 
 use super::interval::StepInterval;
 use super::law::StepContact;
@@ -7,7 +7,7 @@ use crate::motion::Contact;
 use crate::number::scalar::Float;
 
 impl<S: Float, const D: usize, K: StepContact<S>> StepInterval<'_, '_, S, D, K> {
-    /// Advances the modes and the contact through the whole sub-interval.
+    /// Advances the modes and the contact to the end of the sub-interval.
     pub(super) fn advance(&mut self) {
         if self.scene.damped_from_base() {
             self.account_base();
@@ -31,10 +31,11 @@ impl<S: Float, const D: usize, K: StepContact<S>> StepInterval<'_, '_, S, D, K> 
         }
     }
 
-    /// Advances without friction. The contact then carries no force, so that its reversals are not events.
+    /// Advances the motion to the end of the sub-interval without friction. The contact then has no force, so that its
+    /// reversals are not events.
     ///
-    /// The stepper uses its constant tables for the whole sub-interval. Power series about events have rounding errors,
-    /// which would violate the energy balance of an undamped chain.
+    /// The stepper uses its constant tables for the whole sub-interval. Power series from event to event have rounding
+    /// errors. These errors would violate the energy balance of an undamped chain.
     fn advance_without_friction(&mut self) {
         if self.status.contact == Contact::Stuck && !self.status.unknown {
             self.start_sliding();
@@ -48,7 +49,8 @@ impl<S: Float, const D: usize, K: StepContact<S>> StepInterval<'_, '_, S, D, K> 
         self.advance_by_tables(0);
     }
 
-    /// Advances the modes from index `first` on over the whole sub-interval. Friction does not act on these modes.
+    /// Advances the modes from the index `first` on to the end of the sub-interval. Friction does not act on these
+    /// modes.
     fn advance_by_tables(&mut self, first: usize) {
         if self.scene.damped_from_base() {
             self.account_reaction(first..self.store.modes.len(), S::constant(0.0));

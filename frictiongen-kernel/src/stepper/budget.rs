@@ -1,10 +1,11 @@
-//! The bounds on the events of a step, and the rule by which the stepper ends a sub-interval beyond them.
+//! Bounds on the number of events in a step, and the rule with which the stepper ends a sub-interval beyond these
+//! bounds.
 //!
-//! The rule needs no search. If the contact is at rest and its force does not exceed μF, it stays stuck for the rest of
-//! the sub-interval. Otherwise the friction force is constant for the rest of the sub-interval. The rule chooses this
-//! force between minus and plus the kinetic force so that the contact moves least. The work of friction, this force
-//! times the displacement, is therefore a dissipation or zero, and the rule never creates energy. If the contact would
-//! not have stopped, the constant force is the kinetic force, and the motion is exact.
+//! The rule needs no search for events. If the contact is at rest and its force does not exceed μF, the contact stays
+//! stuck for the rest of the sub-interval. In every other case the friction force is constant for the rest of the
+//! sub-interval. The rule chooses this force between minus and plus the kinetic force, so that the contact moves least.
+//! This force times the displacement of the contact is therefore dissipated energy or zero, and the rule never creates
+//! energy. If the contact would not have stopped, the constant force is the kinetic force, and the motion is exact.
 
 use super::cost::{PIECES, RULE, SEARCH};
 use super::interval::{Departure, StepInterval, integral};
@@ -13,17 +14,17 @@ use super::{MAX_EVENTS, MAX_STRETCHES};
 use crate::motion::{Contact, Law, Power, WALK};
 use crate::number::scalar::Float;
 
-/// Ratio of the force in a stuck contact to μF above which the rule lets the contact break away. It exceeds 1 by far
-/// more than rounding, so that a contact that can hold never moves.
+/// Smallest force in a stuck contact at which the rule lets the contact break away, divided by μF. It exceeds 1 by far
+/// more than rounding errors, so that a contact that can stick never moves.
 const OVERLOADED: f64 = 1.0 + 1.0 / 1024.0;
 
 impl<S: Float, const D: usize, K: StepContact<S>> StepInterval<'_, '_, S, D, K> {
-    /// Returns two bounds for this sub-interval: the number of events at which the rule takes over, and the number of
-    /// pieces of motion.
+    /// Returns two bounds for this sub-interval. The first is the number of events after which the rule ends the
+    /// sub-interval. The second is the number of pieces of motion.
     pub(super) fn bounds(&self) -> (u32, u32) {
         if self.status.budget == 0 {
-            // The rule costs at most as much as RULE pieces. MAX_STRETCHES therefore bounds the pieces and the rule
-            // together.
+            // The rule costs at most as much as RULE pieces. The pieces and the rule together therefore cost at most as
+            // much as MAX_STRETCHES pieces.
             return (MAX_EVENTS, MAX_STRETCHES - RULE);
         }
         let events =
@@ -32,7 +33,7 @@ impl<S: Float, const D: usize, K: StepContact<S>> StepInterval<'_, '_, S, D, K> 
         (events, pieces * events)
     }
 
-    /// Returns the largest number of evaluations in a search for an event.
+    /// Returns the largest number of evaluations in one search for an event.
     #[inline]
     pub(super) fn search(&self) -> u32 {
         if self.status.budget == 0 {
@@ -42,7 +43,7 @@ impl<S: Float, const D: usize, K: StepContact<S>> StepInterval<'_, '_, S, D, K> 
         }
     }
 
-    /// Advances over the rest of the sub-interval by the rule of this module, without a search for events.
+    /// Advances the motion to the end of the sub-interval by the rule of this module, without a search for events.
     pub(super) fn finish(&mut self, mut departing: Option<Departure<S>>) {
         self.exceeded = true;
         let left = S::constant(1.0) - self.progress;
@@ -67,8 +68,8 @@ impl<S: Float, const D: usize, K: StepContact<S>> StepInterval<'_, '_, S, D, K> 
             return self.slide_on(&velocity, kinetic, left);
         }
         if let Some(Departure { stuck, .. }) = departing {
-            // The contact would move against the direction in which it started to slide. It therefore stays where it
-            // was stuck.
+            // The contact would move against the direction in which it has started to slide. The code therefore keeps
+            // it where it was stuck.
             self.start_sticking(stuck);
             return self.move_held(left);
         }
@@ -78,8 +79,9 @@ impl<S: Float, const D: usize, K: StepContact<S>> StepInterval<'_, '_, S, D, K> 
         }
         let free = self.velocity_series([zero; 2]);
         let freely = integral(free.used(), left);
-        // The displacement of the contact depends linearly on the force. The ratio of the force for zero displacement
-        // to the kinetic force is less than 1. A ratio less than −1 means that the contact reverses and then slides.
+        // The displacement of the contact depends linearly on the force. The variable is the force for zero
+        // displacement, divided by the kinetic force. It is less than 1. If it is less than −1, the contact reverses
+        // and then slides.
         let share = (freely / (freely - moved))
             .max(S::constant(-1.0))
             .min(S::constant(1.0));
@@ -87,7 +89,7 @@ impl<S: Float, const D: usize, K: StepContact<S>> StepInterval<'_, '_, S, D, K> 
         self.slide_on(&velocity, share * kinetic, left);
     }
 
-    /// Changes the state from sticking to sliding, if the force in the contact now exceeds μF by more than rounding.
+    /// Changes the contact from sticking to sliding if its force exceeds μF by more than rounding errors.
     fn overloaded(&mut self) -> Option<Departure<S>> {
         let (law, force) = (self.law(), self.stuck_force());
         if self.status.wedged || force.abs() <= law.grip() * S::constant(OVERLOADED) {
@@ -108,7 +110,7 @@ impl<S: Float, const D: usize, K: StepContact<S>> StepInterval<'_, '_, S, D, K> 
         })
     }
 
-    /// Lets the contact slide over the rest of the sub-interval under a constant friction force.
+    /// Advances the sliding contact to the end of the sub-interval under a constant friction force.
     fn slide_on(&mut self, velocity: &Power<S>, force: S, left: S) {
         let zero = S::constant(0.0);
         let contact = self.status.contact;
@@ -117,7 +119,7 @@ impl<S: Float, const D: usize, K: StepContact<S>> StepInterval<'_, '_, S, D, K> 
         if self.scene.law.is_empty() && zero < contact.sign::<S>() * rate {
             return;
         }
-        // The next sub-interval derives the contact's state from its velocity.
+        // The next sub-interval computes the state of the contact from its velocity.
         self.status.unknown = true;
         if !self.is_elastic() {
             self.status.contact = Contact::along(rate);

@@ -1,35 +1,35 @@
-//! Upper bounds on the cost of a step in floating-point operations. The module computes them from the lengths of the
-//! step's loops.
+//! Upper bounds on the cost of a step, in floating-point operations. The module computes them from the lengths of the
+//! loops in a step.
 
 use super::{MAX_EVENTS, MAX_STRETCHES};
 use crate::motion::WALK;
 
-/// Upper bound on the evaluations of the contact's velocity or force in one search for an event, if the step has an
+/// Largest number of evaluations of the contact's velocity or force in one search for an event, if the step has an
 /// event budget.
 pub(super) const SEARCH: u32 = 12;
-/// Cost of the rule that ends a sub-interval without a search, expressed as a number of pieces of motion. The rule
-/// costs at most as much as these pieces, in a chain of up to 64 masses.
+/// Cost of the rule that ends a sub-interval without a search, as a number of pieces of motion. In a chain of up to 64
+/// masses, the rule costs at most as much as these pieces.
 pub(super) const RULE: u32 = 4;
-/// Upper bound on the pieces of motion before an event, if the step has an event budget and the friction force depends
+/// Largest number of pieces of motion before an event, if the step has an event budget and the friction force depends
 /// on the speed.
 pub(super) const PIECES: u32 = 4;
 
-/// Numbers of modes, inputs and table entries of a scene, from which the cost of a step follows.
+/// Numbers of modes, inputs and table entries of a scene, from which the code computes the cost of a step.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Extent {
-    /// Number of modes.
+    /// Number of modes of the chain.
     pub modes: u64,
     /// Number of modes that the contact drives.
     pub driven: u64,
     /// Number of modes of the chain minus the number of modes of the chain with its contact stuck.
     pub lost: u64,
-    /// Number of inputs.
+    /// Number of inputs of the stepper.
     pub inputs: u64,
     /// Number of coefficients of an input's polynomial over a sub-interval.
     pub coefficients: u64,
-    /// Number of terms of a power series.
+    /// Number of terms of a power series of the motion.
     pub terms: u64,
-    /// Number of sub-intervals of a step.
+    /// Number of sub-intervals into which the stepper divides a step.
     pub parts: u64,
     /// True if the contact rubs on a moving base.
     pub on_moving_base: bool,
@@ -40,12 +40,12 @@ pub struct Extent {
     pub lines: bool,
 }
 
-/// Cost of one step of a stepper, counted in floating-point operations: sums, products, quotients and comparisons.
+/// Cost of one step of a stepper, in floating-point operations: sums, products, quotients and comparisons.
 ///
-/// `tables` and `most` are upper bounds by construction. A step that uses only the constant tables costs at most
-/// `tables`, and any step costs at most `most`. On an emulated Cortex-M4F, in single precision and optimised for size,
-/// an operation takes at most [`Cost::INSTRUCTIONS`] instructions. A sub-interval takes at most [`Cost::FIXED`] further
-/// instructions. `scripts/firmware` checks these bounds.
+/// The fields `tables` and `most` are upper bounds by construction. A step that uses only the constant tables costs at
+/// most `tables`, and any step costs at most `most`. On an emulated Cortex-M4F, in single precision and optimised for
+/// size, an operation takes at most [`Cost::INSTRUCTIONS`] instructions. A sub-interval takes at most [`Cost::FIXED`]
+/// additional instructions. `scripts/firmware` checks these bounds.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Cost {
     /// Cost of a step without a search for events, in floating-point operations.
@@ -63,17 +63,17 @@ pub struct Cost {
 }
 
 impl Cost {
-    /// Upper bound on the processor instructions that one floating-point operation takes.
+    /// Largest number of processor instructions for one floating-point operation.
     pub const INSTRUCTIONS: u64 = 4;
-    /// Upper bound on the processor instructions of a sub-interval that are not floating-point operations.
+    /// Largest number of processor instructions in a sub-interval that are not floating-point operations.
     pub const FIXED: u64 = 400;
-    /// Usual upper bound on the evaluations of the contact's velocity or force in a search for one event.
+    /// Usual largest number of evaluations of the contact's velocity or force in a search for one event.
     pub const WALK: u64 = 8;
-    /// Upper bound on the evaluations of the contact's velocity or force in one search for an event, if the step has an
+    /// Largest number of evaluations of the contact's velocity or force in one search for an event, if the step has an
     /// event budget.
     pub const SEARCH: u64 = SEARCH as u64;
 
-    /// Computes the cost of a step with a budget of `budget` events, or without a budget if `budget` is 0.
+    /// Computes the cost of a step with a budget of `budget` events. If `budget` is 0, the step has no budget.
     pub(super) const fn within(extent: &Extent, budget: u8) -> Self {
         let of = Self::of(extent);
         if budget == 0 {
@@ -93,7 +93,7 @@ impl Cost {
         }
     }
 
-    /// Computes the cost of a step from the sizes of a scene and its tables.
+    /// Computes the cost of a step without an event budget, from the sizes of a scene and its tables.
     #[must_use]
     pub const fn of(extent: &Extent) -> Self {
         let attempt = extent.attempt();
@@ -118,13 +118,13 @@ impl Cost {
     }
 }
 
-/// Returns the larger one of two costs.
+/// Returns the larger of two costs.
 const fn larger(one: u64, other: u64) -> u64 {
     if one < other { other } else { one }
 }
 
 impl Extent {
-    /// Returns the cost of advancing one sub-interval with the constant tables. The stepper makes this attempt first,
+    /// Returns the cost of advancing one sub-interval with the constant tables. The stepper tries the tables first,
     /// even in a sub-interval with an event.
     const fn attempt(&self) -> u64 {
         let Self {
@@ -135,24 +135,24 @@ impl Extent {
             ..
         } = *self;
         let load = 2 * inputs * d;
-        // The cost of a mode has three parts: the rows of its table, the work, and the bound on the second derivative.
+        // The cost of a mode consists of the rows of its table, the work, and the bound on the second derivative.
         let mode = load + (d + 1) * (3 + 2 * d) + 4 * d + 30;
         let base = if self.on_moving_base { 8 * d } else { 0 };
         let held = 2 * load + base + 2 * d * (3 + 4 * d) + (5 * inputs + 9) * d + 30;
         let sliding = driven * mode;
         let sticking = (driven - self.lost) * held + self.still();
         let contact = larger(sliding, sticking);
-        // The work of the damping load adds a loop over all modes.
+        // The work of the damping load needs another loop over all modes.
         let reaction = if self.damped_from_base {
             modes * (mode + 10) + 2 * d * d + 80
         } else {
             0
         };
-        // The constants contain the cost of inputs, base and work.
+        // The constants are the cost of the inputs, the base and the work.
         (modes - driven) * mode + contact + 80 + 6 * inputs * d + reaction
     }
 
-    /// Returns the cost of computing the contribution of inputs and base to the force in the stuck contact. The cost
+    /// Returns the cost of computing the part of the stuck contact's force that the inputs and the base cause. It
     /// includes the work of the base on which the contact sticks.
     const fn still(&self) -> u64 {
         let d = self.coefficients;
@@ -178,11 +178,12 @@ impl Extent {
             terms,
             ..
         } = *self;
-        // For each mode the power series has three costs: the mode's term in the series, its drive, and its next
-        // coefficients.
+        // The cost of the power series consists of three parts for each mode: its term in the series, its drive, and
+        // its next coefficients.
         let base = if self.on_moving_base { 8 } else { 0 };
         let series = terms * (driven * (16 + base) + 14) + d * driven * 4 * inputs;
-        // Integrals (moments) advance the oscillators. The inputs' polynomials are shifted to the end of the piece.
+        // The oscillators advance by integrals (moments). The code then moves the origin of the inputs' polynomials to
+        // the end of the piece.
         let reaction = if self.damped_from_base { 4 * d + 2 } else { 0 };
         let moved = driven * (terms * (14 + 7 * d) + (8 * inputs + 9) * d + 12 + reaction);
         let rest = 4 * terms + (inputs + 1) * d * d + 60;
@@ -191,15 +192,16 @@ impl Extent {
         series + moved + rest + on_base + 8 * terms
     }
 
-    /// Returns the cost of the rule that ends a sub-interval without a search: the force in the stuck contact, two
-    /// power series, their integrals, a piece of motion, a change to sliding and one to sticking.
+    /// Returns the cost of the rule that ends a sub-interval without a search. The rule computes the force in the stuck
+    /// contact, two power series, their integrals and a piece of motion. It changes once to sliding and once to
+    /// sticking.
     const fn rest(&self) -> u64 {
         let changes = 2 * self.event() + self.held_force();
         2 * self.stretch() + changes + 12 * self.terms + 4 * self.driven + 40
     }
 
-    /// Returns the cost of computing the motions of all masses. If the contact sticks, the modes of the chain follow
-    /// from those of the stuck chain. The product of the mode shapes with the modes gives the motions.
+    /// Returns the cost of computing the motions of all masses. If the contact sticks, the code first computes the
+    /// modes of the chain from those of the stuck chain. It then multiplies the mode shapes by the modes.
     const fn masses(&self) -> u64 {
         let Self {
             modes,
@@ -210,15 +212,15 @@ impl Extent {
         driven * (12 * (driven - lost) + 12) + modes * (4 * modes + 4)
     }
 
-    /// Returns the cost of one evaluation of a power series in a search for an event: the series, two derivatives, and
-    /// the length of the search's next step.
+    /// Returns the cost of one evaluation of a power series in a search for an event. The evaluation computes the
+    /// series, two derivatives, and the length of the search's next step.
     const fn evaluation(&self) -> u64 {
-        // The length of the next step takes at most twelve steps of Newton's method and one square root.
+        // The length of the next step needs at most twelve steps of Newton's method and one square root.
         6 * self.terms + 12 * 14 + 120
     }
 
-    /// Returns the cost of a change between sliding and sticking. Each oscillator after the change is a sum over all
-    /// oscillators that existed until then.
+    /// Returns the cost of a change between sliding and sticking. The state of each oscillator after the change is a
+    /// sum over all oscillators before the change.
     const fn event(&self) -> u64 {
         self.driven * (8 * self.driven + 2 * self.inputs + 12) + 40
     }
@@ -266,8 +268,8 @@ mod tests {
         }
     }
 
-    /// The bound on any step counts RULE pieces of motion for the rule that ends a sub-interval. The rule must cost no
-    /// more than these pieces.
+    /// Checks the cost of the rule that ends a sub-interval. The bound on any step counts RULE pieces of motion for
+    /// this rule, so that the rule must cost no more than these pieces.
     #[test]
     fn the_rule_costs_no_more_than_its_pieces() {
         for driven in 1..=64 {

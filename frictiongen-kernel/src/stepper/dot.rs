@@ -1,11 +1,11 @@
-//! Sums over the few coefficients of an input. The code writes them out without loops, because on a microcontroller a
-//! loop would cost more than the sum.
+//! Sums over the few coefficients of an input. The code contains no loops for them, because on a microcontroller a loop
+//! would cost more than the sum.
 
 use crate::number::scalar::Float;
 
-/// Returns start + Σ a·b. The function sums the products a·b before it adds `start`. If an input changes its sign
-/// within a sub-interval, the products cancel. Rounding errors of a sum that begins with `start` could then exceed
-/// Σ a·b.
+/// Returns `start` + Σ a·b. The function first sums the products a·b, and then adds `start`. If an input changes its
+/// sign within a sub-interval, the products cancel. If the sum began with `start`, its rounding errors could then
+/// exceed Σ a·b.
 #[inline(always)]
 pub(super) fn dot<S: Float, const D: usize>(start: S, a: &[S; D], b: &[S; D]) -> S {
     match (a.as_slice(), b.as_slice()) {
@@ -21,7 +21,7 @@ pub(super) fn dot<S: Float, const D: usize>(start: S, a: &[S; D], b: &[S; D]) ->
     }
 }
 
-/// Adds `factor` times `terms` to the coefficients in `sum`.
+/// Adds `factor` times the coefficients `terms` to the coefficients `sum`.
 #[inline(always)]
 pub(super) fn add<S: Float, const D: usize>(sum: &mut [S; D], factor: S, terms: &[S; D]) {
     match (sum.as_mut_slice(), terms.as_slice()) {
@@ -44,7 +44,7 @@ pub(super) fn add<S: Float, const D: usize>(sum: &mut [S; D], factor: S, terms: 
     }
 }
 
-/// Returns two upper bounds over a sub-interval, for the absolute values of a drive polynomial and of its derivative.
+/// Returns upper bounds on the absolute values of a drive polynomial and of its derivative in a sub-interval.
 #[inline(always)]
 pub(super) fn sizes<S: Float, const D: usize>(drive: &[S; D]) -> (S, S) {
     let (two, three) = (S::constant(2.0), S::constant(3.0));
@@ -68,8 +68,8 @@ pub(super) fn sizes<S: Float, const D: usize>(drive: &[S; D]) -> (S, S) {
     }
 }
 
-/// Computes all moments ∫ sʲ y′ ds of an oscillator except the first, j = 0. `rows` has one row of the constant table
-/// for each moment.
+/// Computes the moments ∫ sʲ y′ ds of an oscillator for j ≥ 1. `rows` contains one row of the constant table for each
+/// moment.
 #[inline(always)]
 pub(super) fn later<S, R, const D: usize>(
     moments: &mut [S; D],

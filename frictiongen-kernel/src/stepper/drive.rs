@@ -1,4 +1,4 @@
-//! The input between two samples, as one polynomial for each sub-interval of a step.
+//! Input of a stepper between two samples, as one polynomial for each sub-interval of a step.
 
 use super::input::Input;
 use super::scene::StepScene;
@@ -6,20 +6,20 @@ use crate::errors::{Given, OutOfDomain};
 use crate::motion::{ContactChain, Law};
 use crate::number::scalar::Float;
 
-/// The input at one instant, in the scene's units.
+/// Input of a stepper at one instant, in the units of the scene.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Sample<'i, S> {
-    /// Displacement and velocity of the base.  A scene whose base is at rest ignores them.
+    /// Displacement and velocity of the base. A scene whose base is at rest ignores them.
     pub base: [S; 2],
-    /// The forces, one for each loaded mass.
+    /// Forces at the instant, one for each mass on which the input acts.
     pub forces: &'i [S],
-    /// The kinetic friction force F, at least 0. With linear input, F acts during the step that ends at this sample.
-    /// With zero-order hold, F acts during the step that starts at this sample.
+    /// Kinetic friction force F, which is at least 0. With linear input, F acts during the step that ends at this
+    /// sample. With zero-order hold, F acts during the step that starts at this sample.
     pub friction: S,
 }
 
 impl<S: Float> Sample<'_, S> {
-    /// Fails if a number of the sample is outside the scene's domain.
+    /// Returns an error if a number of the sample is outside the scene's domain.
     pub(super) fn check<K: ContactChain<S>>(
         &self,
         scene: &StepScene<'_, S, K>,
@@ -30,7 +30,7 @@ impl<S: Float> Sample<'_, S> {
         let energy = limit * limit * scene.units.stiffness;
         let sound = |value: S| {
             let size = value.abs();
-            // The work of an input in a step is a few times its square over k₁, and must stay finite too. The
+            // The work of an input in a step is a few times its square divided by k₁. It must stay finite, too. The
             // comparison is strict, because infinity is not less than infinity.
             size <= most && size * size < energy
         };
@@ -57,10 +57,10 @@ impl<S: Float> Sample<'_, S> {
     }
 }
 
-/// A sub-interval of a step, as start and length in fractions of the step.
+/// A sub-interval of a step: its start and its length as fractions of the step.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct SubInterval<S> {
-    /// Start of the sub-interval, from 0 to 1.
+    /// Start of the sub-interval, as a fraction of the step from 0 to 1.
     pub start: S,
     /// Length of the sub-interval, as a fraction of the step.
     pub length: S,
@@ -75,8 +75,8 @@ impl<S: Float> SubInterval<S> {
         }
     }
 
-    /// Returns a straight line over the step, as a polynomial over this sub-interval.  `from` and `to` are the values
-    /// at the start and at the end of the step.
+    /// Returns a straight line over the step as a polynomial over this sub-interval. The line has the value `from` at
+    /// the start of the step, and `to` at its end.
     pub(super) fn line<const D: usize>(self, from: S, to: S) -> [S; D] {
         let rise = to - from;
         let mut terms = [S::constant(0.0); D];
@@ -103,9 +103,9 @@ impl<S: Float> SubInterval<S> {
     }
 }
 
-/// Returns the base's displacement over a step as a cubic, with the step as the unit of time.  With linear input the
-/// cubic has the given displacement and velocity at both end points.  With zero-order hold it is a straight line
-/// from the displacement at the start of the step.
+/// Returns the displacement of the base during a step as a cubic polynomial. The unit of time is the step. With linear
+/// input the polynomial has the given displacement and velocity at both ends of the step. With zero-order hold it is a
+/// straight line from the displacement at the start of the step.
 pub(super) fn base_motion<S: Float>(input: Input, from: [S; 2], to: [S; 2]) -> [S; 4] {
     let zero = S::constant(0.0);
     let (two, three) = (S::constant(2.0), S::constant(3.0));
@@ -122,9 +122,9 @@ pub(super) fn base_motion<S: Float>(input: Input, from: [S; 2], to: [S; 2]) -> [
     }
 }
 
-/// Shifts the origin of a polynomial by `by`.
+/// Moves the origin of the polynomial's variable by `by`.
 pub(super) fn shift<S: Float>(terms: &mut [S], by: S) {
-    // Short polynomials are written out without loops, as in `dot.rs`.
+    // The code contains no loops for short polynomials, as in `dot.rs`.
     match terms {
         [_] => return,
         [a, b] => {
@@ -152,19 +152,19 @@ pub(super) fn shift<S: Float>(terms: &mut [S], by: S) {
     }
 }
 
-/// Returns the coefficients of a cubic's derivative.
+/// Returns the coefficients of the derivative of a cubic polynomial.
 pub(super) fn derived<S: Float>([_, b, c, d]: [S; 4]) -> [S; 4] {
     let (two, three) = (S::constant(2.0), S::constant(3.0));
     [b, two * c, three * d, S::constant(0.0)]
 }
 
-/// Returns the value of a polynomial at the instant `place`.
+/// Returns the value of the polynomial `terms` at the instant `place`.
 pub(super) fn at<S: Float>(terms: &[S], place: S) -> S {
     let terms = terms.iter().rev();
     terms.fold(S::constant(0.0), |sum, term| sum * place + *term)
 }
 
-/// Returns the change of a polynomial from 0 to the instant `place`.
+/// Returns the value of the polynomial `terms` at the instant `place` minus its value at 0.
 pub(super) fn growth<S: Float>(terms: &[S], place: S) -> S {
     at(terms.get(1..).unwrap_or_default(), place) * place
 }

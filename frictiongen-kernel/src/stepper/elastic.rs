@@ -1,9 +1,9 @@
-//! An elastic contact within a step: a spring in series with the slider.
+//! Elastic contact (a spring in series with a slider) within a step of the stepper.
 //!
-//! The field `stuck_at` of the status is the displacement of the slider while the contact sticks. The contact itself
-//! may move.  The field `contact_force` is the force of the spring at the end of every sub-interval, also while the
-//! slider moves.  The slider has no mass.  If the kinetic friction force falls below the force of the spring, the
-//! slider jumps. Friction then dissipates the energy that the spring loses.
+//! While the contact sticks, the field `stuck_at` of the status is the displacement of the slider. The two sides of the
+//! contact may still move. The field `contact_force` is the force of the spring at the end of every sub-interval, even
+//! while the slider moves. The slider has no mass. If the kinetic friction force falls below the force of the spring,
+//! the slider jumps. Friction then dissipates the energy that the spring loses.
 
 use super::interval::StepInterval;
 use super::law::StepContact;
@@ -27,8 +27,8 @@ impl<S: Float> StepContact<S> for AnyContact<S> {
     }
 }
 
-/// Returns the force of the spring over a sub-interval, as a polynomial, without the contribution of the stuck chain's
-/// modes.  The slider moves with the base on which it rubs.
+/// Returns the force of the contact's spring over a sub-interval, as a polynomial. The result does not contain the
+/// contribution of the stuck chain's modes. The slider moves with the base on which it rubs.
 fn spring_terms<S: Float, const D: usize, K: StepContact<S>>(
     interval: &StepInterval<'_, '_, S, D, K>,
 ) -> [S; 4] {
@@ -41,14 +41,14 @@ fn spring_terms<S: Float, const D: usize, K: StepContact<S>>(
 }
 
 impl<S: Float, const D: usize, K: StepContact<S>> StepInterval<'_, '_, S, D, K> {
-    /// Returns true if the contact is elastic: a spring in series with the slider.
+    /// Returns true if the contact is elastic. An elastic contact is a spring in series with a slider.
     #[inline]
     pub(super) fn is_elastic(&self) -> bool {
         0 < self.scene.dynamics.chain.remembered()
     }
 
-    /// Updates a sliding elastic contact after a change of the kinetic friction force between steps.  If the force has
-    /// become larger, the contact sticks, and the load on its spring increases further.
+    /// Updates a sliding elastic contact after a change of the kinetic friction force between two steps. If the
+    /// friction force has become larger, the contact sticks, and the force of its spring increases further.
     pub(super) fn adapt_to_level(&mut self) {
         if self.status.contact == Contact::Stuck || self.status.unknown {
             return;
@@ -62,8 +62,8 @@ impl<S: Float, const D: usize, K: StepContact<S>> StepInterval<'_, '_, S, D, K> 
         }
     }
 
-    /// Lets the slider jump, so that the force of the spring changes.  Friction dissipates the energy of the
-    /// difference.
+    /// Lets the slider jump, so that the force of the spring changes from `from` to `to`. Friction dissipates the
+    /// energy that the spring loses.
     pub(super) fn drop_force(&mut self, from: S, to: S) {
         let half = S::constant(0.5);
         let compliance = self.scene.dynamics.chain.compliance();
@@ -72,8 +72,8 @@ impl<S: Float, const D: usize, K: StepContact<S>> StepInterval<'_, '_, S, D, K> 
         self.status.contact_force = to;
     }
 
-    /// Starts the motion of the slider, when the force of the spring has reached or exceeded μF.  If the contact moves
-    /// against the force, the slider only jumps, and the contact then sticks under F.
+    /// Starts the motion of the slider when the force of the spring has reached or exceeded μF. If the contact moves
+    /// against the force, the slider only jumps. The contact then sticks under the force F.
     pub(super) fn yield_under(&mut self, force: S, contact: Contact) {
         let kinetic = self.law().kinetic(contact);
         self.start_sliding();
@@ -85,7 +85,8 @@ impl<S: Float, const D: usize, K: StepContact<S>> StepInterval<'_, '_, S, D, K> 
         }
     }
 
-    /// Determines whether an elastic contact sticks or slides, from the force of its spring and from the motion.
+    /// Determines whether an elastic contact sticks or slides. The result depends on the force of its spring and on its
+    /// motion.
     pub(super) fn derive_elastic(&mut self) {
         let force = self.status.contact_force;
         let slid = self.status.contact != Contact::Stuck;
@@ -99,9 +100,9 @@ impl<S: Float, const D: usize, K: StepContact<S>> StepInterval<'_, '_, S, D, K> 
         }
     }
 
-    /// Changes the state to sticking under a given force of the spring.  Computes the stuck chain's modes from the
-    /// modes of the chain.  With a stiff spring, the force is a small difference of displacements. The function
-    /// therefore corrects the stiffest stuck mode so that the modes give this force.
+    /// Changes the contact from sliding to sticking, under a given force of its spring. Computes the modes of the stuck
+    /// chain from the modes of the chain. With a stiff spring, the force is a small difference of displacements. The
+    /// function therefore corrects the stiffest mode of the stuck chain, so that the modes give this force.
     pub(super) fn start_sticking_under(&mut self, force: S) {
         let zero = S::constant(0.0);
         let dynamics = &self.scene.dynamics;
@@ -135,7 +136,8 @@ impl<S: Float, const D: usize, K: StepContact<S>> StepInterval<'_, '_, S, D, K> 
         }
     }
 
-    /// Returns the relative velocity of the contact from the state of the modes, in units of length per sub-interval.
+    /// Returns the relative velocity of the contact, computed from the modes. Its unit is the unit of length divided by
+    /// the sub-interval.
     pub(super) fn relative_rate(&self) -> S {
         let [_, base] = self.base_now();
         let modes = self.table.modes.iter().zip(&*self.store.modes);

@@ -1,4 +1,4 @@
-//! A sub-interval of a step in which the stepper searches for events. The stepper advances from event to event.
+//! Sub-interval of a step in which the stepper searches for events, and advances from event to event.
 
 use super::interval::{ROUNDINGS, StepInterval};
 use super::law::StepContact;
@@ -6,7 +6,7 @@ use crate::motion::{Contact, Law, line_at};
 use crate::number::scalar::Float;
 
 impl<S: Float, const D: usize, K: StepContact<S>> StepInterval<'_, '_, S, D, K> {
-    /// Advances from event to event to the end of the sub-interval.
+    /// Advances the motion from event to event until the end of the sub-interval.
     pub(super) fn follow_events(&mut self) {
         let one = S::constant(1.0);
         let mut departing = None;
@@ -28,7 +28,7 @@ impl<S: Float, const D: usize, K: StepContact<S>> StepInterval<'_, '_, S, D, K> 
         }
     }
 
-    /// Determines the contact's state before the first step, under the inputs at the start of this step.
+    /// Determines the state of the contact before the first step. The inputs are those at the start of this step.
     pub(super) fn begin(&mut self) {
         self.derive_contact();
         if self.status.contact != Contact::Stuck {
@@ -36,13 +36,12 @@ impl<S: Float, const D: usize, K: StepContact<S>> StepInterval<'_, '_, S, D, K> 
         }
         let force = self.stuck_force();
         let law = self.law();
-        // The acceleration of a moving base is unknown before the first step. The first step therefore decides whether
-        // the contact breaks away.
+        // The acceleration of a moving base is unknown before the first step. Whether the contact breaks away is
+        // therefore decided in the first step.
         self.status.contact_force = law.limited(force);
         let slide = law.leave_rest(force);
         if let Some(slide) = slide.filter(|_| !self.scene.rubs_on_base()) {
-            // The contact breaks away at once. The first step finds the same break-away again, and counts it as an
-            // event.
+            // The contact breaks away at once. The first step finds this break-away again, and counts it as an event.
             self.start_sliding();
             self.status.contact = slide.contact;
             self.status.contact_force = law.kinetic(slide.contact);
@@ -50,7 +49,7 @@ impl<S: Float, const D: usize, K: StepContact<S>> StepInterval<'_, '_, S, D, K> 
         }
     }
 
-    /// Determines the contact's state from the velocities of the modes alone.
+    /// Determines the state of the contact from the velocities of the modes alone.
     pub(super) fn derive_contact(&mut self) {
         self.status.unknown = false;
         self.status.wedged = false;
@@ -65,7 +64,8 @@ impl<S: Float, const D: usize, K: StepContact<S>> StepInterval<'_, '_, S, D, K> 
         self.status.line = line_at(self.scene.law, speed);
         let size = velocity.size + self.status.given * pace.span;
         if rate.abs() <= size * S::constant(ROUNDINGS * S::EPSILON) {
-            // The search for events follows. It decides from the contact force whether the contact breaks away at once.
+            // The search for events comes next. It decides from the contact force whether the contact breaks away at
+            // once.
             self.start_sticking(None);
         }
     }

@@ -1,9 +1,9 @@
-//! Detects grazes while a stepper carries derivatives.
+//! Detects grazes in a stepper with derivatives. A graze is an event whose derivative is unreliable.
 //!
 //! At an event a function g of the motion crosses zero. The derivative of the event's instant with respect to a
-//! variable is −ġ/g′, where ġ is the derivative of g with respect to the variable, and g′ is the rate of g in time. An
-//! error δ of g shifts the instant by δ/g′, and therefore changes the slope g′ by g″δ/g′. The relative error of the
-//! derivative is g″δ/g′². In a graze, g′ almost vanishes at the crossing, and this relative error becomes large.
+//! variable is −ġ/g′. Here ġ is the derivative of g with respect to the variable, and g′ its derivative with respect to
+//! time. An error δ of g shifts the instant by δ/g′, and therefore changes g′ by g″δ/g′. The relative error of the
+//! derivative is g″δ/g′². In a graze, g′ is almost 0 at the crossing, and this relative error becomes large.
 
 use super::Store;
 use super::interval::StepInterval;
@@ -13,17 +13,18 @@ use super::types::Stepper;
 use crate::motion::{Law, Power};
 use crate::number::scalar::Float;
 
-/// Error δ of a function of the motion, divided by the sum of the absolute values of the function's terms. It is the
-/// rounding error of an input in `f64`.
+/// Error δ of a function of the motion, divided by the sum of the absolute values of the function's terms. The value is
+/// the rounding error of an input in `f64`.
 const ROUNDED: f64 = f64::EPSILON;
-/// Largest permitted relative error of the derivative of an event's instant. Above it, the event counts as a graze.
+/// Largest relative error of the derivative of an event's instant at which the event is no graze.
 const BOUND: f64 = 1e-6;
-/// Largest distance of a contact force from μF, divided by μF, at which rounding may decide whether the contact slides.
+/// Largest difference between a contact force and μF at which rounding may decide whether the contact slides, divided
+/// by μF.
 const MARGINAL: f64 = 1e-12;
 
 impl<S: Float, const D: usize, K: StepContact<S>> StepInterval<'_, '_, S, D, K> {
-    /// Notes a graze if `sum` crosses `level` at the instant `tau` so slowly that the derivative of this instant has a
-    /// relative error of more than [`BOUND`]. The function does nothing for numbers without derivatives.
+    /// Records a graze if `sum` crosses `level` at the instant `tau` so slowly that the derivative of this instant has
+    /// a relative error of more than [`BOUND`]. For numbers without derivatives the function does nothing.
     #[inline]
     pub(super) fn note_crossing(&mut self, sum: &Power<S>, level: S, tau: S) {
         if !S::CARRIES {
@@ -43,7 +44,8 @@ impl<S: Float, const D: usize, K: StepContact<S>> StepInterval<'_, '_, S, D, K> 
         self.status.grazed |= !is_steep;
     }
 
-    /// Notes a graze if rounding may decide whether the contact, at zero velocity under `force`, sticks or slides.
+    /// Records a graze if rounding may decide whether the contact sticks or slides. The contact has zero velocity and
+    /// the force `force`.
     #[inline]
     pub(super) fn note_choice(&mut self, force: S) {
         if S::CARRIES {
@@ -55,8 +57,8 @@ impl<S: Float, const D: usize, K: StepContact<S>> StepInterval<'_, '_, S, D, K> 
 impl<S: Float, const D: usize, T: StepTables<S, D>, V: Store<S, D>, K: StepContact<S>>
     Stepper<'_, S, D, T, V, K>
 {
-    /// Returns true if a stepper with derivatives has met a graze: an event whose derivative is unreliable. A stepper
-    /// without derivatives returns false.
+    /// Returns true if a stepper with derivatives has met a graze (an event whose derivative is unreliable). For a
+    /// stepper without derivatives the result is false.
     #[doc(hidden)]
     #[must_use]
     pub fn grazed(&self) -> bool {

@@ -1,4 +1,4 @@
-//! An image of a stepper's state: bytes for a file or for flash memory, from which a later run continues.
+//! Image of a stepper's state: bytes for a file or for flash memory, from which a later run can continue.
 //!
 //! | bytes | contents |
 //! |---|---|
@@ -22,31 +22,32 @@ use crate::errors::OutOfDomain;
 use crate::motion::{Contact, Total};
 use crate::number::scalar::Float;
 
-/// The first bytes of an image.
+/// First bytes of every image (saved state of a stepper).
 const NAME: [u8; 2] = *b"fs";
-/// Version of the form that [`Stepper::write_image`] writes.
+/// Version of the image format that [`Stepper::write_image`] writes.
 const VERSION: u8 = 1;
-/// Number of bytes before the counts: name, version, size of a scalar, and hash of scene and step.
+/// Number of bytes in an image before its counts. They contain the name, the version, the size of a scalar, and the
+/// hash of scene and step.
 const HEAD: usize = 12;
-/// Number of bytes of the counts and flags of an image.
+/// Number of bytes that an image (saved state of a stepper) uses for its counts and flags.
 const COUNTS: usize = 24;
 /// Number of bytes of the checksum at the end of an image.
 const CHECKSUM: usize = 4;
-/// Number of scalars that stand in an image before those of the modes: the step dt and the numbers of the status.
+/// Number of scalars in an image before those of the modes. They are the time step dt and the numbers of the status.
 const SCALARS: usize = 14;
 
-/// Returns the length of an image in bytes.  `scalar` is the size of the scalar in bytes.
+/// Returns the length of an image (saved state of a stepper) in bytes. `scalar` is the size of a scalar in bytes.
 #[doc(hidden)]
 #[must_use]
 pub const fn image_bytes(scalar: usize, modes: usize, held: usize, inputs: usize) -> usize {
     HEAD + COUNTS + scalar * (SCALARS + 2 * modes + 2 * held + inputs) + CHECKSUM
 }
 
-/// Returns the step dt of an image, in seconds, after a check of all bytes.
+/// Checks all bytes of an image, and returns its time step dt in seconds.
 ///
 /// # Errors
-/// [`OutOfDomain::ImageDamaged`] if the length or the checksum is wrong.  [`OutOfDomain::ImageVersion`] for another
-/// version.  [`OutOfDomain::Saved`] for another scalar.
+/// [`OutOfDomain::ImageDamaged`] if the length or the checksum of the image is wrong. [`OutOfDomain::ImageVersion`] for
+/// another version of the image. [`OutOfDomain::Saved`] for another number type.
 #[doc(hidden)]
 pub fn image_step<S: Float>(bytes: &[u8]) -> Result<S, OutOfDomain> {
     let mut reader = checked::<S>(bytes)?;
@@ -54,7 +55,7 @@ pub fn image_step<S: Float>(bytes: &[u8]) -> Result<S, OutOfDomain> {
     Ok(reader.scalar())
 }
 
-/// Returns the checksum CRC-32 (IEEE 802.3) of bytes. It detects every change that is confined to 32 neighbouring bits.
+/// Returns the checksum CRC-32 (IEEE 802.3) of bytes. It detects every change that is limited to 32 neighbouring bits.
 fn crc<'b>(bytes: impl Iterator<Item = &'b u8>) -> u32 {
     !bytes.fold(u32::MAX, |sum, byte| {
         (0..8).fold(sum ^ u32::from(*byte), |sum, _| {
@@ -63,8 +64,8 @@ fn crc<'b>(bytes: impl Iterator<Item = &'b u8>) -> u32 {
     })
 }
 
-/// Checks the name, the version, the size of a scalar and the checksum of an image. The returned reader stands at the
-/// hash.
+/// Checks the name, the version, the size of a scalar and the checksum of an image. The next item that the returned
+/// reader reads is the hash.
 fn checked<S: Float>(bytes: &[u8]) -> Result<Reader<'_>, OutOfDomain> {
     let body = bytes.len().checked_sub(CHECKSUM);
     let (body, sum) = body
@@ -87,7 +88,7 @@ fn checked<S: Float>(bytes: &[u8]) -> Result<Reader<'_>, OutOfDomain> {
     Ok(reader)
 }
 
-/// Reads numbers from bytes, one after the other. After the end of the bytes it reads zeros.
+/// Reads numbers from bytes, one after the other. After the end of the bytes it returns zeros.
 #[derive(Clone)]
 struct Reader<'b>(core::slice::Iter<'b, u8>);
 
@@ -123,7 +124,7 @@ impl Reader<'_> {
     }
 }
 
-/// Writes numbers into bytes, one after the other, as long as there is room.
+/// Writes numbers into bytes, one after the other, as long as the bytes have room.
 struct Writer<'b>(core::slice::IterMut<'b, u8>);
 
 impl Writer<'_> {
@@ -153,7 +154,7 @@ impl Writer<'_> {
 }
 
 impl<S: Float> Status<S> {
-    /// Returns the scalars of the stepper's status in the order of an image.
+    /// Returns the scalars of the stepper's status, in the order in which an image contains them.
     fn scalars(&self) -> [S; SCALARS - 1] {
         let [base, velocity] = self.base;
         let ([load, load_low], [lost, lost_low]) = (self.load.parts(), self.dissipated.parts());
@@ -174,7 +175,7 @@ impl<S: Float> Status<S> {
         ]
     }
 
-    /// Reads the status of a stepper from an image. Returns `None` for contents that no stepper writes.
+    /// Reads the status of a stepper from an image. Returns `None` if no stepper can have written the contents.
     fn read(reader: &mut Reader<'_>, lines: usize) -> Option<Self> {
         let (steps, exceeded) = (reader.long(), reader.long());
         let line = usize::try_from(reader.word())
@@ -233,7 +234,7 @@ impl<S: Float> Status<S> {
 impl<S: Float, const D: usize, T: StepTables<S, D>, V: Store<S, D>, K: StepContact<S>>
     Stepper<'_, S, D, T, V, K>
 {
-    /// Returns the length of an image of this stepper in bytes.
+    /// Returns the length of this stepper's image (saved state) in bytes.
     #[doc(hidden)]
     #[must_use]
     pub fn image_len(&self) -> usize {
@@ -242,7 +243,7 @@ impl<S: Float, const D: usize, T: StepTables<S, D>, V: Store<S, D>, K: StepConta
         image_bytes(size_of::<S>(), modes, held, store.last.len())
     }
 
-    /// Writes an image of the state into bytes of the length [`image_len`](Self::image_len).
+    /// Writes an image of the stepper's state. The slice `to` must have [`image_len`](Self::image_len) bytes.
     #[doc(hidden)]
     pub fn write_image(&self, to: &mut [u8]) {
         let (status, store) = (&self.status, self.store.read());
@@ -276,7 +277,7 @@ impl<S: Float, const D: usize, T: StepTables<S, D>, V: Store<S, D>, K: StepConta
         Writer(sum.iter_mut()).bytes(&crc(body.iter()).to_le_bytes());
     }
 
-    /// Restores the state of an image. From this state, the same inputs give results with the same bits.
+    /// Restores the state in an image. From this state, the same inputs return results with the same bits.
     ///
     /// # Errors
     /// The stepper then keeps its state.
@@ -316,6 +317,6 @@ impl<S: Float, const D: usize, T: StepTables<S, D>, V: Store<S, D>, K: StepConta
 impl<S: Float, const D: usize, T, const MODES: usize, const HELD: usize, const INPUTS: usize, K>
     Stepper<'_, S, D, T, FixedStore<S, D, MODES, HELD, INPUTS>, K>
 {
-    /// Length of an image in bytes.
+    /// Length of an image (saved state of this stepper), in bytes.
     pub const IMAGE: usize = image_bytes(size_of::<S>(), MODES, HELD, INPUTS);
 }

@@ -7,11 +7,11 @@ use super::table::View;
 use crate::motion::ContactChain;
 use crate::number::scalar::Float;
 
-/// Bound on the rounding error of a sum over modes, as a multiple of the rounding unit times the sum of the absolute
-/// values of its terms.
+/// Bound on the rounding error of a sum over modes, divided by the rounding unit and by the sum of the absolute values
+/// of its terms.
 pub(super) const ROUNDINGS: f64 = 8.0;
-/// Factor 1/8. Over a unit of time, a function differs from its chord by at most 1/8 of the largest absolute value of
-/// its second derivative.
+/// Factor 1/8. In a unit of time, a function differs from its chord by at most 1/8 of the largest absolute value of its
+/// second derivative.
 pub(super) const OFF_CHORD: f64 = 0.125;
 
 /// Data of a stepper during one sub-interval of a step. The unit of time is one sub-interval.
@@ -20,23 +20,24 @@ pub struct StepInterval<'t, 'a, S, const D: usize, K> {
     pub table: View<'t, S, D>,
     pub store: StoreMut<'t, S, D>,
     pub status: &'t mut Status<S>,
-    /// The base's displacement over the sub-interval as a polynomial. The stepper uses it only if the contact slides on
+    /// Displacement of the base in the sub-interval, as a polynomial. The stepper uses it only if the contact slides on
     /// the base.
     pub base: [S; 4],
-    /// Progress through the sub-interval, from 0 to 1. The inputs' polynomials have their origin at this instant.
+    /// Elapsed fraction of the sub-interval, from 0 to 1. The polynomials of the inputs have their origin at this
+    /// instant.
     pub progress: S,
-    /// Number of events in the sub-interval so far.
+    /// Number of events that the stepper has followed in the sub-interval so far.
     pub events: u32,
-    /// True if the number of events or pieces of motion in the sub-interval reached its bound.
+    /// True if the number of events or of pieces of motion in the sub-interval has reached its bound.
     pub exceeded: bool,
 }
 
-/// The contact at an instant at which it starts to slide from zero velocity.
+/// State of a contact that starts to slide from zero velocity.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Departure<S> {
-    /// Relative acceleration of the contact in the direction of sliding.
+    /// Relative acceleration of the contact in its direction of sliding.
     pub slope: S,
-    /// Displacement at which the contact stuck until this instant, or `None` if it did not stick.
+    /// Displacement at which the contact has been stuck until this instant, or `None` if it did not stick.
     pub stuck: Option<S>,
 }
 
@@ -45,7 +46,7 @@ impl<S: Float, const D: usize, K: ContactChain<S>> StepInterval<'_, '_, S, D, K>
         self.scene.dynamics.in_contact().min(self.store.modes.len())
     }
 
-    /// Returns the law of the contact, with forces over k₁.
+    /// Returns the law of the contact. Its forces are divided by k₁.
     #[inline]
     pub(super) fn law(&self) -> K::Law {
         self.status.law(self.scene)
@@ -55,8 +56,8 @@ impl<S: Float, const D: usize, K: ContactChain<S>> StepInterval<'_, '_, S, D, K>
         self.scene.terms(self.table.pace.terms)
     }
 
-    /// Returns the acceleration of the contact. `excess` is the contact force minus the force that would keep the
-    /// contact's velocity constant.
+    /// Returns the acceleration of the contact. `excess` is the contact force minus the force at which the velocity of
+    /// the contact would stay constant.
     pub(super) fn acceleration(&self, excess: S) -> S {
         self.scene.acceleration(&self.table.pace, excess)
     }
@@ -74,7 +75,7 @@ impl<S: Float, const D: usize, K: ContactChain<S>> StepInterval<'_, '_, S, D, K>
         self.status.dissipated = self.status.dissipated.plus(friction);
     }
 
-    /// Advances the present instant by `tau`. Shifts the origin of the inputs' polynomials to the new instant.
+    /// Advances the present instant by `tau`. Moves the origin of the inputs' polynomials to the new instant.
     pub(super) fn shift_inputs(&mut self, tau: S) {
         let one = S::constant(1.0);
         let end = one - self.progress <= tau;
@@ -86,7 +87,7 @@ impl<S: Float, const D: usize, K: ContactChain<S>> StepInterval<'_, '_, S, D, K>
     }
 }
 
-/// Integrates the product of two polynomials from 0 to the instant `place`.
+/// Returns the integral of the product of the polynomials `a` and `b` from 0 to the instant `place`.
 pub(super) fn product<S: Float>(a: &[S], b: &[S], place: S) -> S {
     let one = S::constant(1.0);
     let mut sum = S::constant(0.0);
@@ -102,7 +103,7 @@ pub(super) fn product<S: Float>(a: &[S], b: &[S], place: S) -> S {
     sum
 }
 
-/// Integrates a power series from 0 to the instant `place`.
+/// Returns the integral of the power series `terms` from 0 to the instant `place`.
 pub(super) fn integral<S: Float>(terms: &[S], place: S) -> S {
     product(terms, &[S::constant(1.0)], place)
 }

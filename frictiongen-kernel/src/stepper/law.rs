@@ -1,12 +1,12 @@
-//! Trait that a contact law implements for a stepper: its force while the contact sticks.
+//! Trait of a contact law that a stepper can follow. It provides the force of the contact while it sticks.
 
 use super::interval::StepInterval;
 use crate::motion::ContactChain;
 use crate::number::scalar::Float;
 
-/// A chain whose contact a stepper can follow.
+/// Constants of a chain whose contact a stepper can follow.
 pub trait StepContact<S: Float>: ContactChain<S> {
-    /// Returns the force that keeps the contact stuck over a sub-interval, as a polynomial in time. The result does not
+    /// Returns the force that keeps the contact stuck in a sub-interval, as a polynomial in time. The result does not
     /// contain the contribution of the modes.
     fn stuck_force_terms<const D: usize>(interval: &StepInterval<'_, '_, S, D, Self>) -> [S; 4];
 }

@@ -1,16 +1,16 @@
-//! Motion under a force that is known at samples, in time steps of a fixed length.
+//! Motion under a force that is known at samples, in time steps of equal length.
 //!
-//! The stepper divides a step into equal sub-intervals, called `parts` in the code. In a sub-interval, no oscillator
-//! advances by more than a radian. A power series over a sub-interval therefore converges, and its cost is bounded.
+//! The stepper divides a step into equal sub-intervals, called `parts` in the code. In a sub-interval no oscillator
+//! advances by more than one radian. A power series over a sub-interval therefore converges, and its cost is bounded.
 //!
-//! Over a sub-interval the input is a polynomial, and each oscillator has a closed-form response. A constant table
-//! advances the oscillator's state from the start of the sub-interval to its end. If the contact provably keeps
-//! sliding, or provably keeps sticking, one product with this table gives the motion over the sub-interval.
+//! Over a sub-interval the input is a polynomial, and the response of each oscillator has a closed form. A constant
+//! table advances the state of the oscillator from the start of the sub-interval to its end. If the contact provably
+//! keeps sliding, or provably keeps sticking, one product with this table gives the motion.
 //!
-//! Otherwise the stepper searches the sub-interval for events, and follows the motion in *pieces* between them. In a
-//! piece, the contact's velocity or the force in the stuck contact is a power series about an instant. The search that
-//! the simulation uses finds the first zero of this series. The *stuck chain* is the chain with its contact stuck. The
-//! code calls its modes `held`. Section 11 of docs/derivation.md derives the method.
+//! In every other case the stepper searches the sub-interval for events, and follows the motion in *pieces* between
+//! them. In a piece, the contact's velocity or the force in the stuck contact is a power series about an instant. The
+//! stepper finds the first zero of this series with the search that the simulation uses. The *stuck chain* is the chain
+//! with its contact stuck. The code calls its modes `held`. Section 11 of docs/derivation.md derives the method.
 
 mod account;
 mod advance;
@@ -55,17 +55,16 @@ pub use state::{FixedStore, Store, StoreMut, StoreRef};
 pub use table::{Channel, FixedTables, HeldLoad, StepTables, View, fill, series_terms};
 pub use types::{ContactNow, DeclaredStepper, FixedStepper, MassNow, Stepped, Stepper};
 
-/// Upper bound on the events that the stepper follows in one sub-interval of a step without an event budget. After
-/// these events the stepper ends the sub-interval without a search. A contact at rest then stays stuck for the rest of
-/// the sub-interval. Otherwise the friction force is constant for the rest of the sub-interval, and moves the contact
-/// as little as possible.
+/// Largest number of events that the stepper follows in one sub-interval of a step without an event budget. After these
+/// events the stepper ends the sub-interval without a search. A contact at rest then stays stuck for the rest of the
+/// sub-interval. In every other case the friction force is constant for the rest of the sub-interval, and moves the
+/// contact as little as possible.
 pub const MAX_EVENTS: u32 = 8;
 
-/// Upper bound on the pieces of motion that the stepper follows in one sub-interval of a step. A piece ends at an
-/// event, or when the speed reaches the next straight line of the friction law. A piece of motion under a steep law
-/// also ends where its power series stops converging. The rule that ends a sub-interval without a search counts as four
-/// pieces.
+/// Largest number of pieces of motion that the stepper follows in one sub-interval of a step. A piece ends at an event,
+/// or when the speed reaches the next straight line of the friction law. Under a steep law a piece also ends where its
+/// power series stops converging. The rule that ends a sub-interval without a search counts as four pieces.
 pub const MAX_STRETCHES: u32 = 8 * MAX_EVENTS;
 
-/// Upper bound on the sub-intervals of one step.
+/// Largest number of sub-intervals in one step of a stepper.
 pub const MAX_PARTS: u32 = 1024;

@@ -1,5 +1,5 @@
-//! Results that a stepper returns for the end of the last step: the motion of the masses and of the contact, and the
-//! friction force.
+//! Results of a stepper at the end of the last step: the motion of the masses and of the contact, and the friction
+//! force.
 
 use super::cost::Cost;
 use super::interval::ROUNDINGS;
@@ -14,7 +14,7 @@ impl<S: Float, const D: usize, T: StepTables<S, D>, V: Store<S, D>, K: StepConta
     Stepper<'_, S, D, T, V, K>
 {
     /// Returns upper bounds on the cost of a step, in floating-point operations. With an event budget, the bound
-    /// [`Cost::most`] on any step is much smaller than without.
+    /// [`Cost::most`] on any step is much smaller than without a budget.
     #[must_use]
     pub fn cost(&self) -> Cost {
         let pace = self.tables.view().pace;
@@ -22,23 +22,23 @@ impl<S: Float, const D: usize, T: StepTables<S, D>, V: Store<S, D>, K: StepConta
         Cost::within(&extent, self.status.budget)
     }
 
-    /// Returns the length of a step, in seconds.
+    /// Returns the time step of the stepper, in seconds.
     #[must_use]
     pub fn dt(&self) -> S {
         self.tables.view().pace.step
     }
 
-    /// Returns the number of steps taken since the start.
+    /// Returns the number of steps that the stepper has taken since its start.
     #[must_use]
     pub fn steps(&self) -> u64 {
         self.status.steps
     }
 
-    /// Returns the time since the start, in seconds.
+    /// Returns the time since the start of the stepper, in seconds.
     #[must_use]
     pub fn time(&self) -> S {
-        // A conversion of 64 bits would need double precision, which a microcontroller emulates. Two conversions of 32
-        // bits do not need it.
+        // A conversion of 64 bits would need double precision, which a microcontroller emulates slowly. Two conversions
+        // of 32 bits do not need it.
         let [high, low] = [
             self.status.steps >> 32,
             self.status.steps & u64::from(u32::MAX),
@@ -47,20 +47,20 @@ impl<S: Float, const D: usize, T: StepTables<S, D>, V: Store<S, D>, K: StepConta
         (high * S::constant(4_294_967_296.0) + low) * self.dt()
     }
 
-    /// Returns the number of steps in which a sub-interval reached the bound on events or pieces of motion.
+    /// Returns the number of steps in which a sub-interval has reached the bound on events or on pieces of motion.
     #[must_use]
     pub fn exceeded(&self) -> u64 {
         self.status.exceeded
     }
 
-    /// Returns μ, the ratio of static to kinetic friction force.
+    /// Returns μ, the ratio of the static to the kinetic friction force.
     #[must_use]
     pub fn stiction(&self) -> S {
         self.status.stiction
     }
 
-    /// Derives the contact's state from its velocity. A velocity smaller than the rounding error of its sum counts as
-    /// zero.
+    /// Returns the state of the contact, determined from its velocity. A velocity that is smaller than the rounding
+    /// error of its sum is treated as zero.
     pub(super) fn direction(&self) -> Contact {
         let [_, velocity] = self.carrying();
         let (mut sum, mut size) = (-velocity, velocity.abs() + self.status.given);
@@ -76,7 +76,7 @@ impl<S: Float, const D: usize, T: StepTables<S, D>, V: Store<S, D>, K: StepConta
         }
     }
 
-    /// Returns the relative displacement and velocity of the contact as sums over the modes.
+    /// Returns the relative displacement and velocity of the contact, each as a sum over the modes.
     fn contact_sum(&self) -> MassNow<S> {
         let zero = S::constant(0.0);
         let modes = self.scene.dynamics.driven();
@@ -88,15 +88,16 @@ impl<S: Float, const D: usize, T: StepTables<S, D>, V: Store<S, D>, K: StepConta
         }
     }
 
-    /// Returns displacement and velocity of the contact point while the contact sticks, including the motion of the
-    /// base. The velocity refers to the non-dimensional time t√(k₁/m₁).
+    /// Returns the displacement and velocity of the contact point while the contact sticks, including the motion of the
+    /// base. The velocity is the derivative with respect to the non-dimensional time t√(k₁/m₁).
     pub(super) fn lifted(&self) -> (S, S) {
         let [place, velocity] = self.carrying();
         (self.status.stuck_at + place, velocity)
     }
 
-    /// Returns displacement and velocity of the base on which the contact rubs. The velocity refers to the
-    /// non-dimensional time t√(k₁/m₁). Both numbers are zero if the contact does not rub on a moving base.
+    /// Returns the displacement and velocity of the base on which the contact rubs. The velocity is the derivative with
+    /// respect to the non-dimensional time t√(k₁/m₁). If the contact does not rub on a moving base, both numbers are
+    /// zero.
     fn carrying(&self) -> [S; 2] {
         if self.scene.rubs_on_base() {
             let [place, velocity] = self.status.base;
@@ -106,8 +107,8 @@ impl<S: Float, const D: usize, T: StepTables<S, D>, V: Store<S, D>, K: StepConta
         }
     }
 
-    /// Returns the motion of a mass at the end of the last step, by its index in the description.  An invalid index
-    /// gives a motion at rest.
+    /// Returns the displacement and velocity of a mass at the end of the last step. `index` is the index of the mass in
+    /// the description. For an invalid index both are 0.
     #[must_use]
     pub fn mass(&self, index: usize) -> MassNow<S> {
         if self.rests() && self.scene.dynamics.moves_as_contact(index) {
@@ -120,10 +121,10 @@ impl<S: Float, const D: usize, T: StepTables<S, D>, V: Store<S, D>, K: StepConta
         self.sum(|mode| shape.get(mode).copied().unwrap_or(S::constant(0.0)))
     }
 
-    /// Writes the motions of all masses at the end of the last step, in the order of the description. The function
-    /// computes each mode once. It therefore costs one product of the mode shapes with the modes ([`Cost::masses`]).
-    /// The results equal those of [`mass`](Self::mass) to the last bit. Entries of `to` after the last mass become
-    /// motions at rest.
+    /// Writes the motions of all masses at the end of the last step to `to`, in the order of the description. The
+    /// function computes each mode once. Its cost is therefore one product of the mode shapes with the modes
+    /// ([`Cost::masses`]). The results have the same bits as those of [`mass`](Self::mass). Entries of `to` after the
+    /// last mass become motions at rest.
     pub fn read_masses(&self, to: &mut [MassNow<S>]) {
         let zero = S::constant(0.0);
         let dynamics = &self.scene.dynamics;
@@ -154,14 +155,14 @@ impl<S: Float, const D: usize, T: StepTables<S, D>, V: Store<S, D>, K: StepConta
         }
     }
 
-    /// Returns true if a rigid contact sticks.  An elastic contact moves while it sticks.
+    /// Returns true if the contact is rigid and sticks. An elastic contact moves while it sticks.
     #[inline]
     fn rests(&self) -> bool {
         let rigid = self.scene.dynamics.chain.remembered() == 0;
         rigid && self.status.contact == Contact::Stuck && !self.status.unknown
     }
 
-    /// Returns displacement and velocity of the base at the end of the last step.
+    /// Returns the displacement and velocity of the base at the end of the last step.
     #[must_use]
     pub fn base(&self) -> MassNow<S> {
         let [displacement, velocity] = self.status.base;
@@ -171,8 +172,8 @@ impl<S: Float, const D: usize, T: StepTables<S, D>, V: Store<S, D>, K: StepConta
         }
     }
 
-    /// Returns the sum of the modes' displacements, and of their velocities, each multiplied by the `weight` of the
-    /// mode.
+    /// Returns the sum of the modes' displacements and the sum of their velocities. In both sums each mode is
+    /// multiplied by its `weight`.
     pub(super) fn sum(&self, weight: impl Fn(usize) -> S) -> MassNow<S> {
         let zero = S::constant(0.0);
         let (mut displacement, mut velocity) = (zero, zero);
@@ -187,7 +188,7 @@ impl<S: Float, const D: usize, T: StepTables<S, D>, V: Store<S, D>, K: StepConta
         }
     }
 
-    /// Returns the displacement of a mode and its velocity in the non-dimensional time t√(k₁/m₁).
+    /// Returns the displacement of a mode, and its velocity with respect to the non-dimensional time t√(k₁/m₁).
     pub(super) fn mode(&self, index: usize) -> [S; 2] {
         let zero = S::constant(0.0);
         let dynamics = &self.scene.dynamics;
@@ -206,7 +207,7 @@ impl<S: Float, const D: usize, T: StepTables<S, D>, V: Store<S, D>, K: StepConta
         [y, u * mode.resonance]
     }
 
-    /// Returns displacement, velocity, state and friction force of the contact at the end of the last step.
+    /// Returns the displacement, velocity, state and friction force of the contact at the end of the last step.
     #[must_use]
     pub fn contact(&self) -> ContactNow<S> {
         let contact = self.status.contact;
@@ -225,7 +226,7 @@ impl<S: Float, const D: usize, T: StepTables<S, D>, V: Store<S, D>, K: StepConta
         }
     }
 
-    /// Returns the friction force at the end of the last step, in the scene's unit of force.
+    /// Returns the friction force in the contact at the end of the last step, in the scene's unit of force.
     pub(super) fn force(&self) -> S {
         let zero = S::constant(0.0);
         let status = &self.status;
@@ -257,9 +258,9 @@ impl<
     K: StepContact<S>,
 > Stepper<'_, S, D, T, FixedStore<S, D, MODES, HELD, INPUTS>, K>
 {
-    /// Returns the motions of all masses at the end of the last step, in the order of the description. One call costs
-    /// about as much as one call of [`mass`](Self::mass) and one product of the mode shapes with the modes, because it
-    /// computes each mode once.
+    /// Returns the motions of all masses at the end of the last step, in the order of the description. One call
+    /// computes each mode once. It therefore costs about as much as one call of [`mass`](Self::mass) and one product of
+    /// the mode shapes with the modes.
     #[must_use]
     pub fn all_masses(&self) -> [MassNow<S>; MODES] {
         let zero = S::constant(0.0);

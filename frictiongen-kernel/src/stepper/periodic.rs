@@ -1,5 +1,5 @@
-//! Functions for a search for periodic motions: steps with forces that are cubic in time, and access to the numbers of
-//! the state.
+//! Functions for a search for periodic motions: steps with forces that are cubic functions of time, and access to the
+//! numbers of the state.
 
 use super::Input;
 use super::drive::{Sample, SubInterval, base_motion};
@@ -15,11 +15,12 @@ use crate::number::scalar::Float;
 impl<S: Float, const D: usize, T: StepTables<S, D>, V: Store<S, D>, K: StepContact<S>>
     Stepper<'_, S, D, T, V, K>
 {
-    /// Advances by one step as [`advance`](Self::advance) does with linear input, but with forces that are cubic in
-    /// time. `slopes` has the time derivative of each force at the start and at the end of the step, per second.
+    /// Advances the stepper by one step, as [`advance`](Self::advance) does with linear input. The forces are cubic
+    /// functions of time instead. `slopes` contains the time derivative of each force at the start and at the end of
+    /// the step, per second.
     ///
     /// # Errors
-    /// Same errors as [`advance`](Self::advance).
+    /// The errors of [`advance`](Self::advance).
     pub fn advance_cubic(
         &mut self,
         sample: Sample<'_, S>,
@@ -81,9 +82,9 @@ impl<S: Float, const D: usize, T: StepTables<S, D>, V: Store<S, D>, K: StepConta
         Ok(stepped)
     }
 
-    /// Calls `visit` with every number that determines the later motion. All these numbers are displacements. They are
-    /// the displacement and the scaled velocity of each oscillator. While the contact sticks, the position of the
-    /// contact is one more number. For an elastic contact it is the position of the slider.
+    /// Calls `visit` with every number that determines the later motion. All these numbers are displacements: the
+    /// displacement and the scaled velocity of each oscillator. While the contact sticks, its position is one more
+    /// number. For an elastic contact it is the position of the slider.
     pub fn visit_state(&mut self, mut visit: impl FnMut(&mut S)) {
         let sticks = self.status.contact == Contact::Stuck && !self.status.unknown;
         let driven = self.scene.dynamics.in_contact();
@@ -97,11 +98,11 @@ impl<S: Float, const D: usize, T: StepTables<S, D>, V: Store<S, D>, K: StepConta
         if sticks {
             visit(&mut self.status.stuck_at);
         }
-        // The flag `wedged` belongs to the previous state, and does not apply to the changed state.
+        // The flag `wedged` belongs to the previous state, and is not valid for the changed state.
         self.status.wedged = false;
     }
 
-    /// Sets the work to 0. Later work counts from this instant.
+    /// Sets the work of the energy balance to 0. The balance then starts at this instant.
     pub fn restart_work(&mut self) {
         self.status.load = crate::motion::Total::zero();
         self.status.dissipated = crate::motion::Total::zero();

@@ -1,9 +1,9 @@
-//! Work of damping forces on the moving base, if damping acts relative to the base.
+//! Work of damping forces on the moving base, if the damping acts on velocities relative to the base.
 //!
-//! Damping relative to the base gives the masses the load C·1·ẏ, where C is the damping matrix and ẏ is the velocity of
-//! the base. The opposite reaction acts on the base, and so does the damping force 1ᵀC1·ẏ. The work of the base against
-//! both forces is 1ᵀC1∫ẏ²dt − ∫ẏ·1ᵀC·ẋ dt. The sums over the inputs, however, add ∫ẏ·1ᵀC·ẋ dt as work of the load on
-//! the masses. The code therefore subtracts twice this integral.
+//! Damping relative to the base causes the load C·1·ẏ on the masses, where C is the damping matrix and ẏ is the
+//! velocity of the base. The opposite force acts on the base. The damping force 1ᵀC1·ẏ also acts on the base. The work
+//! of the base against both forces is 1ᵀC1∫ẏ²dt − ∫ẏ·1ᵀC·ẋ dt. The sums over the inputs, however, add ∫ẏ·1ᵀC·ẋ dt as
+//! work of the load on the masses. The code therefore subtracts twice this integral.
 
 use super::dot::add;
 use super::drive::derived;
@@ -13,7 +13,7 @@ use crate::number::scalar::Float;
 use core::ops::Range;
 
 impl<S: Float, const D: usize, K: StepContact<S>> StepInterval<'_, '_, S, D, K> {
-    /// Adds 1ᵀC1∫ẏ²dt over the sub-interval to the work of the base. C is the damping matrix and ẏ is the velocity of
+    /// Adds 1ᵀC1∫ẏ²dt in the sub-interval to the work of the base. C is the damping matrix, and ẏ is the velocity of
     /// the base.
     pub(super) fn account_base(&mut self) {
         let one = S::constant(1.0);
@@ -22,8 +22,9 @@ impl<S: Float, const D: usize, K: StepContact<S>> StepInterval<'_, '_, S, D, K> 
         self.account(self.scene.base_drag() * squared, S::constant(0.0));
     }
 
-    /// Subtracts twice the work of the base's damping load on some modes in the sub-interval from the work of the load.
-    /// The caller has not yet changed the states of these modes. `force` is the constant friction force in the contact.
+    /// Corrects the work of the load for the reaction of damping on the base. Subtracts twice the work that the damping
+    /// load of the base does on some modes in the sub-interval. The caller has not yet changed the states of these
+    /// modes. `force` is the constant friction force in the contact.
     pub(super) fn account_reaction(&mut self, modes: Range<usize>, force: S) {
         let mut work = S::constant(0.0);
         for index in modes {
@@ -42,7 +43,8 @@ impl<S: Float, const D: usize, K: StepContact<S>> StepInterval<'_, '_, S, D, K> 
         self.account(-(work + work), S::constant(0.0));
     }
 
-    /// Returns twice the work of the base's damping load on a mode, computed from the moments of the mode's velocity.
+    /// Returns twice the work that the damping load of the base does on a mode. The code computes it from the moments
+    /// of the mode's velocity.
     pub(super) fn reaction(&self, mode: usize, rises: &[S; D]) -> S {
         let load = self.base_load(mode);
         let terms = load.iter().zip(rises);

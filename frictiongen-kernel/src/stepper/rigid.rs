@@ -1,4 +1,4 @@
-//! The force in a rigid contact while it sticks, within a step.
+//! Force in a rigid contact within a step, while the contact sticks.
 
 use super::drive::derived;
 use super::interval::StepInterval;
@@ -13,8 +13,8 @@ impl<S: Float> StepContact<S> for Chain<S> {
     }
 }
 
-/// Returns the force that keeps a rigid contact stuck over a sub-interval, as a polynomial, without the contribution of
-/// the stuck chain's modes.
+/// Returns the force that keeps a rigid contact stuck in a sub-interval, as a polynomial. The result does not contain
+/// the contribution of the stuck chain's modes.
 #[inline]
 pub(super) fn rigid_terms<S: Float, const D: usize, K: StepContact<S>>(
     interval: &StepInterval<'_, '_, S, D, K>,

@@ -5,8 +5,8 @@ use super::dot::{add, dot};
 use crate::motion::TERMS;
 use crate::number::scalar::Float;
 
-/// One row of a mode's table. It has the weights of the mode's displacement y, of its scaled velocity u (y′ = Ωu), and
-/// of the coefficients of its drive.
+/// One row of a mode's table. It contains the weights of the mode's displacement y, of its scaled velocity u (y′ = Ωu),
+/// and of the coefficients of its drive.
 ///
 /// The first row of `moments` and the row `turn` are stored as three shears, so that rounded weights create no energy.
 /// First y increases by before·u, then u by turn·y + loss·u, then y by after·u. The `state` of the first moment is
@@ -19,8 +19,8 @@ pub struct Row<S, const D: usize> {
     pub drive: [S; D],
 }
 
-/// One row of the table of a mode of the chain with its contact stuck. It has the weights of the mode's state (y, u),
-/// and of the coefficients of the drives of y′ and u′. The first row of `moments` and the first row of `turns` are
+/// One row of the table of a mode of the chain with its contact stuck. It contains the weights of the mode's state (y,
+/// u), and of the coefficients of the drives of y′ and u′. The first row of `moments` and the first row of `turns` are
 /// stored as three shears, as in [`Row`].
 #[derive(Clone, Copy, Debug)]
 pub struct HeldRow<S, const D: usize> {
@@ -30,41 +30,45 @@ pub struct HeldRow<S, const D: usize> {
     pub drive: [[S; D]; 2],
 }
 
-/// Table of a mode over a sub-interval of a step. The mode obeys y′ = Ωu and u′ = −Ω(y + 2ζu) + drive. The unit of time
-/// is the sub-interval.
+/// Table of a mode over a sub-interval of a step. The mode satisfies y′ = Ωu and u′ = −Ω(y + 2ζu) + drive. The unit of
+/// time is the sub-interval.
 #[derive(Clone, Copy, Debug)]
 pub struct ModeStep<S, const D: usize> {
     /// Ω, the phase by which the mode would advance in a sub-interval without damping, in rad.
     pub angle: S,
-    /// ζ, the modal damping ratio.
+    /// Modal damping ratio ζ of the mode.
     pub zeta: S,
-    /// Rate u′ per unit of force on the mode: Ω/σ², where σ is the natural frequency of the mode as a frequency ratio.
+    /// Rate u′ caused by a unit force on the mode: Ω/σ², where σ is the natural frequency of the mode as a frequency
+    /// ratio.
     pub per_force: S,
     /// φᵀw, the component of the mode in the contact's displacement.
     pub contact: S,
-    /// Weights that give the increase of the scaled velocity u over the sub-interval.
+    /// Weights with which the code computes the increase of the scaled velocity u in the sub-interval.
     pub turn: Row<S, D>,
-    /// Weights that give the moments ∫ sʲ y′ ds over the sub-interval, for j = 0, 1, …. The moment with j = 0 is the
-    /// increase of the displacement y. The moments multiplied by the coefficients of the drive give the work.
+    /// Weights with which the code computes the moments ∫ sʲ y′ ds in the sub-interval, for j = 0, 1, …. The moment
+    /// with j = 0 is the increase of the displacement y. The moments multiplied by the coefficients of the drive are
+    /// the work.
     pub moments: [Row<S, D>; D],
 }
 
-/// Table of a mode of the chain with its contact stuck, over a sub-interval of a step. The mode obeys y′ = Ωu + a and
-/// u′ = −Ω(y + 2ζu) + b, where a and b are its two drives. The unit of time is the sub-interval.
+/// Table of a mode of the chain with its contact stuck, over a sub-interval of a step. The mode satisfies y′ = Ωu + a
+/// and u′ = −Ω(y + 2ζu) + b, where a and b are its two drives. The unit of time is the sub-interval.
 #[derive(Clone, Copy, Debug)]
 pub struct HeldStep<S, const D: usize> {
     /// Ω, the phase by which the mode would advance in a sub-interval without damping, in rad.
     pub angle: S,
-    /// ζ, the modal damping ratio.
+    /// Modal damping ratio ζ of the mode.
     pub zeta: S,
-    /// Contact force per unit of the mode's displacement y, with the opposite sign.
+    /// Contact force caused by a unit displacement y of the mode, with the opposite sign.
     pub force: S,
-    /// Rates of the mode's displacement y and of its scaled velocity u while the contact sticks to a moving base. The
-    /// first pair is per unit of the base's velocity. The second pair is per unit of the base's acceleration.
+    /// Rates of the mode's displacement y and of its scaled velocity u while the contact sticks to a moving base. A
+    /// unit velocity of the base causes the first pair, and a unit acceleration of the base the second pair.
     pub from_base: [[S; 2]; 2],
-    /// Weights that give the moments ∫ sʲ y′ ds of the displacement y over the sub-interval, for j = 0, 1, ….
+    /// Weights with which the code computes the moments ∫ sʲ y′ ds of the displacement y in the sub-interval, for j =
+    /// 0, 1, ….
     pub moments: [HeldRow<S, D>; D],
-    /// Weights that give the moments ∫ sʲ u′ ds of the scaled velocity u over the sub-interval, for j = 0, 1, ….
+    /// Weights with which the code computes the moments ∫ sʲ u′ ds of the scaled velocity u in the sub-interval, for j
+    /// = 0, 1, ….
     pub turns: [HeldRow<S, D>; D],
 }
 
@@ -110,7 +114,7 @@ pub(super) fn moments<S: Float, const D: usize, const E: usize>(
 }
 
 /// Computes the weights with which a term of order n of the power series enters the moments with j < D. The weights are
-/// n·p^(n+j)/(n+j), where p is the end of the motion. `power` is pⁿ.
+/// n·p^(n+j)/(n+j), where p is the argument `place`, the end of the motion. `power` is pⁿ.
 #[inline(always)]
 fn weigh<S: Float, const D: usize>(weights: &mut [S; D], order: S, power: S, place: S) {
     let (one, two, three) = (S::constant(1.0), S::constant(2.0), S::constant(3.0));
@@ -139,12 +143,12 @@ fn weigh<S: Float, const D: usize>(weights: &mut [S; D], order: S, power: S, pla
     }
 }
 
-/// Rewrites the weights of y and u over a sub-interval as three shears.
+/// Replaces the weights of y and u over a sub-interval by those of three shears.
 ///
 /// A product of shears has the determinant 1 for any weights. With these weights the product is a rotation, in
-/// coordinates that equal y and u except for rounding errors. Without damping the product therefore conserves exactly a
-/// quadratic form that is nearly the energy. The weight `loss` makes the determinant e^(−2ζΩ). By this factor damping
-/// reduces the energy in a sub-interval.
+/// coordinates that equal y and u apart from rounding errors. Without damping the product therefore conserves exactly a
+/// quadratic form that is nearly the energy. The weight `loss` makes the determinant e^(−2ζΩ), the factor by which
+/// damping reduces the energy in a sub-interval.
 fn shear<S: Float, const D: usize>((angle, zeta): (S, S), rows: &mut [[HeldRow<S, D>; D]; 2]) {
     let (zero, one) = (S::constant(0.0), S::constant(1.0));
     let [rises, turns] = rows;
@@ -193,7 +197,7 @@ impl<S: Float, const D: usize> ModeStep<S, D> {
         step
     }
 
-    /// Returns an entry whose numbers are all 0, to initialise arrays.
+    /// Returns a table entry whose numbers are all 0. The code uses it to initialise arrays.
     #[must_use]
     pub fn zero() -> Self {
         let zero = S::constant(0.0);
@@ -220,8 +224,9 @@ impl<S: Float, const D: usize> HeldStep<S, D> {
         step
     }
 
-    /// Computes the weights of all moments of an oscillator. A weight is the moment of the motion that follows if one
-    /// quantity is 1 and all others are 0. The quantities are y, u and the coefficients of the drives.
+    /// Computes the weights of all moments of an oscillator. To find a weight, the code sets one quantity to 1 and all
+    /// others to 0. The quantities are y, u and the coefficients of the drives. The weight is the moment of the motion
+    /// that follows.
     fn rows(of: (S, S)) -> [[HeldRow<S, D>; D]; 2] {
         let (zero, one) = (S::constant(0.0), S::constant(1.0));
         let mut rows = [[HeldRow::zero(); D]; 2];
@@ -260,7 +265,7 @@ impl<S: Float, const D: usize> HeldStep<S, D> {
         rows
     }
 
-    /// Returns an entry whose numbers are all 0, to initialise arrays.
+    /// Returns a table entry whose numbers are all 0. The code uses it to initialise arrays.
     #[must_use]
     pub fn zero() -> Self {
         let zero = S::constant(0.0);

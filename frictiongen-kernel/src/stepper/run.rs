@@ -13,15 +13,15 @@ use crate::motion::{Contact, steepest};
 use crate::number::scalar::Float;
 use core::marker::PhantomData;
 
-/// Upper bound on the change of the contact's velocity that a friction law may cause in a sub-interval, divided by that
-/// velocity. With a steeper law a power series would converge over only a small fraction of the sub-interval.
+/// Largest change of the contact's velocity that a friction law may cause in a sub-interval, divided by this velocity.
+/// With a steeper law a power series would converge in only a small fraction of the sub-interval.
 const STEEPEST: f64 = 16.0;
 
 impl<'a, S: Float, const D: usize, T: StepTables<S, D>, V: Store<S, D>, K: StepContact<S>>
     Stepper<'a, S, D, T, V, K>
 {
-    /// Creates a stepper without load, at rest or in a given state. The state has displacements and velocities of the
-    /// masses.
+    /// Creates a stepper without load, at rest or in a given state. The state consists of the displacements and
+    /// velocities of the masses.
     ///
     /// `store` must be the storage of a stepper at rest.
     ///
@@ -58,7 +58,7 @@ impl<'a, S: Float, const D: usize, T: StepTables<S, D>, V: Store<S, D>, K: StepC
         }
     }
 
-    /// Sets the displacements and velocities of the masses.
+    /// Sets the displacements and velocities of the masses in a new stepper.
     fn set_state(&mut self, displacements: &[S], velocities: &[S]) -> Result<(), OutOfDomain> {
         let masses = self.scene.dynamics.modes.len();
         let sound = |values: &[S]| {
@@ -96,12 +96,12 @@ impl<'a, S: Float, const D: usize, T: StepTables<S, D>, V: Store<S, D>, K: StepC
         Ok(())
     }
 
-    /// Sets the input at the start of the first step. Without this call that input is 0. A linear input begins at this
-    /// value. [`contact`](Self::contact) then returns the force under this sample. For a moving base, `contact` assumes
-    /// a constant velocity of the base.
+    /// Sets the input at the start of the first step. Without this call this input is 0. An input that changes linearly
+    /// starts at this value. After the call, [`contact`](Self::contact) returns the force under this sample. For a
+    /// moving base, `contact` assumes a constant velocity of the base.
     ///
     /// # Errors
-    /// Same errors as [`advance`](Self::advance), and [`OutOfDomain::Begun`] after the first step.
+    /// The errors of [`advance`](Self::advance), and [`OutOfDomain::Begun`] after the first step.
     pub fn begin(&mut self, sample: Sample<'_, S>) -> Result<(), OutOfDomain> {
         sample.check(&self.scene, self.status.stiction)?;
         if self.status.steps != 0 {
@@ -136,8 +136,8 @@ impl<'a, S: Float, const D: usize, T: StepTables<S, D>, V: Store<S, D>, K: StepC
         self.status.level = sample.friction / self.scene.units.stiffness;
     }
 
-    /// Takes one step. With linear input, the input reaches this sample at the end of the step. With zero-order hold,
-    /// the input has this sample during the whole step.
+    /// Advances the stepper by one step. With linear input, the input reaches this sample at the end of the step. With
+    /// zero-order hold, the input has this sample during the whole step.
     ///
     /// # Errors
     /// [`OutOfDomain`] in the following cases. The stepper then keeps its state.
@@ -155,7 +155,7 @@ impl<'a, S: Float, const D: usize, T: StepTables<S, D>, V: Store<S, D>, K: StepC
         let pace = self.tables.view().pace;
         let steep = steepest(self.scene.law);
         if S::constant(0.0) < steep {
-            // `rate` is the change of the contact's velocity that the law causes within a sub-interval, divided by that
+            // `rate` is the change of the contact's velocity that the law causes in a sub-interval, divided by this
             // velocity.
             let friction = sample.friction / self.scene.units.stiffness;
             let seconds = pace.step / S::constant(f64::from(pace.parts));
@@ -200,9 +200,9 @@ impl<'a, S: Float, const D: usize, T: StepTables<S, D>, V: Store<S, D>, K: StepC
         Ok(stepped)
     }
 
-    /// Advances through the second and all later sub-intervals of a step.
+    /// Advances the stepper through the second and all later sub-intervals of a step.
     // The compiler must not inline this function and the next one. The inlined code would prepare addresses for further
-    // sub-intervals in every step, although most steps have only one.
+    // sub-intervals in every step, although most steps have only one sub-interval.
     #[inline(never)]
     fn advance_further(
         &mut self,
@@ -221,8 +221,8 @@ impl<'a, S: Float, const D: usize, T: StepTables<S, D>, V: Store<S, D>, K: StepC
         self.status.spent = 0;
     }
 
-    /// Advances through one sub-interval of a step. Returns the number of events, and a flag. The flag is true if the
-    /// stepper reached the bound on events and followed no further events.
+    /// Advances the stepper through one sub-interval of a step. Returns the number of events and a flag. The flag is
+    /// true if the stepper has reached the bound on events and followed no further events.
     #[inline(never)]
     fn advance_interval(
         &mut self,
@@ -235,7 +235,7 @@ impl<'a, S: Float, const D: usize, T: StepTables<S, D>, V: Store<S, D>, K: StepC
         (interval.events, interval.exceeded)
     }
 
-    /// Returns the data of a sub-interval at its start, with the inputs as polynomials over the sub-interval.
+    /// Returns the data of a sub-interval at its start. The inputs are polynomials over the sub-interval.
     #[inline]
     fn interval(
         &mut self,
@@ -256,8 +256,8 @@ impl<'a, S: Float, const D: usize, T: StepTables<S, D>, V: Store<S, D>, K: StepC
         }
     }
 
-    /// Applies the jump of the base at the start of a step with zero-order hold. A mass that slides on the base does
-    /// not jump with the base.
+    /// Applies the jump of the base at the start of a step with zero-order hold. If a mass slides on the base, the mass
+    /// does not jump with it.
     fn jump_base(&mut self, [place, velocity]: [S; 2]) {
         if !self.scene.rubs_on_base() || self.status.unknown {
             return;
@@ -275,15 +275,15 @@ impl<'a, S: Float, const D: usize, T: StepTables<S, D>, V: Store<S, D>, K: StepC
         self.status.unknown = true;
     }
 
-    /// Computes the state of the chain's modes from the modes of the chain with its contact stuck, if the contact
-    /// sticks.
+    /// Computes the state of the chain's modes from the modes of the chain with its contact stuck. The contact must
+    /// stick before the call.
     fn release(&mut self) {
         let lifted = self.lifted();
         let receptance = self.tables.view().pace.receptance;
         self.store.change().release(&self.scene, receptance, lifted);
     }
 
-    /// Writes the inputs over a sub-interval as polynomials, and returns the base's motion as a polynomial.
+    /// Writes the inputs in a sub-interval as polynomials. Returns the motion of the base as a polynomial.
     pub(super) fn write_inputs(
         &mut self,
         sample: &Sample<'_, S>,
@@ -321,8 +321,8 @@ impl<'a, S: Float, const D: usize, T: StepTables<S, D>, V: Store<S, D>, K: StepC
         base
     }
 
-    /// Sets the event budget, from the next step on. The budget is the number of events that the stepper follows in a
-    /// step. 0 removes the budget.
+    /// Sets the event budget from the next step on. The budget is the number of events that the stepper follows in a
+    /// step. A budget of 0 means that there is no budget.
     ///
     /// A step with at most this number of events has the same result to the last bit as without a budget, unless a
     /// search needs more than [`Cost::SEARCH`](super::Cost::SEARCH) evaluations. At the next event after these, the
@@ -336,10 +336,11 @@ impl<'a, S: Float, const D: usize, T: StepTables<S, D>, V: Store<S, D>, K: StepC
         self.status.budget = events;
     }
 
-    /// Sets μ, the ratio of static to kinetic friction force, from the next step on.
+    /// Sets μ, the ratio of the static to the kinetic friction force, from the next step on.
     ///
     /// # Errors
-    /// [`OutOfDomain::Stiction`] for NaN, infinity, numbers outside the scalar's safe range, and numbers less than 1.
+    /// [`OutOfDomain::Stiction`] for NaN, infinity, numbers less than 1, and numbers outside the range in which the
+    /// number type does not overflow.
     pub fn set_stiction(&mut self, mu: S) -> Result<(), OutOfDomain> {
         let (_, most) = S::inverse_ratio_range();
         if !(S::constant(1.0) <= mu && mu <= most) {

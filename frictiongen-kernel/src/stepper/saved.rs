@@ -8,19 +8,19 @@ use super::types::Stepper;
 use crate::errors::OutOfDomain;
 use crate::number::scalar::Float;
 
-/// State of a stepper without its tables, as [`Stepper::save`](super::Stepper::save) returns it.
+/// Saved state of a stepper without its tables. [`Stepper::save`](super::Stepper::save) returns it.
 #[derive(Clone, Copy, Debug)]
 pub struct Saved<S, V> {
     pub(super) status: Status<S>,
     pub(super) store: V,
-    /// Hash of the scene and of the step, which `Stepper::mark` computes.
+    /// Hash of the scene and of the time step. `Stepper::mark` computes it.
     mark: u64,
 }
 
 impl<S: Float, const D: usize, T: StepTables<S, D>, V: Store<S, D>, K: StepContact<S>>
     Stepper<'_, S, D, T, V, K>
 {
-    /// Returns the state from which [`restore`](Self::restore) continues the run.
+    /// Returns the present state of the stepper. [`restore`](Self::restore) continues the run from it.
     #[must_use]
     pub fn save(&self) -> Saved<S, V>
     where
@@ -33,10 +33,11 @@ impl<S: Float, const D: usize, T: StepTables<S, D>, V: Store<S, D>, K: StepConta
         }
     }
 
-    /// Restores a saved state. From this state, the same inputs give results that are equal to the last bit.
+    /// Restores a saved state of the stepper. From this state, the same inputs return results with the same bits.
     ///
     /// # Errors
-    /// [`OutOfDomain::Saved`] if the state comes from a stepper of another scene or step. A hash of both detects this.
+    /// [`OutOfDomain::Saved`] if the state comes from a stepper with another scene or time step. A hash of both detects
+    /// this.
     pub fn restore(&mut self, saved: &Saved<S, V>) -> Result<(), OutOfDomain>
     where
         V: Clone,
@@ -53,8 +54,8 @@ impl<S: Float, const D: usize, T: StepTables<S, D>, V: Store<S, D>, K: StepConta
         Ok(())
     }
 
-    /// Returns a hash of the scene, with its units and loads, and of the step. A saved state is valid only for the same
-    /// scene and step.
+    /// Returns a hash of the scene (with its units and loads) and of the time step. A saved state is valid only for the
+    /// same scene and time step.
     pub(super) fn mark(&self) -> u64 {
         let View {
             pace,
@@ -93,8 +94,8 @@ impl<S: Float, const D: usize, T: StepTables<S, D>, V: Store<S, D>, K: StepConta
     }
 }
 
-/// Hash of numbers by the algorithm FNV-1a, applied to words of 64 bits. After each word the code combines the upper
-/// half of the hash with the lower half.
+/// Hash of numbers by the algorithm FNV-1a, for words of 64 bits. After each word the code combines the upper half of
+/// the hash with its lower half.
 struct Hash(u64);
 
 impl Hash {
@@ -104,7 +105,8 @@ impl Hash {
 
     fn word(&mut self, word: u64) -> &mut Self {
         let mixed = (self.0 ^ word).wrapping_mul(0x0100_0000_01b3);
-        // A product carries only to higher bits, so that the upper half must be combined with the lower half.
+        // In a product, carries go only to higher bits. The code must therefore combine the upper half with the lower
+        // half.
         self.0 = mixed ^ (mixed >> 32);
         self
     }

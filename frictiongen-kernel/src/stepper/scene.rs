@@ -10,9 +10,9 @@ use crate::number::scalar::Float;
 /// Factors that convert a stepper's non-dimensional groups to the units of the scene.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Units<S> {
-    /// k₁, the stiffness of the first spring, in the scene's unit of force divided by its unit of length.
+    /// Stiffness k₁ of the first spring, in the scene's unit of force divided by its unit of length.
     pub stiffness: S,
-    /// √(k₁/m₁), in rad/s, the factor from a frequency ratio to an angular frequency.
+    /// Reference angular frequency √(k₁/m₁) in rad/s. Multiplied by it, a frequency ratio becomes an angular frequency.
     pub rate: S,
     /// Sum of the stiffnesses of all springs between masses and base, divided by k₁.
     pub support: S,
@@ -23,39 +23,41 @@ pub struct Units<S> {
 pub struct StepScene<'a, S, K = Chain<S>> {
     /// Modes of the chain, and modes of the chain with its contact stuck.
     pub dynamics: Dynamics<'a, S, K>,
-    /// Factors that convert non-dimensional groups to the units of the scene.
+    /// Factors that convert the stepper's non-dimensional groups to the units of the scene.
     pub units: Units<S>,
-    /// True if the base moves.
+    /// True if the motion of the base excites the scene.
     pub on_base: bool,
-    /// Indices of the masses that a force acts on, in the description.  The excited mass is the first.
+    /// Indices of the masses on which a force acts, in the description. The first of them is the excited mass.
     pub forces: &'a [usize],
-    /// Interpolation of the input between two samples.
+    /// Interpolation of the stepper's input between two samples.
     pub input: Input,
-    /// Points (v, f) of Stribeck's law, with v ascending. v is the speed in the scene's unit. f is the kinetic friction
-    /// force at this speed over that at speed zero. Without points the kinetic friction is constant.
+    /// Points (v, f) of a friction law over the speed (Stribeck), with increasing v. v is the speed in the scene's
+    /// unit. f is the kinetic friction force at this speed, divided by that at speed zero. Without points the kinetic
+    /// friction is constant.
     pub law: &'a [[S; 2]],
 }
 
 impl<S: Float, K: ContactChain<S>> StepScene<'_, S, K> {
-    /// Returns the number of inputs: the base's motion if the base moves, and a force for each loaded mass.
+    /// Returns the number of inputs of the stepper. The inputs are the motion of the base, if the base moves, and a
+    /// force for each loaded mass.
     #[must_use]
     pub fn channels(&self) -> usize {
         usize::from(self.on_base) + usize::from(self.damped_from_base()) + self.forces.len()
     }
 
-    /// Returns true if damping acts on velocities relative to the moving base. The velocity of the base is then an
-    /// input.
+    /// Returns true if the damping acts on velocities relative to the moving base. In this case the velocity of the
+    /// base is also an input.
     pub(super) fn damped_from_base(&self) -> bool {
         self.on_base && !self.dynamics.quadratures().is_empty()
     }
 
-    /// Returns true if an input is the velocity of the base.
+    /// Returns true if the input with the index `channel` is the velocity of the base.
     pub(super) fn is_base_velocity(&self, channel: usize) -> bool {
         channel == 1 && self.damped_from_base()
     }
 
-    /// Returns 2ζ√λΓ, the load on a mode per unit velocity of the base in the non-dimensional time t√(k₁/m₁). ζ is the
-    /// damping ratio of the mode, λ its squared frequency ratio, and Γ its participation factor φᵀΓ1
+    /// Returns 2ζ√λΓ, the load on a mode caused by a unit velocity of the base in the non-dimensional time t√(k₁/m₁). ζ
+    /// is the damping ratio of the mode, λ its squared frequency ratio, and Γ its participation factor φᵀΓ1
     /// (docs/derivation.md, section 1).
     pub(super) fn drag(&self, mode: usize) -> S {
         let zero = S::constant(0.0);
@@ -64,8 +66,8 @@ impl<S: Float, K: ContactChain<S>> StepScene<'_, S, K> {
         mode.map_or(zero, |([load, _], mode)| *load / mode.resonance)
     }
 
-    /// Returns 1ᵀC̄1, the damping force on the base per unit of the base's velocity, if all masses are at rest. The
-    /// velocity refers to the non-dimensional time t√(k₁/m₁).
+    /// Returns 1ᵀC̄1, the damping force on the base caused by a unit velocity of the base, if all masses are at rest.
+    /// The velocity is the derivative with respect to the non-dimensional time t√(k₁/m₁).
     pub(super) fn base_drag(&self) -> S {
         let (zero, two) = (S::constant(0.0), S::constant(2.0));
         let modes = self.dynamics.modes.iter().enumerate();
@@ -80,7 +82,7 @@ impl<S: Float, K: ContactChain<S>> StepScene<'_, S, K> {
     }
 
     /// Returns the phase by which the fastest oscillator advances in a second, in rad. The phase includes the effect of
-    /// damping. A step dt is divided into n sub-intervals, where n is this rate times dt, rounded up.
+    /// damping. The stepper divides a step dt into n sub-intervals, where n is this rate times dt, rounded up.
     #[must_use]
     pub fn fastest(&self) -> S {
         self.turning() * self.units.rate
@@ -99,7 +101,7 @@ impl<S: Float, K: ContactChain<S>> StepScene<'_, S, K> {
     }
 
     /// Returns the number of coefficients of an input's polynomial over a step. Emitted tables have this number of
-    /// coefficients. Tables of a run-time system may have room for more.
+    /// coefficients. The tables of a run-time system may have more.
     fn coefficients(&self) -> usize {
         match (self.input, self.on_base) {
             (Input::Hold, false) => 1,
@@ -108,28 +110,28 @@ impl<S: Float, K: ContactChain<S>> StepScene<'_, S, K> {
         }
     }
 
-    /// Returns the number of terms that the stepper uses of a power series. `enough` is the number that one oscillator
-    /// needs, so that its further terms are below rounding over a sub-interval.
+    /// Returns the number of terms of a power series that the stepper uses. `enough` is the number of terms that one
+    /// oscillator needs. The oscillator's further terms are smaller than rounding over a sub-interval.
     pub(super) fn terms(&self, enough: u32) -> usize {
         let terms = if self.law.is_empty() {
             usize::try_from(enough).unwrap_or(TERMS)
         } else {
             TERMS
         };
-        // The last coefficient of an input's polynomial, of order n, contributes to the motion a power series that
-        // begins at order n. The number of terms therefore increases by the number of coefficients.
+        // The last coefficient of an input's polynomial has the order n. It contributes to the motion a power series
+        // that begins at the order n. The number of terms therefore increases by the number of coefficients.
         (terms + self.coefficients()).clamp(5, TERMS)
     }
 
-    /// Returns upper bounds on the cost of a step that is divided into `parts` sub-intervals. `coefficients` is the
-    /// number of coefficients of an input's polynomial. `terms` is the number of terms of a power series over a
-    /// sub-interval ([`series_terms`](super::series_terms)).
+    /// Returns upper bounds on the cost of a step with `parts` sub-intervals. `coefficients` is the number of
+    /// coefficients of an input's polynomial. `terms` is the number of terms of a power series over a sub-interval
+    /// ([`series_terms`](super::series_terms)).
     #[must_use]
     pub fn cost(&self, coefficients: usize, parts: u32, terms: u32) -> Cost {
         Cost::of(&self.extent(coefficients, parts, terms))
     }
 
-    /// Returns the sizes from which the cost of a step follows.
+    /// Returns the sizes of the scene from which the code computes the cost of a step.
     pub(super) fn extent(&self, coefficients: usize, parts: u32, terms: u32) -> Extent {
         let count = |size: usize| u64::try_from(size).unwrap_or(u64::MAX);
         Extent {
@@ -146,7 +148,7 @@ impl<S: Float, K: ContactChain<S>> StepScene<'_, S, K> {
         }
     }
 
-    /// Returns the load on a mode per unit of an input.
+    /// Returns the load on a mode caused by one unit of an input.
     pub(super) fn load(&self, channel: usize, mode: usize) -> S {
         let zero = S::constant(0.0);
         if self.on_base && channel == 0 {
@@ -162,7 +164,8 @@ impl<S: Float, K: ContactChain<S>> StepScene<'_, S, K> {
         shape.get(mode).copied().unwrap_or(zero)
     }
 
-    /// Returns the contact's acceleration under `force`, in units of length per squared sub-interval.
+    /// Returns the acceleration of the contact under `force`. Its unit is the unit of length divided by the squared
+    /// sub-interval.
     pub(super) fn acceleration(&self, pace: &Pace<S>, force: S) -> S {
         self.dynamics.chain().inverse_mass * force * pace.span * pace.span
     }

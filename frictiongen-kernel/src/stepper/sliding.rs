@@ -1,5 +1,5 @@
-//! Motion over a sub-interval in which the contact slides. The stepper advances with the constant tables, or with a
-//! power series up to an event.
+//! Motion in a sub-interval in which the contact slides. The stepper advances with the constant tables, or up to an
+//! event with a power series.
 
 use super::dot::{add, dot};
 use super::drive::{at, derived, growth};
@@ -10,8 +10,8 @@ use crate::motion::{KineticLine, Law, Power, WalkResult, WalkStart, first_zero, 
 use crate::number::scalar::Float;
 
 impl<S: Float, const D: usize, K: StepContact<S>> StepInterval<'_, '_, S, D, K> {
-    /// Returns the straight line of the friction law for the present speed. The speeds of the line are in units of
-    /// length per sub-interval.
+    /// Returns the straight line of the friction law that contains the present speed. The unit of the line's speeds is
+    /// the unit of length divided by the sub-interval.
     #[inline]
     pub(super) fn line(&self) -> KineticLine<S> {
         let mut line = line(self.scene.law, self.status.line);
@@ -26,7 +26,7 @@ impl<S: Float, const D: usize, K: StepContact<S>> StepInterval<'_, '_, S, D, K> 
         line
     }
 
-    /// Returns the contribution of the inputs to the rate of a mode's scaled velocity u, as a polynomial over the
+    /// Returns the part of the rate of a mode's scaled velocity u that the inputs cause, as a polynomial over the
     /// sub-interval.
     #[inline]
     pub(super) fn load(&self, mode: usize) -> [S; D] {
@@ -47,8 +47,8 @@ impl<S: Float, const D: usize, K: StepContact<S>> StepInterval<'_, '_, S, D, K> 
         [velocity[0], at(&velocity, S::constant(1.0))]
     }
 
-    /// Advances the sub-interval with the constant tables, if the contact provably keeps sliding.  Returns true if it
-    /// advanced.
+    /// Advances to the end of the sub-interval with the constant tables, if the contact provably keeps sliding. Returns
+    /// true if the function has advanced the motion.
     pub(super) fn slide_by_tables(&mut self) -> bool {
         let zero = S::constant(0.0);
         let line = self.line();
@@ -110,8 +110,8 @@ impl<S: Float, const D: usize, K: StepContact<S>> StepInterval<'_, '_, S, D, K> 
         true
     }
 
-    /// Advances the sliding motion to the first of four instants: the contact stops, the speed reaches the next line of
-    /// the law, the sub-interval ends, or the power series ends.
+    /// Advances the sliding motion to the first of four instants. At these instants the contact stops, the speed
+    /// reaches the next line of the friction law, the sub-interval ends, or the power series ends.
     pub(super) fn slide_to_event(
         &mut self,
         departing: Option<Departure<S>>,
@@ -185,9 +185,9 @@ impl<S: Float, const D: usize, K: StepContact<S>> StepInterval<'_, '_, S, D, K> 
         })
     }
 
-    /// Returns the length of time over which a power series of the sliding motion converges, as a multiple of a
-    /// sub-interval. A steep friction law makes this length smaller, because the motion then changes faster than the
-    /// modes oscillate.
+    /// Returns the length of time in which a power series of the sliding motion converges, divided by the sub-interval.
+    /// With a steep friction law this length is smaller, because the motion then changes faster than the modes
+    /// oscillate.
     fn series_reach(&self, slope: S) -> S {
         let left = S::constant(1.0) - self.progress;
         let pace = &self.table.pace;
@@ -199,7 +199,7 @@ impl<S: Float, const D: usize, K: StepContact<S>> StepInterval<'_, '_, S, D, K> 
         }
     }
 
-    /// Returns the contact force that would keep the relative velocity of the sliding contact constant.
+    /// Returns the contact force at which the relative velocity of the sliding contact would stay constant.
     fn holding(&self) -> S {
         let two = S::constant(2.0);
         let mut sum = S::constant(0.0);
@@ -221,7 +221,7 @@ impl<S: Float, const D: usize, K: StepContact<S>> StepInterval<'_, '_, S, D, K> 
     }
 
     /// Returns the relative velocity of the contact as a power series about the present instant. The friction force is
-    /// level + slope·velocity.
+    /// `level` + `slope`·velocity.
     pub(super) fn velocity_series(&mut self, [level, slope]: [S; 2]) -> Power<S> {
         let zero = S::constant(0.0);
         let mut velocity = Power::zero(self.terms());
@@ -238,7 +238,8 @@ impl<S: Float, const D: usize, K: StepContact<S>> StepInterval<'_, '_, S, D, K> 
         let steps = self.table.modes.get(..driven).unwrap_or_default();
         let states = &mut *self.store.scratch;
         let (mut order, mut size) = (S::constant(1.0), zero);
-        // `sum` is the term of the present order. `sizes` is the sum of the absolute values of its summands.
+        // `sum` is the term of the present order. `sizes` is the sum of the absolute values of the summands in this
+        // term.
         let mut sum = -base[0];
         let mut sizes = sum.abs();
         for (step, [_, u]) in steps.iter().zip(&*states) {
@@ -272,7 +273,7 @@ impl<S: Float, const D: usize, K: StepContact<S>> StepInterval<'_, '_, S, D, K> 
         velocity
     }
 
-    /// Advances the modes that the contact drives by a sliding motion of duration `tau`, without an event.
+    /// Advances the modes that the contact drives during the time `tau`. The contact slides, and no event occurs.
     pub(super) fn move_modes(&mut self, velocity: &Power<S>, [level, slope]: [S; 2], tau: S) {
         let zero = S::constant(0.0);
         let mut work = zero;
@@ -321,7 +322,7 @@ impl<S: Float, const D: usize, K: StepContact<S>> StepInterval<'_, '_, S, D, K> 
     }
 }
 
-/// Returns one coefficient of the inputs' contribution to the rate of a mode's scaled velocity u.
+/// Returns one coefficient of the part of the rate of a mode's scaled velocity u that the inputs cause.
 #[inline]
 fn load_term<S: Float, const D: usize>(loads: &[S], inputs: &[[S; D]], place: usize) -> S {
     let zero = S::constant(0.0);

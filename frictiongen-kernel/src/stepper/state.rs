@@ -7,23 +7,23 @@ use crate::number::scalar::Float;
 /// Mutable view of all numbers of a stepper.
 #[derive(Debug)]
 pub struct StoreMut<'s, S, const D: usize> {
-    /// Displacement y and scaled velocity u of each mode of the chain. While the contact sticks, these numbers are
-    /// valid only for modes that the contact does not drive.
+    /// Displacement y and scaled velocity u of each mode of the chain. While the contact sticks, only the numbers of
+    /// modes that the contact does not drive are valid.
     pub modes: &'s mut [[S; 2]],
     /// Displacement y and scaled velocity u of each mode of the chain with its contact stuck. These numbers are valid
     /// only while the contact sticks.
     pub held: &'s mut [[S; 2]],
-    /// Working space, with one entry for each mode.
+    /// Working memory with one entry for each mode.
     pub scratch: &'s mut [[S; 2]],
     /// Polynomials of the inputs over the present sub-interval.
     pub drive: &'s mut [[S; D]],
-    /// The forces at the last sample, divided by k₁.
+    /// Forces of the input at the last sample, divided by k₁.
     pub last: &'s mut [S],
 }
 
 impl<S: Float, const D: usize> StoreMut<'_, S, D> {
-    /// Writes the state of the modes that the contact drives. The function computes it from the modes of the chain with
-    /// its contact stuck, and from displacement and velocity of the stuck contact.
+    /// Writes the state of the modes that the contact drives. The code computes it from the modes of the chain with its
+    /// contact stuck, and from the displacement and velocity of the stuck contact.
     pub(super) fn release<K: ContactChain<S>>(
         &mut self,
         scene: &StepScene<'_, S, K>,
@@ -43,7 +43,7 @@ pub struct StoreRef<'s, S> {
     pub modes: &'s [[S; 2]],
     /// Displacement y and scaled velocity u of each mode of the chain with its contact stuck.
     pub held: &'s [[S; 2]],
-    /// The forces at the last sample, divided by k₁.
+    /// Forces of the input at the last sample, divided by k₁.
     pub last: &'s [S],
 }
 
@@ -55,7 +55,7 @@ pub trait Store<S, const D: usize> {
     fn read(&self) -> StoreRef<'_, S>;
 }
 
-/// The numbers of a stepper in arrays.
+/// All numbers of a stepper, stored in arrays.
 #[derive(Clone, Copy, Debug)]
 pub struct FixedStore<S, const D: usize, const MODES: usize, const HELD: usize, const INPUTS: usize>
 {
@@ -119,12 +119,12 @@ impl<S: Float, const D: usize, const MODES: usize, const HELD: usize, const INPU
     }
 }
 
-/// State of a stepper without the states of its oscillators.
+/// State of a stepper, except for the states of its oscillators.
 #[derive(Clone, Copy, Debug)]
 pub struct Status<S> {
     /// State of the contact: stuck, or its direction of sliding.
     pub contact: Contact,
-    /// True if the stepper must still derive the contact's state from its velocity and from its force.
+    /// True if the stepper must still determine the state of the contact from its velocity and its force.
     pub unknown: bool,
     /// True if the contact has just failed to start sliding. A contact force that exceeds μF only by rounding must then
     /// not make the contact slide a second time.
@@ -133,16 +133,16 @@ pub struct Status<S> {
     pub grazed: bool,
     /// Event budget: number of events that the stepper follows in a step. 0 means that there is no budget.
     pub budget: u8,
-    /// Number of events in the earlier sub-intervals of the present step. It is 0 between steps.
+    /// Number of events in the earlier sub-intervals of the present step. Between steps it is 0.
     pub spent: u8,
-    /// Relative displacement of the contact while it sticks.  For an elastic contact it is the displacement of the
+    /// Relative displacement of the contact while it sticks. For an elastic contact it is the displacement of the
     /// slider.
     pub stuck_at: S,
     /// Index of the straight line of the friction law that contains the contact's present speed.
     pub line: usize,
     /// Displacement and velocity of the base at the end of the last step.
     pub base: [S; 2],
-    /// The kinetic friction force, divided by k₁.
+    /// Kinetic friction force of the contact, divided by k₁.
     pub level: S,
     /// Ratio μ of the static to the kinetic friction force.
     pub stiction: S,
@@ -150,22 +150,22 @@ pub struct Status<S> {
     /// Number of steps in which a sub-interval reached the bound on events or pieces of motion.
     pub exceeded: u64,
     /// Contact force at the end of the last step, divided by k₁, if the contact sticks or its state is unknown. For an
-    /// elastic contact it is the force of the spring, also while the slider moves.
+    /// elastic contact it is the force of the spring, even while the slider moves.
     pub contact_force: S,
     /// Work of the load since the start, divided by k₁.
     pub load: Total<S>,
-    /// Energy that friction has dissipated since the start, divided by k₁.
+    /// Energy that friction in the contact has dissipated since the start, divided by k₁.
     pub dissipated: Total<S>,
     /// Energy of the chain at the start of the first step, divided by k₁.
     pub energy: S,
     pub pull: S,
-    /// Sum of the absolute values of the terms that make up the contact's velocity in the given initial state. The
-    /// rounding error of this velocity is proportional to the sum. After the first step the field is zero.
+    /// Sum of the absolute values of the terms in the contact's velocity, for a given initial state. The rounding error
+    /// of this velocity is proportional to the sum. After the first step the field is zero.
     pub given: S,
 }
 
 impl<S: Float> Status<S> {
-    /// Returns the law of the contact, with forces over k₁.
+    /// Returns the law of the contact. Its forces are divided by k₁.
     #[inline]
     pub(super) fn law<K: ContactChain<S>>(&self, scene: &StepScene<'_, S, K>) -> K::Law {
         scene.dynamics.chain.law_with(self.level, self.stiction)

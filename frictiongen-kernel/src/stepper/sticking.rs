@@ -1,5 +1,5 @@
-//! Motion over a sub-interval in which the contact sticks. The stepper advances with the constant tables, or with a
-//! power series up to an event.
+//! Motion in a sub-interval in which the contact sticks. The stepper advances with the constant tables, or up to an
+//! event with a power series.
 
 use super::drive::at;
 use super::interval::{Departure, OFF_CHORD, ROUNDINGS, StepInterval};
@@ -9,8 +9,8 @@ use crate::motion::{Contact, Law, WalkResult, WalkStart, first_reach, lift};
 use crate::number::scalar::Float;
 
 impl<S: Float, const D: usize, K: StepContact<S>> StepInterval<'_, '_, S, D, K> {
-    /// Advances the sub-interval with the constant tables, if the contact provably keeps sticking.  Returns true if it
-    /// advanced.
+    /// Advances to the end of the sub-interval with the constant tables, if the contact provably keeps sticking.
+    /// Returns true if the function has advanced the motion.
     pub(super) fn stick_by_tables(&mut self) -> bool {
         let zero = S::constant(0.0);
         if self.status.wedged {
@@ -55,8 +55,8 @@ impl<S: Float, const D: usize, K: StepContact<S>> StepInterval<'_, '_, S, D, K> 
         true
     }
 
-    /// Advances the motion until the contact breaks away, because the contact force reaches μF, or until the
-    /// sub-interval ends.
+    /// Advances the motion until the contact breaks away or the sub-interval ends. The contact breaks away when its
+    /// force reaches μF.
     pub(super) fn stick_to_event(&mut self) -> Option<Departure<S>> {
         let zero = S::constant(0.0);
         let left = S::constant(1.0) - self.progress;
@@ -96,7 +96,7 @@ impl<S: Float, const D: usize, K: StepContact<S>> StepInterval<'_, '_, S, D, K> 
             self.move_held(tau);
         }
         let contact = breaks?;
-        // The force has just reached μF, unless it was already beyond μF at the start.
+        // The force has just reached μF, unless it exceeded μF at the start.
         let law = self.law();
         if self.is_elastic() {
             let force = if zero < tau {
@@ -123,7 +123,7 @@ impl<S: Float, const D: usize, K: StepContact<S>> StepInterval<'_, '_, S, D, K> 
         })
     }
 
-    /// Advances the modes of the chain with its contact stuck by a time `tau` without an event.
+    /// Advances the modes of the chain with its contact stuck during the time `tau`. No event occurs in this time.
     pub(super) fn move_held(&mut self, tau: S) {
         let zero = S::constant(0.0);
         let mut work = self.carried_work(None, tau);
@@ -152,9 +152,9 @@ impl<S: Float, const D: usize, K: StepContact<S>> StepInterval<'_, '_, S, D, K> 
         self.shift_inputs(tau);
     }
 
-    /// Changes the state from sliding to sticking. Computes the modes of the chain with its contact stuck from the
-    /// modes of the sliding chain. The contact sticks at the displacement `place`, or at the displacement of the modes
-    /// if `place` is `None`.
+    /// Changes the contact from sliding to sticking. Computes the modes of the chain with its contact stuck from the
+    /// modes of the sliding chain. The contact sticks at the displacement `place`. If `place` is `None`, it sticks at
+    /// the displacement that the modes give.
     pub(super) fn start_sticking(&mut self, place: Option<S>) {
         if self.is_elastic() {
             return self.start_sticking_under(self.status.contact_force);
@@ -192,8 +192,8 @@ impl<S: Float, const D: usize, K: StepContact<S>> StepInterval<'_, '_, S, D, K> 
         dynamics.project(receptance, states, (zero, rate), held);
     }
 
-    /// Changes the state from sticking to sliding. Computes the modal coordinates of the sliding chain from those of
-    /// the chain with its contact stuck.
+    /// Changes the contact from sticking to sliding. Computes the modes of the sliding chain from those of the chain
+    /// with its contact stuck.
     pub(super) fn start_sliding(&mut self) {
         let [base, rate] = self.base_now();
         let lifted = (self.status.stuck_at + base, rate);

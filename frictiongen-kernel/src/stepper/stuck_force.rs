@@ -1,4 +1,4 @@
-//! Force in a stuck contact within a sub-interval, and work of the inputs while the contact sticks.
+//! Force in a stuck contact in a sub-interval, and work of the inputs while the contact sticks.
 
 use super::dot::add;
 use super::drive::{derived, growth};
@@ -10,9 +10,9 @@ use crate::motion::Power;
 use crate::number::scalar::Float;
 
 impl<S: Float, const D: usize, K: StepContact<S>> StepInterval<'_, '_, S, D, K> {
-    /// Returns the contribution of the inputs to the rates of one mode of the chain with its contact stuck, as
-    /// polynomials. The first polynomial adds to the rate of the mode's displacement y, the second to the rate of its
-    /// scaled velocity u. The base to which the contact sticks counts as an input.
+    /// Returns the parts of the rates of a mode that the inputs cause, as polynomials. The mode belongs to the chain
+    /// with its contact stuck. The first polynomial is a part of the rate of the mode's displacement y, the second of
+    /// the rate of its scaled velocity u. The base to which the contact sticks is one of the inputs.
     #[inline]
     pub(super) fn held_load(&self, mode: usize, step: &HeldStep<S, D>) -> [[S; D]; 2] {
         let mut sum = [[S::constant(0.0); D]; 2];
@@ -34,15 +34,16 @@ impl<S: Float, const D: usize, K: StepContact<S>> StepInterval<'_, '_, S, D, K> 
         sum
     }
 
-    /// Returns velocity and acceleration of the base as polynomials, if the contact rubs on the base.
+    /// Returns the velocity and the acceleration of the base as polynomials, if the contact rubs on the base.
     fn moving_base(&self) -> Option<[[S; 4]; 2]> {
         let velocity = derived(self.base);
         let motions = [velocity, derived(velocity)];
         self.scene.rubs_on_base().then_some(motions)
     }
 
-    /// Returns displacement and velocity of the base on which the contact rubs. The velocity refers to the
-    /// non-dimensional time t√(k₁/m₁). Both numbers are zero if the contact does not rub on a moving base.
+    /// Returns the displacement and the velocity of the base on which the contact rubs. The velocity is the derivative
+    /// with respect to the non-dimensional time t√(k₁/m₁). If the contact does not rub on a moving base, both numbers
+    /// are zero.
     pub(super) fn base_now(&self) -> [S; 2] {
         if self.scene.rubs_on_base() {
             let [place, velocity, ..] = self.base;
@@ -53,7 +54,7 @@ impl<S: Float, const D: usize, K: StepContact<S>> StepInterval<'_, '_, S, D, K> 
     }
 
     /// Returns two results for the stuck contact. The first is the contact force without the contribution of the modes,
-    /// as a polynomial. The second is an upper bound on the absolute value of this polynomial's second derivative over
+    /// as a polynomial. The second is an upper bound on the absolute value of this polynomial's second derivative in
     /// the sub-interval.
     pub(super) fn force_without_modes(&self) -> ([S; 4], S) {
         let sum = K::stuck_force_terms(self);
@@ -73,7 +74,8 @@ impl<S: Float, const D: usize, K: StepContact<S>> StepInterval<'_, '_, S, D, K> 
         let motions = self.moving_base();
         let states = &mut *self.store.scratch;
         let (mut order, mut size) = (S::constant(1.0), zero);
-        // `sum` is the term of the present order. `sizes` is the sum of the absolute values of its summands.
+        // `sum` is the term of the present order. `sizes` is the sum of the absolute values of the summands in this
+        // term.
         let mut sum = still[0];
         let mut sizes = sum.abs();
         for (step, [y, _]) in self.table.held.iter().zip(&*states) {
@@ -122,8 +124,8 @@ impl<S: Float, const D: usize, K: StepContact<S>> StepInterval<'_, '_, S, D, K> 
         held.fold(still, |sum, (step, [y, _])| sum - step.force * *y)
     }
 
-    /// Returns the work of the inputs from the present instant to `place`, while the contact sticks to a moving base.
-    /// The result does not contain the contribution of the modes.
+    /// Returns the work of the inputs from the present instant to the instant `place`, while the contact sticks to a
+    /// moving base. The result does not contain the contribution of the modes.
     pub(super) fn carried_work(&self, still: Option<&[S; 4]>, place: S) -> S {
         let zero = S::constant(0.0);
         if !self.scene.rubs_on_base() {
@@ -140,8 +142,8 @@ impl<S: Float, const D: usize, K: StepContact<S>> StepInterval<'_, '_, S, D, K> 
         work - product(&still, &velocity, place)
     }
 
-    /// Returns the work of the inputs through one mode of the chain with its contact stuck, during a motion up to
-    /// `place`. The function computes the work from the moments of the mode over that motion.
+    /// Returns the work of the inputs through one mode of the chain with its contact stuck, up to the instant `place`.
+    /// The code computes the work from the moments of the mode in this time.
     pub(super) fn held_work(
         &self,
         mode: usize,
@@ -159,8 +161,8 @@ impl<S: Float, const D: usize, K: StepContact<S>> StepInterval<'_, '_, S, D, K> 
             }
         }
         if self.scene.rubs_on_base() {
-            // This sum is the integral −∫F b′, integrated by parts. b is the base's displacement minus its present
-            // value.
+            // This sum is the integral −∫F b′ after integration by parts. b is the displacement of the base minus its
+            // present value.
             let rise = growth(&self.base, place);
             let mut sum = to * rise;
             for (term, moment) in self.base.iter().zip(moments).skip(1) {
@@ -172,8 +174,9 @@ impl<S: Float, const D: usize, K: StepContact<S>> StepInterval<'_, '_, S, D, K> 
     }
 }
 
-/// Returns one coefficient of the inputs' contribution to the rates of one mode of the chain with its contact stuck.
-/// The first number adds to the rate of the mode's displacement y, the second to the rate of its scaled velocity u.
+/// Returns one coefficient of the parts of a mode's rates that the inputs cause. The mode belongs to the chain with its
+/// contact stuck. The first number is a part of the rate of the mode's displacement y, the second of the rate of its
+/// scaled velocity u.
 #[inline]
 fn held_load_term<S: Float, const D: usize>(
     loads: &[HeldLoad<S>],

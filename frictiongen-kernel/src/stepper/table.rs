@@ -1,4 +1,4 @@
-//! Constant tables of a step: the response of every oscillator over a sub-interval of the step.
+//! Constant tables of a stepper: the response of every oscillator in a sub-interval of the step.
 
 use super::MAX_PARTS;
 use super::pace::Pace;
@@ -8,41 +8,41 @@ use crate::errors::{Given, OutOfDomain, Slice};
 use crate::motion::{ContactChain, TERMS, lift};
 use crate::number::scalar::Float;
 
-/// Margin of a power series: the first neglected term is smaller than the rounding unit divided by this factor.
+/// Factor by which the first neglected term of a power series is smaller than the rounding unit.
 const BELOW_ROUNDING: f64 = 16.0;
 
 /// Coupling of one input with one mode of the chain with its contact stuck.
 #[derive(Clone, Copy, Debug)]
 pub struct HeldLoad<S> {
-    /// Rates of the mode's displacement y and of its scaled velocity u, per unit of the input.
+    /// Rates of the mode's displacement y and of its scaled velocity u caused by one unit of the input.
     pub drive: [S; 2],
-    /// Displacement of the point on which the input acts, per unit of the mode's displacement y and per unit of its
-    /// scaled velocity u. The work of the input follows from these numbers. For the velocity of the base the numbers
-    /// have the opposite sign, because damping relative to the base has a reaction on the base.
+    /// Displacement of the point on which the input acts, caused by a unit displacement y of the mode and by a unit
+    /// scaled velocity u. The code computes the work of the input from these numbers. For the velocity of the base the
+    /// numbers have the opposite sign, because damping relative to the base also acts on the base.
     pub reach: [S; 2],
 }
 
-/// Coupling of one input with the contact.
+/// Coupling of one input of the stepper with the contact.
 #[derive(Clone, Copy, Debug)]
 pub struct Channel<S> {
-    /// wᵀΓ⁻¹p, the contact's acceleration per unit of the input. w is the contact's direction vector, Γ is the mass
-    /// matrix divided by m₁, and p is the input's load vector.
+    /// wᵀΓ⁻¹p, the contact's acceleration caused by one unit of the input. w is the direction vector of the contact, Γ
+    /// is the mass matrix divided by m₁, and p is the load vector of the input.
     pub acceleration: S,
-    /// Displacement of the point on which the input acts, per unit of displacement of the stuck contact. The sign
+    /// Displacement of the point on which the input acts, caused by a unit displacement of the stuck contact. The sign
     /// follows the rule of [`HeldLoad::reach`].
     pub lift: S,
 }
 
-/// View of the tables of a scene for one length of the time step.
+/// View of a stepper's tables for one scene and one length of the time step.
 #[derive(Clone, Copy, Debug)]
 pub struct View<'t, S, const D: usize> {
     /// Division of the step into sub-intervals.
     pub pace: Pace<S>,
-    /// Tables of all modes.
+    /// Tables of all modes, with the constants of one step.
     pub modes: &'t [ModeStep<S, D>],
     /// Tables of the modes of the chain with its contact stuck.
     pub held: &'t [HeldStep<S, D>],
-    /// Rate of the scaled velocity u per unit of input, for each mode and input.
+    /// Rate of the scaled velocity u caused by one unit of an input, for each mode and input.
     pub loads: &'t [S],
     /// Coupling of the inputs to the modes of the chain with its contact stuck, for each mode and input.
     pub held_loads: &'t [HeldLoad<S>],
@@ -51,7 +51,7 @@ pub struct View<'t, S, const D: usize> {
 }
 
 impl<'t, S, const D: usize> View<'t, S, D> {
-    /// Returns the rate of a mode's scaled velocity u, per unit of each input.
+    /// Returns the rate of a mode's scaled velocity u caused by one unit of each input.
     #[inline]
     pub(super) fn loads_of(&self, mode: usize) -> &'t [S] {
         row(self.loads, mode, self.channels.len())
@@ -64,20 +64,20 @@ impl<'t, S, const D: usize> View<'t, S, D> {
     }
 }
 
-/// Returns row `index` of a slice whose rows have `length` entries each.
+/// Returns the row with the index `index` from a slice. Each row of the slice has `length` entries.
 #[inline]
 fn row<T>(entries: &[T], index: usize, length: usize) -> &[T] {
     let start = index * length;
     entries.get(start..start + length).unwrap_or_default()
 }
 
-/// Storage of the tables: arrays, constants or vectors.
+/// Storage of a stepper's tables: arrays, constants or vectors.
 pub trait StepTables<S, const D: usize> {
-    /// Returns a view of all tables.
+    /// Returns a view of all tables of the stepper.
     fn view(&self) -> View<'_, S, D>;
 }
 
-/// The tables of a scene for one length of the time step, in arrays.
+/// Tables of a stepper for one scene and one length of the time step, in arrays.
 #[derive(Clone, Copy, Debug)]
 pub struct FixedTables<
     S,
@@ -88,11 +88,11 @@ pub struct FixedTables<
 > {
     /// Division of the step into sub-intervals.
     pub pace: Pace<S>,
-    /// Tables of all modes.
+    /// Tables of all modes, with the constants of one step.
     pub modes: [ModeStep<S, D>; MODES],
     /// Tables of the modes of the chain with its contact stuck.
     pub held: [HeldStep<S, D>; HELD],
-    /// Rate of the scaled velocity u per unit of input, for each mode and input.
+    /// Rate of the scaled velocity u caused by one unit of an input, for each mode and input.
     pub loads: [[S; INPUTS]; MODES],
     /// Coupling of the inputs to the modes of the chain with its contact stuck, for each mode and input.
     pub held_loads: [[HeldLoad<S>; INPUTS]; HELD],
@@ -103,10 +103,10 @@ pub struct FixedTables<
 impl<S: Float, const D: usize, const MODES: usize, const HELD: usize, const INPUTS: usize>
     FixedTables<S, D, MODES, HELD, INPUTS>
 {
-    /// Creates the tables of a scene for a time step in seconds.
+    /// Creates the tables of a scene for one length of the time step, in seconds.
     ///
     /// # Errors
-    /// Same errors as [`fill`].
+    /// The errors of [`fill`].
     pub fn new<K: ContactChain<S>>(
         scene: &StepScene<'_, S, K>,
         step: S,
@@ -156,7 +156,7 @@ impl<S, const D: usize, T: StepTables<S, D>> StepTables<S, D> for &T {
     }
 }
 
-/// Fills the tables of a scene for a time step in seconds.
+/// Fills the tables of a scene for one length of the time step, in seconds.
 ///
 /// Each slice must have a fixed number of entries. `modes` has one for each mode, and `held` one for each mode of the
 /// chain with its contact stuck. `loads` and `held_loads` have one for each pair of such a mode and an input.
@@ -164,7 +164,7 @@ impl<S, const D: usize, T: StepTables<S, D>> StepTables<S, D> for &T {
 ///
 /// # Errors
 /// [`OutOfDomain::Step`] if the step is not positive and finite, or if the fastest oscillator advances by more than
-/// [`MAX_PARTS`] radians in it. [`OutOfDomain::Length`] for slices of a wrong length.
+/// [`MAX_PARTS`] radians in it. [`OutOfDomain::Length`] if a slice has a wrong length.
 pub fn fill<S: Float, const D: usize, K: ContactChain<S>>(
     scene: &StepScene<'_, S, K>,
     step: S,
@@ -242,7 +242,7 @@ pub fn fill<S: Float, const D: usize, K: ContactChain<S>>(
     Ok(pace)
 }
 
-/// Returns the number of terms that a power series needs over a sub-interval. `rate` is the angle by which the fastest
+/// Returns the number of terms that a power series over a sub-interval needs. `rate` is the angle by which the fastest
 /// oscillator advances in the sub-interval, at most 1 rad. The neglected terms are smaller than a sixteenth of the
 /// rounding unit `epsilon`.
 #[must_use]
@@ -256,7 +256,7 @@ pub fn series_terms<S: Float>(rate: S, epsilon: f64) -> u32 {
     u32::try_from(terms).unwrap_or(u32::MAX)
 }
 
-/// Divides a step into sub-intervals.
+/// Divides a step of the stepper into sub-intervals.
 fn pace<S: Float, K: ContactChain<S>>(
     scene: &StepScene<'_, S, K>,
     step: S,
@@ -297,7 +297,7 @@ fn pace<S: Float, K: ContactChain<S>>(
 }
 
 impl<S: Float> HeldLoad<S> {
-    /// Returns an entry whose numbers are all 0, to initialise arrays.
+    /// Returns a table entry whose numbers are all 0. The code uses it to initialise arrays.
     #[must_use]
     pub fn zero() -> Self {
         let zero = S::constant(0.0);
@@ -309,7 +309,7 @@ impl<S: Float> HeldLoad<S> {
 }
 
 impl<S: Float> Channel<S> {
-    /// Returns an entry whose numbers are all 0, to initialise arrays.
+    /// Returns a table entry whose numbers are all 0. The code uses it to initialise arrays.
     #[must_use]
     pub fn zero() -> Self {
         Self {

@@ -1,12 +1,12 @@
-//! Advances an oscillator over a whole sub-interval by its constant table.
+//! Advances an oscillator to the end of a sub-interval by its constant table.
 
 use super::dot::{dot, later, sizes};
 use super::rows::{HeldStep, ModeStep};
 use crate::number::scalar::Float;
 
 impl<S: Float, const D: usize> ModeStep<S, D> {
-    /// Returns the state of the mode after a sub-interval, and the work that the load `load` does on the mode during
-    /// the sub-interval.
+    /// Returns the state of the mode at the end of a sub-interval, and the work that the load `load` does on the mode
+    /// in the sub-interval.
     #[inline]
     pub(super) fn moved(&self, [y, u]: [S; 2], drive: &[S; D], load: &[S; D]) -> ([S; 2], S) {
         let mut moments = [S::constant(0.0); D];
@@ -23,7 +23,7 @@ impl<S: Float, const D: usize> ModeStep<S, D> {
         (next, work / self.per_force)
     }
 
-    /// Returns an upper bound on |u″| over the sub-interval, where u is the mode's scaled velocity (y′ = Ωu).
+    /// Returns an upper bound on |u″| in the sub-interval, where u is the scaled velocity of the mode (y′ = Ωu).
     #[inline]
     pub(super) fn bend(&self, [y, u]: [S; 2], drive: &[S; D]) -> S {
         let rate = self.angle * (S::constant(1.0) + self.zeta + self.zeta);
@@ -33,7 +33,7 @@ impl<S: Float, const D: usize> ModeStep<S, D> {
 }
 
 impl<S: Float, const D: usize> HeldStep<S, D> {
-    /// Returns the state of the mode after a sub-interval, and the moments ∫ sʲ y′ ds and ∫ sʲ u′ ds over the
+    /// Returns the state of the mode at the end of a sub-interval, and the moments ∫ sʲ y′ ds and ∫ sʲ u′ ds in the
     /// sub-interval.
     #[inline]
     pub(super) fn moved(&self, [y, u]: [S; 2], drive: &[[S; D]; 2]) -> ([S; 2], [[S; D]; 2]) {
@@ -60,7 +60,7 @@ impl<S: Float, const D: usize> HeldStep<S, D> {
         (next, moments)
     }
 
-    /// Returns an upper bound on |y″| over the sub-interval, where y is the mode's displacement.
+    /// Returns an upper bound on |y″| in the sub-interval, where y is the displacement of the mode.
     #[inline]
     pub(super) fn bend(&self, [y, u]: [S; 2], [first, second]: &[[S; D]; 2]) -> S {
         let rate = self.angle * (S::constant(1.0) + self.zeta + self.zeta);

@@ -9,10 +9,11 @@ use crate::motion::Contact;
 use crate::number::scalar::Float;
 use core::marker::PhantomData;
 
-/// Motion of a chain in time, under an input that is known only step by step.
+/// Motion of a chain as a function of time, under an input that is known step by step.
 ///
-/// `T` owns the tables and `V` the state: arrays or constants in emitted code, vectors at run time. `D` is the number
-/// of coefficients of an input's polynomial over a step. The constants `K` of the chain select the law of the contact.
+/// `T` owns the tables and `V` the state. They are arrays or constants in emitted code, and vectors at run time. `D` is
+/// the number of coefficients of an input's polynomial over a step. `K` contains the constants of the chain, and
+/// selects the law of the contact.
 #[derive(Clone, Debug)]
 pub struct Stepper<'a, S, const D: usize, T, V, K = Chain<S>> {
     pub(super) scene: StepScene<'a, S, K>,
@@ -22,7 +23,7 @@ pub struct Stepper<'a, S, const D: usize, T, V, K = Chain<S>> {
     pub(super) inputs: PhantomData<[S; D]>,
 }
 
-/// A stepper of an emitted solver, with all data in arrays.
+/// A stepper in an emitted solver. All its data are in arrays.
 pub type FixedStepper<
     S,
     const D: usize,
@@ -39,7 +40,7 @@ pub type FixedStepper<
     K,
 >;
 
-/// A stepper of an emitted solver whose description declares the step. The stepper borrows its tables, which are
+/// A stepper in an emitted solver whose description declares the time step. The stepper borrows its tables, which are
 /// constants of the program.
 pub type DeclaredStepper<
     S,
@@ -79,18 +80,18 @@ where
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct Stepped<S> {
-    /// The contact at the end of the step: stuck, or its direction of sliding.
+    /// State of the contact at the end of the step: stuck, or its direction of sliding.
     pub contact: Contact,
-    /// The friction force in the contact at the end of the step, in the scene's unit of force.
+    /// Friction force in the contact at the end of the step, in the scene's unit of force.
     pub force: S,
     /// Number of stops, break-aways and reversals in the step.
     pub events: u32,
-    /// True if a sub-interval of the step reached the bound on events or pieces of motion.  In the rest of that
-    /// sub-interval the stepper followed no further events.
+    /// True if a sub-interval of the step has reached the bound on events or on pieces of motion. In the rest of this
+    /// sub-interval the stepper has followed no further events.
     pub exceeded: bool,
 }
 
-/// Motion of a mass at the end of the last step.
+/// Displacement and velocity of a mass at the end of the last step.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct MassNow<S> {
@@ -98,7 +99,7 @@ pub struct MassNow<S> {
     pub(super) velocity: S,
 }
 
-/// Motion of the contact, and its friction force, at the end of the last step.
+/// Displacement, velocity and friction force of the contact at the end of the last step.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct ContactNow<S> {
@@ -108,13 +109,13 @@ pub struct ContactNow<S> {
 }
 
 impl<S: Float> MassNow<S> {
-    /// Returns the displacement of the mass, in the scene's unit of length.
+    /// Returns the displacement of the mass at the end of the last step, in the scene's unit of length.
     #[must_use]
     pub fn displacement(&self) -> S {
         self.displacement
     }
 
-    /// Returns the velocity of the mass, in the scene's unit of length per second.
+    /// Returns the velocity of the mass at the end of the last step, in the scene's unit of length per second.
     #[must_use]
     pub fn velocity(&self) -> S {
         self.velocity
@@ -122,33 +123,34 @@ impl<S: Float> MassNow<S> {
 }
 
 impl<S: Float> ContactNow<S> {
-    /// Returns the relative displacement of the contact, in the scene's unit of length.
+    /// Returns the relative displacement of the contact at the end of the last step, in the scene's unit of length.
     #[must_use]
     pub fn displacement(&self) -> S {
         self.motion.displacement
     }
 
-    /// Returns the relative velocity of the contact, in the scene's unit of length per second.  It is 0 while the
-    /// contact sticks.
+    /// Returns the relative velocity of the contact at the end of the last step, in the scene's unit of length per
+    /// second. It is 0 while the contact sticks.
     #[must_use]
     pub fn velocity(&self) -> S {
         self.motion.velocity
     }
 
-    /// Returns the friction force in the contact, in the scene's unit of force.  While the contact sticks, it is the
-    /// force that keeps the contact at rest.  A positive force opposes sliding in the positive direction.
+    /// Returns the friction force in the contact at the end of the last step, in the scene's unit of force. While the
+    /// contact sticks, it is the force that keeps the contact at rest. A positive force opposes sliding in the positive
+    /// direction.
     #[must_use]
     pub fn force(&self) -> S {
         self.force
     }
 
-    /// Returns the state of the contact: stuck, or its direction of sliding.
+    /// Returns the state of the contact at the end of the last step: stuck, or its direction of sliding.
     #[must_use]
     pub fn contact(&self) -> Contact {
         self.contact
     }
 
-    /// Returns true if the contact sticks.
+    /// Returns true if the contact sticks at the end of the last step.
     #[must_use]
     pub fn is_sticking(&self) -> bool {
         self.contact == Contact::Stuck

@@ -97,7 +97,7 @@ impl<T: Tabled> Compiled<T> {
         &self.scene
     }
 
-    /// Returns the frequency ratio r = ω√(m₁/k₁).
+    /// Returns the frequency ratio r = ω√(m₁/k₁) at which the scene is evaluated.
     #[inline]
     #[must_use]
     pub fn frequency_ratio(&self) -> T::Scalar {

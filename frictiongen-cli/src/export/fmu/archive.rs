@@ -29,7 +29,7 @@ const TIME: u16 = 0;
 const DATE: u16 = (1 << 5) | 1;
 
 impl Archive {
-    /// Adds a file to the archive.
+    /// Adds a file to the zip archive.
     pub fn add(&mut self, name: &str, contents: &[u8]) {
         let entry = Entry {
             name: name.to_owned(),
@@ -44,7 +44,7 @@ impl Archive {
         self.entries.push(entry);
     }
 
-    /// Returns the bytes of the archive.
+    /// Ends the zip archive and returns its bytes.
     pub fn finish(mut self) -> Vec<u8> {
         let start = self.bytes.len();
         let entries = std::mem::take(&mut self.entries);

@@ -8,11 +8,11 @@ use frictiongen_codegen::standalone::StepperShape;
 /// Time at which the importer of an FMU may set a variable.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Variability {
-    /// Before each step.
+    /// The importer may set the variable before each step.
     Input,
-    /// Before each step, for a variable that seldom changes.
+    /// The importer may set the variable before each step, but the variable seldom changes.
     Tunable,
-    /// Before the first step.
+    /// The importer may set the variable before the first step.
     Initial,
 }
 
@@ -23,13 +23,13 @@ pub struct Settable {
     pub name: String,
     /// Unit of the variable. It is empty for a ratio.
     pub unit: &'static str,
-    /// Meaning of the variable.
+    /// Meaning of the variable, in words.
     pub about: String,
-    /// Time at which the importer may set the number.
+    /// Time at which the importer may set the variable.
     pub kind: Variability,
     /// Value of the variable if the importer does not set it.
     pub start: f64,
-    /// Smallest permitted value, or `None` without a lower bound.
+    /// Smallest permitted value of the variable, or `None` without a lower bound.
     pub least: Option<f64>,
 }
 
@@ -40,7 +40,7 @@ pub struct Output {
     pub name: String,
     /// Unit of the variable.
     pub unit: &'static str,
-    /// Meaning of the variable.
+    /// Meaning of the variable, in words.
     pub about: String,
     /// Rust expression that computes the variable.
     pub value: String,
@@ -53,7 +53,7 @@ pub struct Variables {
     pub fields: Vec<String>,
     /// Variables that the importer may set: inputs, stiction, and initial displacements and velocities.
     pub settable: Vec<Settable>,
-    /// Variables that the FMU computes.
+    /// All variables that the FMU computes.
     pub outputs: Vec<Output>,
 }
 

@@ -9,9 +9,9 @@ use crate::number::scalar::Float;
 /// Known answers of an emitted scene at one frequency ratio.
 #[derive(Clone, Copy, Debug)]
 pub struct Known<S, const MASSES: usize, const FORCES: usize> {
-    /// Frequency ratio r of the answers.
+    /// Frequency ratio r at which the known results are valid.
     pub r: S,
-    /// Known limits β_lim and β*_lim, in this order.
+    /// Known values of the limits β_lim and β*_lim, in this order.
     pub limits: [S; 2],
     /// The known motion at one friction ratio, if the scene provides motions.
     pub motion: Option<KnownMotion<S, MASSES>>,
@@ -24,7 +24,7 @@ pub struct Known<S, const MASSES: usize, const FORCES: usize> {
 /// Known answers of an emitted scene at one friction ratio.
 #[derive(Clone, Copy, Debug)]
 pub struct KnownMotion<S, const MASSES: usize> {
-    /// Friction ratio β of the answers.
+    /// Friction ratio β at which the known results are valid.
     pub beta: S,
     /// Reason why no continuous motion exists, or `None` if one exists.
     pub error: Option<NotContinuous>,

@@ -122,7 +122,7 @@ pub(super) struct DerivativeBounds<S> {
     pub third: S,
     pub fourth: S,
     pub fifth: S,
-    /// Sum of upper bounds on the terms of all modes.
+    /// Sum of the upper bounds on the terms of all modes.
     pub size: S,
     /// Upper bound on the rounding error of the sum at a node.
     pub rounding: S,

@@ -23,7 +23,7 @@ pub(super) type OpenCells = [u32; 2];
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Stretch<S> {
     pub from: S,
-    /// Width of a cell, the distance between two nodes.
+    /// Width of a cell of the grid: the distance between two nodes, in rad.
     pub width: S,
     /// Number of rows of the grid. A row has four nodes.
     rows: usize,
@@ -31,7 +31,7 @@ pub(super) struct Stretch<S> {
     /// motion into a free and a forced motion). The rounding error of the sum is then 0 at the start, and grows with
     /// time.
     pub keeps_forcing: bool,
-    /// Phase τ of the last node.
+    /// Phase τ of the grid's last node, in rad.
     pub to: S,
 }
 
@@ -74,9 +74,9 @@ impl<S: Float> Stretch<S> {
 pub(super) struct GridNode<S> {
     pub value: S,
     pub slope: S,
-    /// sin τ at the node.
+    /// Sine of the phase τ at the grid's node.
     pub sine: S,
-    /// cos τ at the node.
+    /// Cosine of the phase τ at the grid's node.
     pub cosine: S,
 }
 
@@ -182,7 +182,7 @@ impl<S: Float> Grid<S> {
         self.add_common(constant, cosine, sine);
     }
 
-    /// Computes sin τ and cos τ at all nodes.
+    /// Computes sin τ and cos τ at all nodes of the grid.
     fn turn(&mut self, at: &Instant<S>, step: &Instant<S>) {
         let matrix = Matrix {
             a: step.cosine,

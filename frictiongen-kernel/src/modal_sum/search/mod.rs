@@ -73,7 +73,7 @@ pub enum Weight {
 /// Settings of a search for the largest value of a modal sum, or of the sum divided by sin τ.
 #[derive(Clone, Copy, Debug)]
 pub struct SearchSettings<S> {
-    /// Divisor of the modal sum.
+    /// Divisor of the modal sum in this search.
     pub weight: Weight,
     /// True if the search also covers the negative of the sum. It then finds the largest absolute value.
     pub both_signs: bool,
@@ -92,7 +92,7 @@ pub struct SearchSettings<S> {
 /// Position of a maximum of a modal sum, or a position near which the search looks for a maximum.
 #[derive(Clone, Copy, Debug)]
 pub struct Maximiser<S> {
-    /// Phase τ of the position, in rad.
+    /// Phase τ of the maximum or of the position, in rad.
     pub tau: S,
     /// True for a maximum of the negative of the sum, false for a maximum of the sum.
     pub negative: bool,
@@ -144,7 +144,7 @@ struct MaximumSearch<'a, S, D> {
     peak: Peak<S>,
     /// Upper bound on the rounding error of the sum. A value of the sum below this bound may be pure rounding error.
     rounding: S,
-    /// Upper bound on the number of evaluations.
+    /// Largest number of evaluations of the modal sum in the search.
     most: u32,
     /// Position near which the search looks for its first maximum, predicted by earlier searches.
     guess: Option<Maximiser<S>>,

@@ -13,9 +13,9 @@ use crate::number::scalar::Float;
 /// Constants of a chain and of its contact, which is rigid or elastic.
 #[derive(Clone, Copy, Debug)]
 pub enum AnyContact<S> {
-    /// The contact is rigid.
+    /// The contact is rigid. The field contains the constants of the chain.
     Rigid(Chain<S>),
-    /// The contact is elastic.
+    /// The contact is elastic. The field contains the constants of the chain and of the contact.
     Elastic(ElasticChain<S>),
 }
 

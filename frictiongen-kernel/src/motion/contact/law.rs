@@ -14,7 +14,7 @@ use core::fmt::Debug;
 
 /// The law of a contact with one kinetic friction force. All forces have the same unit.
 pub trait Law<S: Float>: Copy + Debug {
-    /// Returns the kinetic friction force at zero speed.
+    /// Returns the kinetic friction force at zero sliding speed.
     fn level(self) -> S;
 
     /// Returns the largest contact force at which the contact sticks (static friction force).
@@ -76,7 +76,7 @@ pub trait Law<S: Float>: Copy + Debug {
 
 /// Constants of a chain and of the law of its contact.
 pub trait ContactChain<S: Float>: Copy + Debug {
-    /// The law of the contact.
+    /// Type of the law that gives the contact's force.
     type Law: Law<S>;
 
     /// Returns the number of modes of the chain minus the number of modes of the chain with its contact stuck.
@@ -205,7 +205,7 @@ pub trait ContactChain<S: Float>: Copy + Debug {
 /// The way in which sliding starts, from rest or from a stuck contact.
 #[derive(Clone, Copy, Debug)]
 pub struct SlideStart<S> {
-    /// Direction of sliding.
+    /// Direction in which the contact slides.
     pub contact: Contact,
     /// Force that would keep the contact at rest, minus the kinetic friction force.
     pub excess: S,

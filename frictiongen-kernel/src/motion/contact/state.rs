@@ -97,7 +97,7 @@ impl<S: Float> ContactState<S> {
 /// End of a segment of the motion: its length, its event, and the state of the contact after the event.
 #[derive(Clone, Copy, Debug)]
 pub struct SegmentEnd<S> {
-    /// Length of the segment, in τ.
+    /// Length of the segment in rad of the excitation (τ).
     pub tau: S,
     /// Event that ends the segment, or `None` if the segment ends without an event.
     pub event: Option<Event>,
@@ -118,7 +118,7 @@ pub struct SegmentEnd<S> {
 pub(crate) struct Sought<S> {
     /// State of the contact at the segment's start.
     pub contact_state: ContactState<S>,
-    /// Length of the segment in the phase τ.
+    /// Length of the segment in rad of the excitation (τ).
     pub tau: S,
     /// Relative displacement z̄ of the contact, if the contact sticks in the segment.
     pub offset: S,
@@ -133,13 +133,13 @@ pub(crate) struct Sought<S> {
 /// The way in which a segment of the motion ends.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum SegmentOutcome {
-    /// No event occurs within the searched time.
+    /// No event ends the segment within the searched time.
     Goes,
-    /// The relative velocity vanishes.
+    /// The segment ends because the relative velocity of the contact reaches 0.
     Halts,
     /// The force in the stuck contact reaches its bound, and the contact slides in this direction.
     Breaks(Contact),
-    /// The contact cannot leave zero velocity.
+    /// The segment has the length 0, because the contact cannot leave zero velocity.
     Holds,
 }
 

@@ -18,7 +18,7 @@ pub(crate) struct OscillatorSum<'a, S> {
     pub phase: (S, S),
     /// Length in τ of the interval in which a search examines the function.
     pub reach: S,
-    /// Rounding error of a value of the function.
+    /// Rounding error of one value of the function.
     pub noise: S,
     /// Rate of the fastest oscillator, in rad per rad of the excitation. A differentiation multiplies the size of the
     /// function by at most this rate.
@@ -65,7 +65,7 @@ impl<'a, S: Float> OscillatorSum<'a, S> {
         }
     }
 
-    /// Returns value and derivatives of the function at τ.
+    /// Returns the value and the derivatives of the function at the time τ.
     #[inline]
     pub(crate) fn local(&self, tau: S) -> Local<S> {
         let t = tau * S::inverse_pi();

@@ -19,7 +19,7 @@ pub(crate) enum WalkResult<S> {
     /// The function has a zero at this instant. The flag is true if the function reaches −level, and false if it
     /// reaches +level.
     Zero(S, bool),
-    /// The function has no zero up to this instant.
+    /// The function has no zero up to the given instant.
     Until(S),
     /// The function starts at zero and does not become positive.
     NoStart,
@@ -30,7 +30,7 @@ pub(crate) enum WalkResult<S> {
 pub(crate) enum WalkStart<S> {
     /// The value is unknown. The walk evaluates the function at its start.
     Anywhere,
-    /// The value is exactly zero, and the slope is given.
+    /// The function is exactly zero at the present instant. The field is its slope.
     Zero(S),
     /// The contact has just failed to start sliding. The force must now exceed its level by more than its rounding
     /// error.

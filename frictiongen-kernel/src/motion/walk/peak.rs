@@ -20,7 +20,7 @@ const TRUSTED: f64 = 0.25;
 /// Length of a Newton step, in radians of the excitation, below which the code has reached the peak. Even closer to the
 /// peak, values differ only by rounding.
 const AT_SUMMIT: f64 = 1e-3;
-/// Shortest meaningful Newton step, in rounding units.
+/// Size of a Newton step that is only rounding error, in rounding units.
 const LEAST_ROUNDINGS: f64 = 4.0;
 
 impl<S: Float> OscillatorSum<'_, S> {

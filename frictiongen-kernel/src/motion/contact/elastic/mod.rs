@@ -14,7 +14,7 @@ use crate::contact::sums::Chain;
 /// Constants of a chain whose contact is elastic.
 #[derive(Clone, Copy, Debug)]
 pub struct ElasticChain<S> {
-    /// Constants of the chain.
+    /// Constants of the chain, which do not depend on the law of the contact.
     pub chain: Chain<S>,
     /// Compliance ρ of the spring in series with the slider: k₁ divided by the stiffness of this spring.
     pub compliance: S,

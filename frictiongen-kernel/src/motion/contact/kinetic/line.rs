@@ -8,7 +8,7 @@ use crate::number::scalar::Float;
 pub struct KineticLine<S> {
     pub level: S,
     pub slope: S,
-    /// The speed at the start of the line.
+    /// Sliding speed at which this line of the friction law starts.
     pub low: S,
     /// The speed at the end of the line, or `None` for the last line.
     pub high: Option<S>,

@@ -51,11 +51,11 @@ pub struct Lines<'a, S> {
 /// The way in which a piece of motion on one line of the friction law ends.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum LineCrossing {
-    /// The motion stays on the line.
+    /// The speed stays on the same line of the friction law.
     None,
-    /// The speed rises to the next line.
+    /// The speed rises to the next line of the friction law.
     Faster,
-    /// The speed falls to the previous line.
+    /// The speed falls to the previous line of the friction law.
     Slower,
 }
 

@@ -14,7 +14,7 @@ pub const LOST_MODES: usize = 1;
 /// Friction forces of a rigid contact, in one unit. The contact sticks up to μF and slides under F.
 #[derive(Clone, Copy, Debug)]
 pub struct Rigid<S> {
-    /// Kinetic friction force at zero speed.
+    /// Kinetic friction force at zero sliding speed.
     pub level: S,
     /// Ratio μ of the static to the kinetic friction force.
     pub stiction: S,
@@ -26,7 +26,7 @@ impl<S: Float> Law<S> for Rigid<S> {
         self.level
     }
 
-    /// Returns the static friction force μF.
+    /// Returns μF, the static friction force of the contact.
     #[inline]
     fn grip(self) -> S {
         self.stiction * self.level

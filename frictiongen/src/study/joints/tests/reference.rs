@@ -1,5 +1,5 @@
-//! Compares events, states and steady states with `joints.json`.  A plain program made that file, with matrix
-//! exponentials and bisection.  It shares nothing with this project.
+//! Compares events, states and steady states with `joints.json`. A plain program made that file, with matrix
+//! exponentials and bisection. It shares nothing with this project.
 
 use super::super::{Motion, Series};
 use super::{Chain, Joint, Wave, modal, stiffness};
