@@ -19,7 +19,7 @@ pub enum Reading {
     Amplitude,
     /// The phase of the motion in degrees.
     Phase,
-    /// The value of a [`MotionQuantity`], such as the largest velocity or acceleration of the motion. The curve must have been
+    /// The value of a [`Size`], such as the largest velocity or acceleration of the motion. The curve must have been
     /// computed with it.
     Rate(MotionQuantity),
     /// The amplitude of one harmonic of the motion. The number is the harmonic's index among the requested harmonics.
