@@ -198,8 +198,8 @@ fn answers(
     here.change.is_finite().then_some(here)
 }
 
-/// Returns a friction ratio within the range of the question. The function is called for successive places. Two of
-/// three friction ratios are below β_lim. The third is usually above β_lim and β*_lim, and sometimes between them.
+/// Returns a friction ratio for the known answer with the index `place`, within the range of `question`. Two of three
+/// friction ratios are below β_lim. The third is usually above β_lim and β*_lim, and sometimes between them.
 fn beta(question: &AnswersRequest, [continuous, sliding]: [f64; 2], place: usize) -> f64 {
     let wanted = match place % 3 {
         0 => 0.5 * continuous,
