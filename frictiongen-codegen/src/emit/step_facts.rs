@@ -61,7 +61,6 @@ pub fn step_facts(description: &Description) -> Option<StepFacts> {
 
 /// Appends the numbers of a Rust expression to `to`, each with the fields and indices that lead to it. The expression
 /// has structures, arrays and literals.
-/// arrays and literals.
 fn collect(value: &Expr, place: &str, to: &mut Vec<(String, f64)>) {
     match value {
         Expr::Struct(structure) => {
