@@ -1,5 +1,6 @@
-/* Two peers for steady states with one elastic contact (a Jenkins element: a spring in series with a slider): a plain exact
- * event stepper, and harmonic balance with alternating frequency and time.
+/* Computes steady states with one elastic contact (a Jenkins element: a spring in series with a slider), to compare them
+ * with those of frictiongen. There are two methods: a plain exact event stepper, and harmonic balance with alternating
+ * frequency and time.
  *
  *   elastic stepper MASSES CONTACT EXCITED ZETA STIFFNESS R BETA REPEATS [RUNS]
  *   elastic balance MASSES CONTACT EXCITED ZETA STIFFNESS R BETA HARMONICS [RUNS]

@@ -1,4 +1,5 @@
-/* A peer for steady states with several elastic contacts (Jenkins elements) and dashpots: a plain exact event stepper.
+/* Computes steady states with several elastic contacts (Jenkins elements) and dashpots, to compare them with those of
+ * frictiongen. The method is a plain exact event stepper.
  *
  *   joints MASSES ZETA DASHPOT STIFFNESS FROM TO COUNT BETA REPEATS [RUNS]
  *
@@ -7,10 +8,10 @@
  * dashpot over the square root of spring times mass. Storey i has the friction (1.1 - 0.1 i) BETA over the load. A
  * harmonic force acts on the last mass, at COUNT frequency ratios from FROM to TO.
  *
- * At each frequency the stepper runs from rest and takes STEPS_A_CYCLE steps (50) a cycle with the exact propagator of the present
- * pattern of sliding and stuck contacts, which it computes when the pattern first occurs. An event is a change of sign at
- * the end of a step, which is bisected to 1e-12 of a rad. The run ends when the state repeats from cycle to cycle to
- * REPEATS.
+ * At each frequency the stepper runs from rest. It takes STEPS_A_CYCLE (50) steps in a cycle, with the exact propagator
+ * of the present pattern of sliding and stuck contacts. It computes a propagator when its pattern first occurs. An event
+ * is a change of sign at the end of a step. Bisection finds its time to 1e-12 rad. The run ends when the state repeats
+ * from cycle to cycle within REPEATS.
  *
  * Prints: milliseconds for all frequencies (median of RUNS), the number of frequencies that settle, the mean number of
  * cycles, then for each frequency the displacement of the last mass at a maximum of the load.

@@ -1,5 +1,5 @@
 /* The exact solution of x' = a x, for programs that declare STATES and include <math.h> and <string.h> before. */
-/* Replaces x by exp(a t) x, by Taylor's series. */
+/* Replaces the m numbers x by exp(a t) x, with the Taylor series of the exponential. */
 static void propagate(int m, double a[STATES][STATES], double t, double *x) {
     double term[STATES], next[STATES];
     memcpy(term, x, m * sizeof *x);

@@ -1,4 +1,4 @@
-/* A plain exact event stepper, as a peer for frictiongen's orbits.
+/* Computes steady states with a plain exact event stepper, to compare them with those of frictiongen.
  *
  *   stepper MASSES CONTACT EXCITED ZETA R BETA [MOST_CYCLES [RUNS]]
  *   stepper MASSES CONTACT EXCITED ZETA - MU [MOST_CYCLES]

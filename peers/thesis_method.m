@@ -1,4 +1,5 @@
-% The thesis's numerical method (3.6.1, 6.3.1), as a peer for frictiongen's orbits.
+% Computes steady states with the numerical method of the thesis (3.6.1, 6.3.1), to compare them with those of
+% frictiongen.
 %
 %   octave --no-gui --quiet thesis_method.m MASSES CONTACT EXCITED ZETA R BETA [CYCLES [RELTOL [ABSTOL [INITIALSTEP]]]]
 %

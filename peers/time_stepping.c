@@ -1,4 +1,4 @@
-/* Usual fixed-step integrators, as peers for frictiongen's stepper.
+/* Integrates motions in time with usual fixed-step methods, to compare them with frictiongen's stepper.
  *
  *   time_stepping METHOD MASSES CONTACT EXCITED A B R BETA STEPS CYCLES [RUNS]
  *

@@ -1,8 +1,8 @@
-/* Times of the peers: a clock, and the median of several runs. */
+/* Measures the times of the programs in this folder: a clock, and the median of several runs. */
 #include <stdlib.h>
 #include <time.h>
 
-/* Seconds of a clock that never goes back. */
+/* Returns the time in seconds of a clock that never goes back. */
 static double now(void) {
     struct timespec t;
     clock_gettime(CLOCK_MONOTONIC, &t);
@@ -14,7 +14,7 @@ static int ascending(const void *a, const void *b) {
     return (x > y) - (x < y);
 }
 
-/* Sorts the times. */
+/* Returns the median of the times, and sorts them. */
 static double median(double *times, int runs) {
     qsort(times, runs, sizeof *times, ascending);
     return times[runs / 2];

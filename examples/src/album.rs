@@ -5,7 +5,7 @@ use std::error::Error;
 use std::io::{IsTerminal as _, Write as _};
 use std::path::{Path, PathBuf};
 
-/// The figures of one program, and the folder to which they are written.
+/// The figures of one program, with the folder to which they are written.
 #[derive(Debug)]
 pub struct Album {
     folder: PathBuf,
@@ -104,7 +104,7 @@ impl Album {
         }
     }
 
-    /// Shows the progress in one line of a terminal, which each call overwrites.
+    /// Shows how many figures are finished, in one line of a terminal that each call overwrites.
     fn show(&self) {
         let mut screen = std::io::stderr();
         if screen.is_terminal() {

@@ -54,7 +54,7 @@ fn main() -> Result<(), Box<dyn Error>> {
     let loudest = sound
         .iter()
         .fold(0.0_f64, |most, value| most.max(value.abs()));
-    // The test uses the second between 1 s and 2 s, in which the normal force is constant.
+    // The sound is checked in the second between 1 s and 2 s, in which the normal force is constant.
     let whole = RATE as usize..2 * RATE as usize;
     let steady = sound.get(whole).unwrap_or_default();
     let rises = steady

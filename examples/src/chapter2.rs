@@ -11,17 +11,17 @@ use std::f64::consts::{PI, TAU};
 
 const BLOCK: Of = Of::Mass(0);
 
-/// Returns a loaded block on a spring, which rubs on a fixed wall.
+/// Returns a loaded block on a spring. The block rubs on a fixed wall.
 fn wall() -> System {
     block("wall", "block", "")
 }
 
-/// Returns the system of [`wall`] with a dashpot, ζ = 0.2.
+/// Returns the system of [`wall`] with a dashpot, whose damping ratio ζ is 0.2.
 fn damped() -> System {
     block("wall", "block", "damping: modal(0.2),")
 }
 
-/// Returns two masses. The lower one is loaded and in contact with the wall.
+/// Returns two masses on springs. The lower one is loaded, and rubs on a wall.
 fn two() -> System {
     system(
         "struct Two {
@@ -96,7 +96,7 @@ fn laws() -> Result<Figure, Box<dyn Error>> {
     ))
 }
 
-/// Returns a panel with the friction force over the displacement, in a motion with two stops.
+/// Returns a panel with the friction force over the displacement, in a motion with two stops in a cycle.
 fn loop_of_work() -> Result<Panel, Box<dyn Error>> {
     let system = wall();
     let mut run = system.simulation(0.6, 0.6)?;
@@ -112,7 +112,7 @@ fn loop_of_work() -> Result<Panel, Box<dyn Error>> {
             let segment = run.advance(left)?;
             left -= segment.length;
             if 1e-12 < left {
-                // At an event the force jumps, so the values before and after the jump are drawn.
+                // At an event the force jumps. The loop contains the values before and after the jump.
                 points.push((run.run().mass(0).displacement(), -run.friction()));
             }
         }

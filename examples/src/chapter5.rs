@@ -13,7 +13,7 @@ use std::f64::consts::TAU;
 
 const TO: f64 = 2.5;
 
-/// Returns two equal masses. The lower one is loaded, and the upper one rubs on a wall.
+/// Returns two equal masses on springs. The lower one is loaded, and the upper one rubs on a wall.
 fn wall() -> System {
     system(
         "struct Wall {
@@ -37,7 +37,7 @@ fn between() -> System {
     )
 }
 
-/// Returns a chain of five equal masses with a given contact and excitation.
+/// Returns a chain of five equal masses with the given contact and excitation.
 fn five(contact: &str, excitation: &str) -> System {
     system(&format!(
         "struct Five {{

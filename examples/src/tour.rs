@@ -8,7 +8,7 @@ use std::error::Error as StdError;
 use std::hint::black_box;
 use std::time::Instant;
 
-/// Passes the same description to the macro and to the run-time system, and keeps it as text to print.
+/// Passes one description to the macro and to a run-time system, and keeps it as a text to print.
 macro_rules! both {
     ($(#[doc = $doc:literal])* pub struct $name:ident $fields:tt) => {
         friction_system! { $(#[doc = $doc])* pub struct $name $fields }

@@ -10,7 +10,7 @@ use frictiongen::kernel::oscillator::decay::{Decay, Instant, Undamped};
 use frictiongen::scalar::Scalar;
 use std::f64::consts::{FRAC_1_PI, PI};
 
-/// Largest number of steps into which the half period is divided in the search for the sliding time τ₀.
+/// Largest number of steps of the search for the sliding time τ₀ in half a period.
 const MOST_SAMPLES: u32 = 4096;
 
 /// Den Hartog's motion with two stops a cycle. From τ = 0 the mass slides from X to −X within τ₀, sticks until τ = π,
@@ -20,7 +20,7 @@ pub struct TwoStops {
     r: f64,
     x: f64,
     amplitude: f64,
-    /// cos φ and sin φ of the phase φ of the load.
+    /// Cosine and sine of the phase φ of the load.
     phase: (f64, f64),
     slide: f64,
 }
@@ -39,7 +39,7 @@ fn sides(r: f64, x: f64, tau: f64) -> (f64, f64, f64) {
     (d, basis.forced_slope / detuning, basis.slope)
 }
 
-/// Returns ±2β for a sliding time τ₀, and √(D² + E²).
+/// Returns ±2β for the sliding time τ₀ = `tau`, and √(D² + E²).
 fn friction(r: f64, x: f64, tau: f64) -> (f64, f64) {
     let (d, e, slope) = sides(r, x, tau);
     let size = (d * d + e * e).sqrt();
@@ -99,7 +99,7 @@ impl TwoStops {
         }
     }
 
-    /// Returns true if the mass slides in one direction until τ₀ and sticks afterwards.
+    /// Returns true if the mass slides in one direction until τ₀ and then sticks, at the friction ratio β.
     fn holds(&self, beta: f64) -> bool {
         let samples = 256;
         let slides = (1..samples).all(|index| {
@@ -151,7 +151,7 @@ impl TwoStops {
     }
 }
 
-/// Finds the zero of a function by bisection between two arguments at which the function has different signs.
+/// Finds the zero of a function by bisection between two arguments, at which its values have different signs.
 fn halved(function: impl Fn(f64) -> f64, mut low: f64, mut high: f64) -> f64 {
     let below = function(low) < 0.0;
     for _ in 0..128 {

@@ -1,5 +1,5 @@
-//! Tests the scenes with several contacts against published events, momentum, Masing's closed form and a plain
-//! integrator.
+//! Compares the examples with several contacts with published events, with momentum, with Masing's closed form, and
+//! with a plain integrator.
 
 use frictiongen::study::joined::Joined;
 use frictiongen_examples::several::frame::{self, descend, frame as described, run};
@@ -11,7 +11,7 @@ use std::f64::consts::PI;
 #[test]
 fn clutches_have_their_events() {
     let found = clutches::clutches().expect("a motion");
-    // Found by a program with bisection. The digits end at 5e-14 s.
+    // A program with bisection found these times. Their last digits are at 5e-14 s.
     let expected = [
         (2, true, 0.709_621_474_693_7),
         (1, true, 0.791_662_359_154_8),
@@ -28,12 +28,12 @@ fn clutches_have_their_events() {
     let (time, speeds) = found.speeds.last().expect("the end");
     assert!(*time == clutches::END && (speeds[0] - 3.247_058_272_419).abs() < 1e-12);
     for (time, speeds) in &found.speeds {
-        // The torque 10 sin 10πt is the only one from outside.
+        // The only torque from outside is 10 sin 10πt.
         let momentum = 10.0 + (1.0 - (10.0 * PI * time).cos()) / PI;
         let sum: f64 = speeds.iter().sum();
         assert!((sum - momentum).abs() < 1e-12, "{time}: {sum} {momentum}");
     }
-    // The published speeds have the errors of the program that computed them.
+    // The published speeds contain the errors of the program that computed them.
     for ((_, published, relative), (time, speeds)) in clutches::PUBLISHED.iter().zip(&found.speeds)
     {
         let errors = [published - speeds[0], relative - (speeds[1] - speeds[0])];
@@ -42,7 +42,8 @@ fn clutches_have_their_events() {
     }
 }
 
-/// Checks the hold, the break-away by the balance of torques, and the sliding motion by the balance of momentum.
+/// Checks the motion of the robot joint: the hold, the break-away by the balance of torques, and the sliding motion
+/// by the balance of momentum.
 fn robot_keeps_its_balances(hold: u64) -> Course {
     let course = robot::course(hold).expect("a motion");
     assert_eq!(course.creep, 0.0);
@@ -71,7 +72,7 @@ fn robot_keeps_its_balances(hold: u64) -> Course {
             - robot::GEAR * now.speeds[0].signum()
             - robot::SEAL * now.speeds[1].signum();
         let apart = momentum(now) - momentum(before) - 1e-3 * torque;
-        // The momentum is at most 100, of which 1e-13 is a few roundings.
+        // The momentum is at most 100. 1e-13 of it is a few roundings.
         assert!(apart.abs() < 1e-11, "step {}: {apart:e}", now.step);
         compared += 1;
     }
@@ -144,7 +145,7 @@ fn search_finds_a_minimum() {
     }
 }
 
-/// Integrates the equations of motion of the frame with Runge-Kutta steps of 0.1 ms. Returns the largest drifts.
+/// Integrates the motion of the frame by Runge-Kutta steps of 0.1 ms, for comparison.
 struct Plain {
     levels: [f64; 5],
     x: [f64; 5],
@@ -158,7 +159,7 @@ const SPRINGS: [f64; 5] = [6.0e7, 5.5e7, 5.0e7, 4.5e7, 4.0e7];
 const BRACE: f64 = 6.0e7;
 
 impl Plain {
-    /// Returns accelerations, and velocities of the sliders.
+    /// Returns the accelerations of the storeys and the velocities of the sliders.
     fn rates(&self, x: &[f64; 5], v: &[f64; 5], q: &[f64; 5], base: [f64; 2]) -> [[f64; 5]; 2] {
         let (mut force, mut slider) = ([0.0; 5], [0.0; 5]);
         for j in 0..5 {
@@ -243,7 +244,7 @@ impl Plain {
     }
 }
 
-/// Compares the drifts of the frame with a plain integration of the first seconds of the earthquake.
+/// Compares the drifts of the frame in the first seconds of the earthquake with those of a plain integration.
 fn frame_is_that_of_a_plain_integrator(joined: &Joined<'_>, seconds: usize, forces: [f64; 5]) {
     let mut record = ground(frame::PEAK, frame::RATE);
     record.truncate(seconds * frame::RATE as usize);
@@ -280,8 +281,8 @@ fn frame_follows_an_earthquake() {
     frame_is_that_of_a_plain_integrator(&joined, 5, [3.0e5, 2.6e5, 2.0e5, 1.5e5, 1.0e5]);
 }
 
-/// Checks the result of the search: no change of a single force by 3 % is better, and the distribution is better than
-/// equal forces.
+/// Checks the result of the search. If any single force changes by 3 %, the result becomes worse. The distribution is
+/// better than equal forces.
 #[test]
 #[ignore = "the search follows hundreds of earthquakes"]
 fn frame_has_its_best_forces() {

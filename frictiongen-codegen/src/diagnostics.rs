@@ -67,7 +67,7 @@ pub struct Partial {
     pub on_base: bool,
     /// The masses that the stepper may load, as indices into `mass_names`.
     pub forces: Vec<usize>,
-    /// True if the description declares a step.
+    /// True if the description declares the step of a stepper.
     pub has_step: bool,
 }
 

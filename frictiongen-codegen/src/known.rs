@@ -10,18 +10,20 @@ use frictiongen_model::scene::Precision;
 
 /// Number of frequency ratios with known answers.
 pub const POINTS: usize = 10;
-/// Number of frequency ratios that the code tries in each part of the range, for a scene with one mass. Scenes with more
-/// masses have fewer tries, because a try takes longer.
+/// Number of frequency ratios that the code tries in each part of the range, for a scene with one mode. With more
+/// modes the number is smaller, because a try takes longer.
 const TRIED: u32 = 40;
-/// Smallest number of tries in each part of the range.
+/// Smallest number of frequency ratios that the code tries in each part of the range.
 const TRIED_AT_LEAST: u32 = 5;
-/// Step between two tries, as a fraction of a part of the range. Steps of the golden section spread the tries evenly.
+/// Distance from one tried frequency ratio to the next, as a fraction of a part of the range. A distance from the
+/// golden section spreads the tries evenly.
 const GOLDEN: f64 = 0.618_033_988_749_894_9;
 /// Phase τ, in rad, of the known displacement and velocity of each mass.
 pub const TAU: f64 = 1.0;
 /// The code changes r by this number of rounding units to test whether the answers depend on rounding.
 const DISPLACED: f64 = 32.0;
-/// An answer depends on rounding if the change by `DISPLACED` changes it by more than this fraction of the tolerance.
+/// Fraction of the allowed error. An answer depends on rounding if it changes by more than this fraction when r
+/// changes by [`DISPLACED`] rounding units.
 const SENSITIVE: f64 = 1.0 / 8.0;
 /// Smallest relative distance of β from a limit. At this distance no rounding changes the regime.
 const APART: f64 = 0.05;
@@ -37,9 +39,10 @@ pub struct AnswersRequest {
     pub r: (f64, f64),
     /// Range of friction ratios.
     pub beta: (f64, f64),
-    /// Allowed error of an emitted answer.
+    /// Allowed relative error of an answer of the emitted code.
     pub tolerance: f64,
-    /// Largest error that may be allowed, if otherwise a part of the range has no answer.
+    /// Largest relative error that may be allowed. It is needed if a part of the range would otherwise have no
+    /// answer.
     pub widest: f64,
     /// True if the answers contain the motion.
     pub motion: bool,
@@ -72,12 +75,12 @@ pub struct KnownAnswers {
     /// Real and imaginary part of the response of each mass while the contact is stuck, then of the force that keeps
     /// the contact stuck. The list is empty if these responses are not requested.
     pub stuck: Vec<[f64; 2]>,
-    /// Largest change of an answer if r changes by 32 rounding units, relative to the size of this answer.
+    /// Largest change of an answer if r changes by 32 rounding units, divided by the size of this answer.
     pub change: f64,
 }
 
 impl KnownAnswers {
-    /// Returns the smallest error that a comparison with these answers must allow.
+    /// Returns the smallest allowed error for which these answers do not depend on rounding.
     #[must_use]
     pub fn needs(&self) -> f64 {
         self.change / SENSITIVE
@@ -99,9 +102,9 @@ pub struct MotionAnswers {
 
 /// Returns the known answers at up to [`POINTS`] frequency ratios, in ascending order.
 ///
-/// The function divides the range into equal parts, and takes one frequency ratio of each part: the first one at which no
-/// answer depends on rounding, or else the one at which the answers depend least on rounding. It leaves out a part in
-/// which the answers depend on rounding so much that the error would exceed [`AnswersRequest::widest`].
+/// The function divides the range into equal parts, and takes one frequency ratio of each part. This is the first one
+/// at which no answer depends on rounding. If there is none, it is the one at which the answers depend least on
+/// rounding. If the allowed error would then exceed [`AnswersRequest::widest`], the part has no known answer.
 #[must_use]
 pub fn known(modal: &Modal, question: &AnswersRequest) -> Vec<KnownAnswers> {
     let exact = modal.reduced(|value| value);
@@ -150,8 +153,8 @@ impl AnswersRequest {
     }
 }
 
-/// Returns the answers at r, with their change. Returns `None` if there is no answer next to r. `place` is the number of
-/// the part of the range.
+/// Returns the answers at the frequency ratio r, with their change if r changes a little. Returns `None` if an answer
+/// at r or at the changed r is missing. `place` is the number of the part of the range.
 fn answers(
     exact: &Reduced<Dd>,
     question: &AnswersRequest,
@@ -198,8 +201,8 @@ fn answers(
     here.change.is_finite().then_some(here)
 }
 
-/// Returns a friction ratio within the range of the question. The function is called for successive places. Two of
-/// three friction ratios are below β_lim. The third is usually above β_lim and β*_lim, and sometimes between them.
+/// Returns a friction ratio for the known answer with the index `place`, within the range of `question`. Two of three
+/// friction ratios are below β_lim. The third is usually above β_lim and β*_lim, and sometimes between them.
 fn beta(question: &AnswersRequest, [continuous, sliding]: [f64; 2], place: usize) -> f64 {
     let wanted = match place % 3 {
         0 => 0.5 * continuous,

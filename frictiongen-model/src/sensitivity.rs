@@ -271,7 +271,8 @@ impl RelativeChange {
         }
     }
 
-    /// Returns vᵢᵀ(dGᵀG)vⱼ, the change of GᵀG between modes i and j, for every pair of modes.
+    /// Returns vᵢᵀ(dGᵀG)vⱼ for every pair of modes i and j. This is the change of the stiffness matrix K̄ = GᵀG,
+    /// scaled by the masses, in coordinates of the modes. v = √Γφ is a mode's scaled shape.
     fn between(
         &self,
         shapes: &[Vec<Dd>],

@@ -19,16 +19,17 @@ const NODES: usize = 5;
 /// constraint, and so not to one witness. The value is tuned. A polynomial through two maxima would be near neither
 /// of them.
 const JUMP: f64 = 0.05;
-/// Distance from the start of the half period, in radians of the fastest mode. If the instant of a witness is closer,
-/// its constraint may come from the Taylor series in τ (module `early`). For all such instants the series is valid.
+/// Distance of an instant from the start of the half period, in radians of the fastest mode. If a witness (an instant
+/// near the largest velocity constraint) is closer, a Taylor series in τ may give its constraint (module `early`).
+/// For all such instants the series is valid.
 const EARLY: f64 = 1.2;
-/// Distance from the start of the half period, in radians of the fastest mode. If the instant of a witness is closer,
-/// its constraint comes only from the Taylor series in τ (module `early`). The value is tuned. So close to the start,
-/// the constraint F/sin τ would be a quotient of two small intervals.
+/// Distance of an instant from the start of the half period, in radians of the fastest mode. If a witness (an instant
+/// near the largest velocity constraint) is closer, only a Taylor series in τ gives its constraint (module `early`).
+/// The value is tuned. So close to the start, the constraint F/sin τ would be a quotient of two small intervals.
 const SURELY: f64 = 0.3;
-/// Distance from the start of the half period, in radians of the fastest mode. If an instant is closer, the start
-/// itself is also a candidate for the witness. The value is tuned. A maximum so close may reach the start within the
-/// interval of r.
+/// Distance of an instant from the start of the half period, in radians of the fastest mode. If the instant of the
+/// largest velocity constraint is closer, the start itself is also a candidate for the witness. The value is tuned.
+/// The maximum may then reach the start within the interval of r.
 const START: f64 = 0.05;
 
 /// Returns the candidates for the witness over an interval of r, from exact searches at several r of the interval.

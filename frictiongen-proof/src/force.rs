@@ -110,8 +110,8 @@ pub(crate) fn derivatives<const N: usize>(
     sums
 }
 
-/// Returns F″ at τ = 0, where p′ = 1, p″ = −2ζx and p‴ = x²(4ζ² − 1). F is the sum of the velocity constraint over
-/// the modes.
+/// Returns the second derivative F″ at τ = 0, where F is the sum of the velocity constraint over the modes. The free
+/// displacement p of a mode has p′ = 1, p″ = −2ζx and p‴ = x²(4ζ² − 1) there.
 pub(crate) fn bend_at_start<const N: usize>(stage: &ChainStage<N>) -> IntervalSeries<N> {
     let one = IntervalSeries::fixed(Interval::ONE);
     let zero = IntervalSeries::fixed(Interval::ZERO);

@@ -53,7 +53,7 @@ impl FunctionProof {
         }
     }
 
-    /// Adds the results of the proof of the next piece.
+    /// Adds the results that the proof has for the next piece of the table.
     pub fn and(&mut self, next: Self) {
         if next.looked {
             self.seen(next.bound);
@@ -61,7 +61,8 @@ impl FunctionProof {
         self.open.extend(next.open);
     }
 
-    /// Returns the proof of one function. Joins adjacent open intervals, and records the work.
+    /// Returns the results as the proof of one function, with the work that it took. Neighbouring intervals that are
+    /// not proven become one.
     pub fn finished(mut self, work: usize) -> Proof {
         self.open.sort_by(|a, b| a.0.total_cmp(&b.0));
         let mut open: Vec<(f64, f64)> = Vec::new();

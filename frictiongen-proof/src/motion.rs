@@ -60,9 +60,9 @@ struct MotionCell {
     /// Errors (`off`) of the polynomials a and g, and the exact values (`exact`) α = β_lim·U/|V| and γ = β_lim·G/|V|.
     off: [Interval; 2],
     exact: [Interval; 2],
-    /// Relative error of the |V| that the table gives.
+    /// Relative error of the table's |V|. V is the response of the contact to the load.
     size: Interval,
-    /// Error of the angle arg V that the table gives, in rad.
+    /// Error of the table's angle arg V, in rad. V is the response of the contact to the load.
     turned: Interval,
     /// Smallest quotient, over the cell, of the table's β_lim and the β_lim from the witness.
     least: f64,

@@ -274,8 +274,10 @@ impl<'a, 'm> Prover<'a, 'm> {
         None
     }
 
-    /// Returns the chain at the centre and over the interval of r, with the sign of κ changed to positive. In a chain
-    /// without damping both signs are valid, because F(π − τ) = −F(τ).
+    /// Returns the functions of the chain at the centre and over the interval of r, multiplied by −1 if κ is
+    /// negative. κ is their common factor, a product of cosines. Returns `None` if its sign is unknown. In a chain
+    /// without damping an unknown sign is allowed, because both signs are valid: F, the sum of the velocity
+    /// constraint, satisfies F(π − τ) = −F(τ).
     fn oriented(
         &self,
         at: ChainStage<ORDER>,

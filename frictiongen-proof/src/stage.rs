@@ -312,7 +312,7 @@ impl<const N: usize> ChainStage<N> {
     }
 }
 
-/// Returns 1 + g and u/x² of a mode whose cos(πx/2) is not a factor of κ.
+/// Returns two functions of a mode, 1 + g and u/x², for a mode whose cosine cos(πx/2) is not a factor of κ.
 fn functions<const N: usize>(
     mode: &IntervalMode,
     x: &IntervalSeries<N>,

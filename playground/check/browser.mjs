@@ -1,4 +1,4 @@
-// A headless browser, driven through its debugging pipe.
+// Controls a headless browser through its debugging pipe.
 import { spawn } from "node:child_process";
 import { mkdtempSync } from "node:fs";
 import { tmpdir } from "node:os";

@@ -1,4 +1,4 @@
-// Draws the chain in motion.  A contact glows while it sticks.
+// Draws the chain in motion. A contact glows while it sticks.
 class ChainView {
   constructor(canvas) {
     this.canvas = canvas;
@@ -13,7 +13,7 @@ class ChainView {
     Object.assign(this, { scene, orbit, hertz });
   }
 
-  // How many times slower than in reality the picture moves.
+  // Returns the factor by which the picture moves more slowly than the chain.
   slowness() {
     return Math.max(1, this.hertz / 0.7);
   }
@@ -27,7 +27,7 @@ class ChainView {
     requestAnimationFrame((next) => this.tick(next));
   }
 
-  // The value of a list of samples at the present phase.
+  // Returns the value of a list of samples at the present phase.
   sample(values, cycles) {
     const place = (this.phase / cycles % 1) * (values.length - 1);
     const index = Math.min(Math.floor(place), values.length - 2);
@@ -151,7 +151,7 @@ function arrow(pen, x, y, reach, colour) {
   pen.stroke();
 }
 
-// Two plates that rub: below a mass on the floor, or between the arms of two masses or of a mass and the base.
+// Draws two plates that rub: below a mass on the floor, or between the arms of two masses or of a mass and the base.
 function rub(pen, [a, b], place, order, [half, middle, floor], colour, sticks) {
   const [left, right] = order[a] <= order[b] ? [a, b] : [b, a];
   const below = middle + half * 0.62;

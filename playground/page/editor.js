@@ -1,4 +1,4 @@
-// The description: its text, the messages under its lines, and the sliders of its numbers.
+// Shows the description: its text, the messages under its lines, and the sliders of its numbers.
 class Editor {
   constructor(changed) {
     this.area = document.getElementById("text");
@@ -22,7 +22,7 @@ class Editor {
     return this.area.value;
   }
 
-  // Shows the messages: all of them below the text, and that of the line with the cursor under this line.
+  // Shows all messages below the text. Also shows the message of the line with the cursor under this line.
   tell(faults) {
     this.faults = faults;
     this.list.replaceChildren(...faults.slice(0, 8).map((fault) => {
@@ -55,7 +55,7 @@ class Editor {
     this.marks.replaceChildren(...marks);
   }
 
-  // Makes one slider for each number.  A slider keeps its range while the scene has the same numbers.
+  // Makes a slider for each number. A slider keeps its range while the scene has the same numbers.
   sliders(numbers) {
     const key = numbers.map((number) => number.kind + number.name).join();
     this.numbers = numbers;
@@ -82,7 +82,7 @@ class Editor {
     numbers.forEach((number, index) => this.write(index, number.value));
   }
 
-  // Masses and springs move over a factor of 16, ratios between their ends.
+  // A slider covers a factor of 16 about its first value. A slider of a ratio covers the range of the ratio.
   range({ kind, value }) {
     const plain = (low, high) => ({ at: (part) => low + (high - low) * part, part: (number) => (number - low) / (high - low) });
     if (kind === "damping") return plain(0, Math.max(0.1, 4 * value));
@@ -98,13 +98,13 @@ class Editor {
     row.slider.setAttribute("aria-valuetext", short(value));
   }
 
-  // Writes a slider's number into the text.
+  // Writes the number of a slider into the text.
   rewrite(index, value) {
     const number = this.numbers[index];
     if (!number) return;
     const written = short(value);
     this.area.value = this.text.slice(0, number.start) + written + this.text.slice(number.end);
-    // Later numbers move with the text until the next answer tells their places.
+    // The positions of later numbers shift with the text, until the next answer gives the new positions.
     const moved = written.length - (number.end - number.start);
     for (const other of this.numbers) if (other.start > number.start) { other.start += moved; other.end += moved; }
     number.end += moved;
@@ -113,7 +113,7 @@ class Editor {
   }
 }
 
-// A number with four digits.
+// Formats a number with four digits.
 function short(value) {
   if (value === null || value === undefined) return "∞";
   const text = String(Number(value.toPrecision(4)));

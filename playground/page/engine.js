@@ -1,4 +1,4 @@
-// A worker with the solver.  A question that takes too long ends the worker, and the next question starts another.
+// Runs a worker with the solver. If a question takes too long, the worker ends, and the next question starts another one.
 class Engine {
   constructor(module, patience) {
     this.module = module;
@@ -27,7 +27,7 @@ class Engine {
     asked.done(broken ? { error: `the solver stopped at this scene: ${broken}` } : answer);
   }
 
-  // Ends the worker; every open question gets an answer.
+  // Ends the worker. Every open question gets an answer.
   stop(reason = "a newer question took the place of this one") {
     this.worker.terminate();
     const open = [...this.asked.values()];
@@ -39,7 +39,7 @@ class Engine {
     }
   }
 
-  // Asks after the questions before.
+  // Asks a question after all earlier questions.
   ask(question) {
     const turn = this.queue.then(() => this.now(question));
     this.queue = turn.catch(() => {});
@@ -47,7 +47,7 @@ class Engine {
   }
 
   async now(question) {
-    // A worker that was ended before it was ready has a follower.
+    // If this worker has ended before it was ready, another worker has replaced it.
     for (let ready = null; ready !== this.ready; await ready) ready = this.ready;
     const id = ++this.last;
     return new Promise((done) => {

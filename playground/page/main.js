@@ -1,4 +1,4 @@
-// Ties the parts of the page: one state, of which every picture is an answer.
+// Connects the parts of the page. There is one state, and every picture shows an answer about this state.
 const at = (id) => document.getElementById(id);
 const examples = JSON.parse(at("examples").textContent);
 const state = { r: null, beta: null, of: null, sweep: false, from: null, to: null };
@@ -15,7 +15,7 @@ function question(ask, more = {}) {
   return { ask, text: editor.text, r, beta, of, from, to, ...more };
 }
 
-// Asks for what a change touches.  Changes that come meanwhile are answered together afterwards.
+// Asks the questions whose answers a change affects. Changes that occur meanwhile are answered together afterwards.
 async function changed(what) {
   if (what === "text") state.fresh = true;
   again = true;
@@ -55,7 +55,7 @@ async function refresh() {
   timing.first ??= performance.now() - timing.start;
 }
 
-// Draws as much of the curve as fits into a frame.  The curve of `refine` takes its place when the hand rests.
+// Draws as many points of the curve as there is time for in a frame. Later `refine` replaces this curve by a finer one.
 async function quickCurve() {
   const [end, points] = [performance.now() + 10, []];
   const places = halves(97).map((part) => state.from + (state.to - state.from) * part);
@@ -73,15 +73,15 @@ const regimes = ["continuous", "stick-slip", "stuck"];
 const starts = () => state.sweep ? ["up", "down"] : ["rest"];
 const mapKey = () => JSON.stringify([editor.text, state.from, state.to]);
 
-// Takes over a new scene.
+// Shows a new scene.
 function describe(told) {
   const same = scene && told.name === scene.name && told.masses.length === scene.masses.length && told.joined === scene.joined;
   const typed = scene && !same;
   scene = told;
   if (!same) {
-    // A link keeps its range.  Another scene gets its own.
+    // A scene from a link keeps the range of the link. Another scene gets a range of its own.
     Object.assign(state, { from: (typed ? null : state.from) ?? told.from, to: (typed ? null : state.to) ?? told.to });
-    // The amplitude of a mass that friction can hold still is best with most friction, which teaches little.
+    // If friction can hold a mass still, its amplitude is smallest with the most friction, which is not informative.
     const held = told.contacts.flatMap((contact) => contact.between);
     const free = told.masses.findIndex((mass) => !held.includes(mass.name));
     if (state.of === null || state.of >= told.masses.length) state.of = free < 0 ? told.masses.length - 1 : free;
@@ -149,10 +149,10 @@ function draw(id, told) {
   if (id === "map") top_ = told.top;
 }
 
-// Draws the markers over the map and the curve, and moves both sliders.
+// Draws the markers on the map and on the curve, and moves both sliders.
 function mark() {
   Object.assign(at("r"), { min: state.from, max: state.to, value: state.r });
-  // Small frictions have more room on the slider than large ones.
+  // Small frictions have more space on the slider than large ones.
   if (document.activeElement !== at("beta")) at("beta").value = Math.sqrt(state.beta / top_);
   at("beta").setAttribute("aria-valuetext", at("beta-is").textContent);
   at("r").setAttribute("aria-valuetext", at("r-is").textContent);
@@ -174,7 +174,7 @@ function over(id, height, line) {
   layer.innerHTML = `<svg viewBox="${box}"><line x1="${x}" x2="${x}" y1="${frame.top}" y2="${frame.top + frame.height}" stroke="#1c2126" stroke-dasharray="2 4"/>${rule}<circle cx="${x}" cy="${place}" r="6" fill="${inside ? "#b3261e" : "none"}" stroke="${inside ? "#fff" : "#b3261e"}" stroke-width="2"/></svg>`;
 }
 
-// What takes longer: finer curves, scenes with several contacts.  A newer change ends it.
+// Computes what takes longer: finer curves, and scenes with several contacts. A newer change ends the computation.
 let turn = 0;
 let timer = 0;
 function later() {
@@ -185,7 +185,7 @@ function later() {
 
 async function refine(valid) {
   link();
-  // A screen reader tells the state when the hand rests, not in every frame.
+  // A screen reader tells the state when the user pauses, and not in every frame.
   at("spoken").textContent = at("says").textContent;
   emitted();
   at("scenes").value = examples.findIndex((example) => example.text === editor.text);
@@ -195,7 +195,7 @@ async function refine(valid) {
   if (valid()) { draw("curve", curve); mark(); }
 }
 
-// The emitted code of the description, while its tab is open.
+// Shows the emitted code of the description while its tab is open.
 async function emitted() {
   if (!at("emitted").open || document.body.classList.contains("faulty") || at("code").of === editor.text) return;
   at("code").of = editor.text;
@@ -204,7 +204,7 @@ async function emitted() {
   else at("code").textContent = told.error ? `// ${told.error.replaceAll("\n", "\n// ")}` : told.code;
 }
 
-// Numbers from 0 to 1, each halfway between others, so that a curve is coarse first and fine later.
+// Returns numbers from 0 to 1. Each is halfway between earlier ones, so that a curve is coarse first and fine later.
 function halves(count) {
   const places = [0, 1];
   for (let step = 1; places.length < count; step *= 2) for (let i = 1; i < 2 * step; i += 2) places.push(i / (2 * step));
@@ -249,7 +249,7 @@ async function joined(valid) {
   pictures.map = mapKey();
 }
 
-// The link holds the description and the point.  A page within a report has no address of its own.
+// Writes the description and the point into the link. A page within a report has no address of its own.
 const framed = self !== parent;
 function link() {
   if (framed) return;
@@ -316,7 +316,7 @@ function range() {
   changed();
 }
 
-// Takes the point of a picture that was clicked.
+// Moves the state to the point of a picture that was clicked.
 function point(event) {
   const id = event.currentTarget.id;
   const { frame } = at(id);

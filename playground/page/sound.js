@@ -1,11 +1,11 @@
-// The sound of a mass: its velocity over one period, repeated.
+// Plays the sound of a mass: its velocity over one period, repeated.
 class Sound {
   constructor() {
     this.on = false;
     this.heard = true;
   }
 
-  // The pitch in Hz.  A low frequency rises by whole octaves until one hears it.
+  // Returns the pitch in Hz. A low frequency rises by whole octaves until it is audible.
   pitch(hertz) {
     if (!this.heard) return hertz;
     let pitch = hertz;

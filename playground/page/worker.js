@@ -1,5 +1,5 @@
 "use strict";
-// Runs one instance of the solver.  The first message has the compiled module, each later message a question.
+// Runs one instance of the solver. The first message has the compiled module, and each later message a question.
 let solver = null;
 
 function answer(question) {

@@ -1,7 +1,7 @@
 //! The playground: answers about a scene for a page in a browser.
 //!
-//! The page sends a question as JSON and receives the answer as JSON.  [`answer`] is the whole interface.  `boundary.rs`
-//! passes both texts between the browser and this crate.
+//! The page sends a question as JSON and receives the answer as JSON.  [`answer`] is the whole interface.
+//! `boundary.rs` passes both texts between the browser and this crate.
 
 mod best;
 mod boundary;

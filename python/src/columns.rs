@@ -14,7 +14,7 @@ pub struct Words {
 }
 
 impl Words {
-    /// Appends a word.
+    /// Appends a word to the column.
     pub fn push<'w>(&mut self, word: impl Into<Cow<'w, str>>) {
         let word = word.into();
         let place = self.known.iter().position(|known| *known == word);

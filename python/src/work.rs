@@ -34,9 +34,9 @@ impl Stop {
     }
 }
 
-/// Runs `work` on a thread of its own, without Python's global lock, and returns the result. Ctrl-C requests a stop. The
-/// function raises the interrupt when `work` has ended, so `work` must check for the request a few times a second.
-/// [`left_at_interrupt`] is for computations that cannot check.
+/// Runs `work` on a thread of its own, without Python's global lock, and returns the result. Ctrl-C requests a stop.
+/// The function raises the interrupt when `work` has ended, so `work` must check for the request a few times a
+/// second. [`left_at_interrupt`] is for computations that cannot check.
 pub fn without_lock<T: Send>(py: Python<'_>, work: impl FnOnce(&Stop) -> T + Send) -> PyResult<T> {
     let stop = Stop(AtomicBool::new(false));
     let done = AtomicBool::new(false);

@@ -1,5 +1,5 @@
-//! Runs the reference program, which is built against an earlier commit with its own searches. The reference program
-//! returns the time of its passes, which alternate with the rounds of this program.
+//! Runs the program `before`, which is built with the searches of an earlier commit. It measures its own time, in
+//! turn with this program.
 
 use crate::clock::Job;
 use crate::methods::{Method, Pair};
@@ -10,17 +10,17 @@ use std::io::{self, BufRead, BufReader, Write};
 use std::path::Path;
 use std::process::{Child, ChildStdin, ChildStdout, Command, Stdio};
 
-/// Quantities that the reference program computes.
+/// Quantities that the program `before` computes.
 pub const METHODS: [Method; 3] = [Method::Limits, Method::Amplitude, Method::Contact];
 
-/// The running reference program.
+/// The running program `before`.
 pub struct Before {
     child: Child,
     pipes: RefCell<(ChildStdin, BufReader<ChildStdout>)>,
 }
 
 impl Before {
-    /// Starts the reference program.
+    /// Starts the program `before`.
     pub fn start(program: &Path) -> io::Result<Self> {
         let mut child = Command::new(program)
             .stdin(Stdio::piped())
@@ -44,7 +44,7 @@ impl Before {
         line.trim().parse().map_err(io::Error::other)
     }
 
-    /// Creates jobs at the given points of a scene, one for each quantity.
+    /// Creates one job for each quantity of the program `before`. A job computes a scene at the given points (r, β).
     pub fn jobs<'a>(&'a self, label: &Label, points: &[Pair<f64>]) -> io::Result<Vec<Job<'a>>> {
         let mut request = format!("scene {} {}", label.name, label.zeta);
         for [r, beta] in points {

@@ -5,7 +5,7 @@
 //! Masses and springs are equal, because `peers/stepper.c` supports no others. The observed mass is the one whose
 //! amplitude is measured.
 
-/// Passes every chain to a macro.
+/// Passes the list of all chains to the macro `$then`.
 macro_rules! chains {
     ($then:ident) => {
         $then! {

@@ -1,14 +1,15 @@
-//! Measures the time of a call in ns: medians and minima over rounds in which all jobs take turns.
+//! Measures the time of a call in ns. All jobs take turns in each round, and the result is a median and a minimum
+//! over the rounds.
 
 use std::time::Instant;
 
-/// Shortest pass, in s. A shorter pass is repeated within its round until it takes this time.
+/// Shortest time of a pass, in s. A shorter pass is repeated within its round until it takes this time.
 const SHORTEST: f64 = 2e-4;
-/// Longest pass, in s. A longer pass is reduced to fewer points, but not below `FEWEST_POINTS`.
+/// Longest time of a pass, in s. A longer pass gets fewer points, but not fewer than `FEWEST_POINTS`.
 const LONGEST: f64 = 0.05;
 const FEWEST_POINTS: usize = 8;
 
-/// A function to be timed. A pass calls it at the first `points` points, and a round has `passes` passes.
+/// A function that is timed. A pass calls it at its first `points` points, and a round has `passes` passes.
 pub struct Job<'a> {
     seconds: Box<dyn FnMut(usize, usize) -> f64 + 'a>,
     points: usize,
@@ -16,7 +17,7 @@ pub struct Job<'a> {
     times: Vec<f64>,
 }
 
-/// Time of a call over all rounds, ns.
+/// Time of one call, from all rounds, in ns.
 #[derive(Clone, Copy, Debug)]
 pub struct Time {
     /// Median over the rounds, ns.
@@ -26,7 +27,7 @@ pub struct Time {
 }
 
 impl<'a> Job<'a> {
-    /// Creates a job with at most `points` calls in a pass.
+    /// Creates a job that calls `run` for at most `points` points in a pass.
     pub fn new(points: usize, mut run: impl FnMut(usize) + 'a) -> Self {
         Self::timed_by(points, move |count, passes| {
             let start = Instant::now();
@@ -62,7 +63,7 @@ impl<'a> Job<'a> {
     }
 }
 
-/// Times jobs in turn, round by round.
+/// Times several jobs in turn, round by round. Returns the time of a call of each job.
 pub fn interleaved(jobs: &mut [Job<'_>], rounds: usize) -> Vec<Time> {
     jobs.iter_mut().for_each(Job::fit);
     for _ in 0..rounds {

@@ -15,32 +15,32 @@ use frictiongen::kernel::Float;
 use frictiongen::kernel::number::dd::Dd;
 use frictiongen::{FrictionSystem, MotionAt, System};
 
-/// A method of computing a quantity.
+/// A method by which a quantity is computed.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub enum By {
-    /// Emitted scene in double precision.
+    /// The emitted code of the scene, in double precision.
     Double,
-    /// Emitted scene in single precision.
+    /// The emitted code of the scene, in single precision.
     Single,
-    /// `System` at run time.
+    /// The type `System` of this library, at run time.
     RunTime,
-    /// Formulas of the thesis, written in C.
+    /// The formulas of the thesis, written by hand in C.
     Hand,
-    /// Eigenproblem solved at each r, by nalgebra.
+    /// The eigenproblem, solved at each frequency ratio r by nalgebra.
     Textbook,
-    /// Harmonic balance up to a given harmonic.
+    /// Harmonic balance. The number is its highest harmonic.
     Balance(usize),
-    /// Event stepper, written in C.
+    /// The event stepper, written in C.
     Stepper,
-    /// Emitted scene with tables in double precision. The accuracy is 10 to the minus this exponent. The tables of the
-    /// finest accuracy are built at run time.
+    /// Emitted scene with tables in double precision. With the number n, the accuracy of the tables is 10⁻ⁿ. The
+    /// tables of the finest accuracy are built at run time.
     Table(u8),
-    /// Emitted scene of an earlier commit in double precision, with its own searches.
+    /// The emitted code of an earlier commit in double precision, with the searches of that commit.
     Before,
 }
 
 impl By {
-    /// Returns the name of the method in the tables.
+    /// Returns the name of the method in printed tables.
     pub fn name(self) -> String {
         match self {
             Self::Double => "emitted f64".into(),
@@ -66,11 +66,11 @@ pub struct Row {
     pub by: By,
     /// Quantity that was computed.
     pub method: Method,
-    /// Time of a call, ns.
+    /// Time of a call, in ns.
     pub time: Time,
     /// Relative errors against the same formula in double-double, at all points.
     pub rounding: Errors,
-    /// Relative errors against the exact value, at usual points.
+    /// Relative errors against the exact value, at usual points of the domain.
     pub usual: Errors,
     /// Relative errors against the exact value, at all points.
     pub error: Errors,
@@ -80,21 +80,22 @@ pub struct Row {
     pub table: Option<Figures>,
 }
 
-/// Visitor that measures the scenes.
+/// Measures the scenes that it visits, and collects the results.
 pub struct Measure {
     /// Extent of the measurement.
     pub extent: Extent,
-    /// The program with the earlier searches, `None` if it could not be built.
+    /// The program with the searches of an earlier commit. `None` if it could not be built.
     pub before: Option<Before>,
-    /// Results, one row for each quantity, method and scene.
+    /// Results of the measurement, one row for each quantity, method and scene.
     pub rows: Vec<Row>,
     /// Distributions of the times of single calls.
     pub tails: Vec<Tail>,
-    /// Scenes for which the finest tables were refused.
+    /// Scenes that have no tables of the finest accuracy, with the reason.
     pub refused: Vec<Refused>,
 }
 
-/// Points of a scalar: for the clock, for the errors at usual points and at the edges of the domain, and with stops.
+/// Points for a scene, rounded to one scalar: for the time, for the errors at usual points and at the edges of the
+/// domain, and with stops.
 struct Sets<S> {
     timed: Set<S>,
     usual: Set<S>,
@@ -102,7 +103,7 @@ struct Sets<S> {
     stops: Set<S>,
 }
 
-/// The scene in double-double, which gives the exact values.
+/// A scene in double-double. It gives the exact values.
 struct Reference {
     system: System<Dd>,
     fill: Fill<Dd>,
@@ -145,7 +146,7 @@ impl Reference {
     }
 }
 
-/// A method and a quantity whose time is not measured yet.
+/// A quantity and a method that computes it, before its time is measured.
 struct Entry<'a, S> {
     by: By,
     method: Method,
@@ -173,7 +174,7 @@ fn judged<S: Float>(label: Label, entry: &Entry<'_, S>, sets: &Sets<S>, time: Ti
     let (mut rounding, usual) = (errors(first, method), errors(first, exact));
     let mut error = usual.clone();
     if entry.table.is_some() {
-        // The points at the edges lie outside the range of the tables. The points of the clock lie inside.
+        // The points at the edges lie outside the range of the tables. The points of the timed calls lie inside.
         error = error.with(&errors(&sets.timed, exact));
     } else if !stops {
         rounding = rounding.with(&errors(&sets.edges, method));
@@ -192,7 +193,7 @@ fn judged<S: Float>(label: Label, entry: &Entry<'_, S>, sets: &Sets<S>, time: Ti
     }
 }
 
-/// Creates a row with a time and without errors.
+/// Creates a row of results that has a time but no errors.
 fn only_timed(label: Label, by: By, method: Method, time: Time) -> Row {
     Row {
         label,
@@ -308,7 +309,8 @@ impl Visitor for Measure {
             .extend(rows.map(|(method, t)| only_timed(label, By::Before, *method, *t)));
         #[cfg(with_c)]
         {
-            // The stepper is judged by the amplitude of the contact, because it returns no other amplitude.
+            // The event stepper gives no amplitude except that of the contact, so its error is that of this
+            // amplitude.
             let contact = contact_amplitudes(&reference, &wide.timed, self.extent.stepped);
             self.stepped(label, Method::Amplitude, &contact);
             let stops = asked(
@@ -356,7 +358,7 @@ fn contact_amplitudes(reference: &Reference, set: &Set<f64>, count: usize) -> Ve
 
 #[cfg(with_c)]
 impl Measure {
-    /// Runs the event stepper at these points, and compares with the exact amplitude of the contact.
+    /// Runs the event stepper at the given points, and compares its results with the exact amplitude of the contact.
     fn stepped(&mut self, label: Label, method: Method, points: &[(Pair<f64>, Dd)]) {
         let mut runs = Vec::new();
         let mut error = Errors::default();

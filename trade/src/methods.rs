@@ -1,33 +1,33 @@
-//! Quantities that are measured. Emitted and run-time systems compute them in the same way.
+//! The quantities that are measured. Emitted scenes and `System` compute them with the same code.
 
 use crate::scenes::Orbit;
 use crate::without_search;
 use frictiongen::kernel::{Float, Scalar};
 use frictiongen::{ContinuousMotion, FrictionSystem, LimitsAt, MotionAt, Of, Steady};
 
-/// A quantity that a scene computes.
+/// A quantity that a scene computes and whose time is measured.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub enum Method {
-    /// Both limits β_lim and β*_lim. S of the velocity constraint comes from the guaranteed search.
+    /// Both limits β_lim and β*_lim. A guaranteed search finds the value S of the velocity constraint.
     Limits,
-    /// Both limits, where S is the velocity constraint for τ → 0.
+    /// Both limits without search. S is the value of the velocity constraint for τ → 0.
     WithoutSearch,
-    /// Both limits, where S is the sum of the maxima of each mode.
+    /// Both limits, where S of the velocity constraint is the sum of the maxima of each mode.
     PerMode,
-    /// Exact maximum of a mass's motion.
+    /// Exact amplitude of a mass in continuous motion.
     Amplitude,
-    /// Monoharmonic estimate of a mass's amplitude.
+    /// Estimate of a mass's amplitude from its fundamental harmonic.
     Monoharmonic,
-    /// Modulus of the fundamental of a mass's motion.
+    /// Modulus of the fundamental harmonic of a mass's motion.
     Fundamental,
-    /// Amplitude of the continuous motion in the contact.
+    /// Exact amplitude of the contact in continuous motion.
     Contact,
     /// Amplitude of the contact in a steady state with stops.
     Orbit,
 }
 
 impl Method {
-    /// Quantities that every emitted scene computes.
+    /// Quantities that every emitted scene computes with closed formulas.
     pub const CLOSED: [Self; 6] = [
         Self::Limits,
         Self::WithoutSearch,
@@ -37,7 +37,7 @@ impl Method {
         Self::Fundamental,
     ];
 
-    /// Quantities for which the exact value is computed at continuous points.
+    /// Quantities whose exact value is computed at points of continuous motion.
     pub const JUDGED: [Self; 7] = [
         Self::Limits,
         Self::WithoutSearch,
@@ -48,7 +48,7 @@ impl Method {
         Self::Contact,
     ];
 
-    /// Returns the name of the quantity in the tables.
+    /// Returns the name of the quantity in printed tables.
     pub fn name(self) -> &'static str {
         match self {
             Self::Limits => "limits, exact S",
@@ -62,7 +62,7 @@ impl Method {
         }
     }
 
-    /// Returns the quantity with the exact value that this quantity approximates.
+    /// Returns the quantity that this quantity approximates. An exact quantity returns itself.
     pub fn exact(self) -> Self {
         match self {
             Self::Limits | Self::WithoutSearch | Self::PerMode => Self::Limits,
@@ -73,12 +73,12 @@ impl Method {
     }
 }
 
-/// A point (r, β), or the two numbers of a result. A result is both limits, or the amplitude twice.
+/// A point (r, β), or a result. A result has two numbers: both limits, or the same amplitude twice.
 pub type Pair<S> = [S; 2];
-/// Function that computes a quantity at every point. It gives NaN where there is no result.
+/// Function that computes a quantity at each of several points. Its result is NaN where the quantity does not exist.
 pub type Fill<S> = Box<dyn Fn(Method, &[Pair<S>], &mut [Pair<S>])>;
 
-/// Creates the function that computes the quantities of a system, emitted or not.
+/// Creates the function that computes the quantities of a system. `watched` is the index of the observed mass.
 pub fn filler<F>(system: F, watched: usize, orbit: Orbit<F::Scalar>) -> Fill<F::Scalar>
 where
     F: FrictionSystem + 'static,
@@ -113,7 +113,7 @@ where
     })
 }
 
-/// Computes one result at each point, and writes it to the output.
+/// Computes a result at each point and writes it to the output. Without a result it writes NaN.
 pub fn each<S: Float>(
     points: &[Pair<S>],
     out: &mut [Pair<S>],
@@ -124,7 +124,7 @@ pub fn each<S: Float>(
     }
 }
 
-/// Computes both limits at each point.
+/// Computes both limits of a system at each point.
 pub fn limits<F>(
     system: &F,
     points: &[Pair<F::Scalar>],

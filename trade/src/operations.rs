@@ -1,20 +1,20 @@
-//! Number of operations of an emitted solver, read from its documentation.
+//! Counts the operations of an emitted solver, as its documentation lists them.
 
 use crate::methods::Method;
 use crate::scenes::Label;
 use frictiongen_codegen::{SizeLimits, emit, parse_text};
 
-/// Number of operations from r to both limits, without those of a search.
+/// Number of operations of a call that computes both limits from r. Those of a search are left out.
 #[derive(Clone, Copy, Debug, Default)]
 pub struct Operations {
-    /// All operations that the documentation lists. They are those of the function without search, or of the frequency
-    /// stage if the quantity needs a search.
+    /// All operations that the documentation lists for the call. If the quantity needs a search, they are those of
+    /// the stage that depends on the frequency.
     pub total: usize,
-    /// Divisions, including those of 1/r and of the two limits.
+    /// Number of divisions, including those for 1/r and for the two limits.
     pub divisions: usize,
-    /// Square roots, including those of the two limits.
+    /// Number of square roots, including those for the two limits.
     pub roots: usize,
-    /// Pairs of sine and cosine.
+    /// Number of pairs of a sine and a cosine.
     pub circular: usize,
     /// Number of evaluations of e^x − 1, 1 − sin(x)/x and 1 − e^{−2a} − 2a·e^{−a}. Each is a polynomial.
     pub exponential: usize,
@@ -46,7 +46,8 @@ pub fn of(label: &Label, method: Method) -> Option<Operations> {
             ..all
         });
     }
-    // The divisions are 1/r, |V|/√(…) and |V|/(μ|H|). A complex modulus adds a division and a root.
+    // The divisions beyond the list are those of 1/r, |V|/√(…) and |V|/(μ|H|). The modulus of a complex number takes
+    // a division and a root.
     let moduli = if label.zeta > 0.0 { 2 } else { 0 };
     Some(Operations {
         divisions: stage.divisions + 3 + moduli,
@@ -57,7 +58,7 @@ pub fn of(label: &Label, method: Method) -> Option<Operations> {
 
 const MARK: &str = "Operations: ";
 
-/// Returns the list in the documentation of an emitted function.
+/// Finds the list of operations in the documentation of an emitted function.
 fn list(code: &str, function: &str) -> Option<Operations> {
     let lists = code.split(MARK).skip(1);
     let mut of_function = lists.filter(|list| {
@@ -67,7 +68,7 @@ fn list(code: &str, function: &str) -> Option<Operations> {
     of_function.next().and_then(listed)
 }
 
-/// Parses the text after the mark in a function's documentation: `12: 5 ×, 3 +, 1 ÷, 1 sin_cos_pi.`
+/// Parses the list of operations in a function's documentation, for example `12: 5 ×, 3 +, 1 ÷, 1 sin_cos_pi.`
 fn listed(text: &str) -> Option<Operations> {
     let (text, _) = text.split_once('.')?;
     let (total, parts) = text.split_once(": ").unwrap_or((text, ""));

@@ -1,4 +1,4 @@
-//! Writes the page `docs/trade.md`.
+//! Writes the page `docs/trade.md` from the measurements.
 
 mod declared;
 mod ours;
@@ -11,12 +11,13 @@ use crate::tables::pools;
 use std::fmt::{Result as Written, Write};
 use table::{Table, Tally, cell, verdict};
 
-/// Aim for the time of C over the time of this library: both are equally fast.
+/// Smallest ratio that is aimed for, of the time of C to the time of this library. With 1 both are equally fast.
 const EVEN: f64 = 1.0;
-/// Aims for the time of the event stepper over that of the closed form: without search, and with search.
+/// Smallest ratios that are aimed for, of the time of the event stepper to that of the closed form: without search,
+/// and with search.
 const STEPPER: [f64; 2] = [1e4, 1e3];
 
-/// Writes the page: the measurements, with the texts around them.
+/// Returns the text of the page: tables of the measurements, with the texts around them.
 pub fn page(measure: &Measure, firmware: &str) -> Result<String, std::fmt::Error> {
     let rows = &measure.rows;
     let mut text = String::from(include_str!("page_head.md"));
@@ -49,7 +50,7 @@ fn shown(ns: f64) -> String {
     }
 }
 
-/// Returns the aim for the time of C over the time of this library.
+/// Returns the smallest ratio that is aimed for, of the time of C to the time of this library.
 fn aim_against_hand(label: &Label, method: Method) -> f64 {
     match (method, label.masses, label.zeta > 0.0) {
         (Method::WithoutSearch, 1, false) => 1.1,

@@ -1,4 +1,4 @@
-//! Points at which the programs are measured.
+//! The points (r, β) at which the methods are measured.
 
 use crate::methods::{Fill, Method, Pair};
 use frictiongen::FrictionSystem;
@@ -6,28 +6,28 @@ use frictiongen::System;
 use frictiongen::kernel::Float;
 use frictiongen::kernel::number::dd::Dd;
 
-/// Extent of a measurement: numbers of points and rounds.
+/// Extent of a measurement: its numbers of points and of rounds.
 #[derive(Clone, Copy, Debug)]
 pub struct Extent {
     /// Number of points at which calls are timed.
     pub timed: usize,
-    /// Number of usual points for the errors. Points at the edges come in addition.
+    /// Number of usual points at which errors are computed. Points at the edges of the domain come in addition.
     pub usual: usize,
     /// Number of rounds in which calls are timed.
     pub rounds: usize,
-    /// Number of points with stops.
+    /// Number of points at which the contact stops in each cycle.
     pub orbits: usize,
     /// Number of points at which the event stepper runs.
     pub stepped: usize,
-    /// Number of points that are timed one by one.
+    /// Number of points at which single calls are timed.
     pub tail: usize,
     /// Largest number of masses in a scene.
     pub masses: usize,
 }
 
-/// Values of β at usual points, as fractions of the smaller limit.
+/// Friction ratios β of usual points, as fractions of the smaller limit.
 pub const USUAL: [f64; 3] = [0.5, 0.1, 0.9];
-/// Values of β at the edges, as fractions of the smaller limit.
+/// Friction ratios β of points at the edges of the domain, as fractions of the smaller limit.
 pub const EXTREME: [f64; 4] = [0.5, 1e-3, 0.9, 1.0 - 1e-6];
 /// Fractional part of the golden ratio. Its multiples cover an interval evenly.
 const GOLDEN: f64 = 0.618_033_988_749_894_9;
@@ -36,12 +36,12 @@ fn spread(index: usize) -> f64 {
     ((index as f64 + 0.5) * GOLDEN).fract()
 }
 
-/// Returns usual frequency ratios, evenly spread over 0.2 to 2.5.
+/// Returns `count` usual frequency ratios, evenly spread over 0.2 to 2.5.
 pub fn usual(count: usize) -> Vec<f64> {
     (0..count).map(|i| 0.2 + 2.3 * spread(i)).collect()
 }
 
-/// Returns frequency ratios with evenly spread logarithms.
+/// Returns `count` frequency ratios between `low` and `high`, whose logarithms are evenly spread.
 pub fn logarithmic(count: usize, [low, high]: [f64; 2]) -> Vec<f64> {
     let ratio = |i| low * (high / low).powf(spread(i));
     (0..count).map(ratio).collect()
@@ -65,15 +65,17 @@ pub fn edges(resonances: &[f64]) -> Vec<f64> {
     ratios
 }
 
-/// Points rounded to a scalar, with the results of double-double at these rounded points.
+/// Points rounded to a scalar, with the exact results at the rounded points. The exact results come from
+/// double-double.
 pub struct Set<S> {
-    /// The points (r, β).
+    /// The points (r, β), rounded to the scalar.
     pub points: Vec<Pair<S>>,
     truths: Vec<(Method, Vec<Pair<Dd>>)>,
 }
 
 impl<S: Float> Set<S> {
-    /// Creates points of continuous motion. β takes the fractions of the smaller limit in turn.
+    /// Creates points of continuous motion at the given frequency ratios. Their friction ratios are the fractions
+    /// `shares` of the smaller limit, in turn.
     pub fn continuous(ratios: &[f64], reference: &Fill<Dd>, shares: &[f64]) -> Self {
         let ratios: Vec<Dd> = ratios
             .iter()
@@ -95,7 +97,8 @@ impl<S: Float> Set<S> {
         Self::of(points.collect(), reference, &Method::JUDGED)
     }
 
-    /// Creates points between the limits. Points are left out if double-double finds no steady state.
+    /// Creates at most `most` points between the limits, where the contact stops. Points without a steady state are
+    /// left out.
     pub fn with_stops(system: &System<Dd>, reference: &Fill<Dd>, most: usize) -> Self {
         let mut points = Vec::new();
         let found = |r: f64, i: usize| -> Option<Pair<S>> {
@@ -134,8 +137,8 @@ impl<S: Float> Set<S> {
         }
     }
 
-    /// Returns the relative errors of the results `answers` against double-double's results for the quantity `truth`.
-    /// Also counts the points without a result.
+    /// Returns the relative errors of the results `answers` at these points. The exact values are those of the
+    /// quantity `truth` in double-double. The function also counts points without a result.
     pub fn errors(&self, answers: &[Pair<S>], truth: Method) -> Errors {
         let exact = self.truths.iter().find(|(method, _)| *method == truth);
         let mut errors = Vec::new();
@@ -167,17 +170,17 @@ impl<S: Float> Set<S> {
     }
 }
 
-/// Errors at a set of points, in ascending order.
+/// Relative errors at a set of points, in ascending order.
 #[derive(Clone, Debug, Default)]
 pub struct Errors {
-    /// Errors at the points with a result.
+    /// The errors at points with a result, in ascending order.
     pub sorted: Vec<f64>,
     /// Number of points without a result.
     pub none: usize,
 }
 
 impl Errors {
-    /// Returns the 99th percentile.
+    /// Returns the error that 99 % of the errors do not exceed.
     pub fn percentile(&self) -> f64 {
         let place = (self.sorted.len() * 99).div_ceil(100).saturating_sub(1);
         self.sorted.get(place).copied().unwrap_or(f64::NAN)
@@ -188,14 +191,14 @@ impl Errors {
         self.sorted.last().copied().unwrap_or(f64::NAN)
     }
 
-    /// Returns these errors together with others.
+    /// Returns these errors together with those of another set.
     pub fn with(&self, other: &Self) -> Self {
         let mut all = self.clone();
         all.and(other);
         all
     }
 
-    /// Adds the errors of another set.
+    /// Adds the errors of another set to these errors.
     pub fn and(&mut self, other: &Self) {
         self.sorted.extend(&other.sorted);
         self.sorted.sort_by(f64::total_cmp);
@@ -203,7 +206,7 @@ impl Errors {
     }
 }
 
-/// Computes a quantity at every point.
+/// Computes a quantity at each of the points. The result is NaN where the quantity does not exist.
 pub fn asked<S: Float>(fill: &Fill<S>, method: Method, points: &[Pair<S>]) -> Vec<Pair<S>> {
     let mut out = vec![[S::constant(f64::NAN); 2]; points.len()];
     fill(method, points, &mut out);

@@ -1,7 +1,8 @@
 //! The scenes: chains of 1, 2, 5 and 10 equal masses and springs with each contact, undamped and with ζ = 0.02 in every
 //! mode, in both precisions.
 
-/// Emits every scene four times (undamped and damped, in both precisions), and lists the scenes.
+/// Emits every scene four times: undamped and damped, in double and in single precision. Lists the scenes in a
+/// function `visit`.
 macro_rules! scenes {
     ($($orbit:ident struct $name:ident $masses:literal $watched:literal $body:tt $provide:tt)*) => {
         /// Undamped scenes.
@@ -62,10 +63,10 @@ macro_rules! scenes {
     };
 }
 
-/// Name and description of a scene.
+/// Name and description of a scene that is measured.
 #[derive(Clone, Copy, Debug)]
 pub struct Label {
-    /// Name: kind of contact and number of masses.
+    /// Name of the scene: the kind of its contact, and its number of masses.
     pub name: &'static str,
     /// Number of masses.
     pub masses: usize,
@@ -73,15 +74,16 @@ pub struct Label {
     pub watched: usize,
     /// Damping ratio of every mode.
     pub zeta: f64,
-    /// Description, in double precision.
+    /// Description of the scene in double precision, in the scene language.
     pub text: &'static str,
 }
 
-/// Function from (r, β) to the amplitude |z̄| of the contact in the steady state. `None` if the scene does not provide
-/// steady states.
+/// Function from the point (r, β) to the amplitude |z̄| of the contact in the steady state. `None` if the scene has
+/// no steady states with stops.
 pub type Orbit<S> = Option<fn(S, S) -> Option<S>>;
 
-/// Visitor of the emitted scenes. The scenes have different types, so that a list cannot contain them.
+/// An operation that is applied to every emitted scene. The scenes have different types, so that a list cannot
+/// contain them.
 pub trait Visitor {
     /// Receives one scene, in double and in single precision.
     fn scene<D, S>(

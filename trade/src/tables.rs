@@ -1,11 +1,11 @@
-//! Formats the measurements as text.
+//! Formats the rows of the measurement as text.
 
 use crate::measure::{By, Row};
 use crate::methods::Method;
 use crate::points::Errors;
 use std::fmt::Write;
 
-/// Writes every row as CSV.
+/// Returns every row of the measurement as a line of CSV.
 pub fn csv(rows: &[Row]) -> Result<String, std::fmt::Error> {
     let mut text = String::from(
         "scene,masses,zeta,by,answer,median ns,least ns,operations,rounding p99,rounding worst,usual error p99,error p99,error worst,points,without answer,table bytes,pieces,comparisons\n",
@@ -39,7 +39,7 @@ pub fn csv(rows: &[Row]) -> Result<String, std::fmt::Error> {
     Ok(text)
 }
 
-/// Formats an error. Returns an empty text if there is none.
+/// Formats an error. Without an error (NaN) the text is empty.
 fn figure(error: f64) -> String {
     if error.is_nan() {
         String::new()
@@ -48,7 +48,7 @@ fn figure(error: f64) -> String {
     }
 }
 
-/// Rows with the same method, quantity and number of masses, taken together.
+/// Rows of the measurement with the same method, quantity and number of masses, combined.
 pub struct Pool {
     /// Number of masses.
     pub masses: usize,
@@ -56,17 +56,17 @@ pub struct Pool {
     pub by: By,
     /// Quantity that is computed.
     pub method: Method,
-    /// Median over the scenes of their median times, ns.
+    /// Median over the scenes of their median times, in ns.
     pub time: f64,
-    /// Relative errors against the exact value at usual points.
+    /// Relative errors of all scenes against the exact value, at usual points.
     pub usual: Errors,
-    /// Relative errors against the exact value at all points.
+    /// Relative errors of all scenes against the exact value, at all points.
     pub error: Errors,
-    /// Smallest and largest number of operations.
+    /// Smallest and largest number of operations over the scenes. `None` if it is not known.
     pub operations: Option<(usize, usize)>,
 }
 
-/// Returns all pools in order. The rows of the earlier searches have times only and are left out.
+/// Combines the rows of the measurement into pools. The rows of the earlier searches have no errors and are left out.
 pub fn pools(rows: &[Row]) -> Vec<Pool> {
     let key = |row: &Row| (row.label.masses, row.method, row.by);
     let judged = rows.iter().filter(|row| row.by != By::Before);

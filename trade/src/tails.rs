@@ -1,4 +1,4 @@
-//! Finds the slowest calls of exact limits, and compares them with the median.
+//! Finds the slowest calls that compute exact limits, and compares their time with the median.
 
 use crate::methods::{Fill, Method, Pair};
 use crate::points::logarithmic;
@@ -7,36 +7,38 @@ use frictiongen::{Effort, System};
 use std::hint::black_box;
 use std::time::Instant;
 
-/// Range of frequency ratios in which the calls are timed.
+/// Range of frequency ratios r over which single calls are timed.
 pub const RANGE: [f64; 2] = [0.02, 10.0];
-/// Number of calls at each point. The shortest of their times counts.
+/// Number of calls at each point. The shortest of their times is taken.
 const CALLS: usize = 3;
-/// Number of slowest points that are timed again with more calls. An interruption of a call must not count.
+/// Number of the slowest points that are timed again with more calls. In this way an interruption of a call does not
+/// count.
 const SLOWEST: usize = 100;
 const CALLS_OF_SLOWEST: usize = 20;
-/// Largest number of rounds of timing the slowest points again. A round may bring other points among the slowest.
+/// Largest number of rounds in which the slowest points are timed again. After a round, other points may be the
+/// slowest.
 const TIMES_ANEW: usize = 10;
 
-/// Distribution of the times of calls at the points of a scene, ns.
+/// Distribution of the times of single calls over the points of a scene, in ns.
 #[derive(Clone, Copy, Debug)]
 pub struct Tail {
     /// Scene whose calls are timed.
     pub label: Label,
-    /// Number of points.
+    /// Number of points at which calls were timed.
     pub points: usize,
-    /// Median time.
+    /// Median time of a call.
     pub median: f64,
     /// Time that 99 of 100 calls do not exceed.
     pub hundredth: f64,
     /// Time that 999 of 1000 calls do not exceed.
     pub thousandth: f64,
-    /// Longest time.
+    /// Time of the slowest call.
     pub slowest: f64,
-    /// Frequency ratio of the longest time.
+    /// Frequency ratio r of the slowest call.
     pub r: f64,
-    /// Largest number of evaluations in a search that finished.
+    /// Largest number of evaluations in a search that finished within its limit.
     pub evaluations: u32,
-    /// Number of searches that did not finish.
+    /// Number of searches that did not finish within their limit.
     pub exceeded: usize,
 }
 
@@ -46,7 +48,7 @@ struct Timed {
     anew: bool,
 }
 
-/// Returns the shortest time of `calls` single calls, without the time of reading the clock.
+/// Returns the shortest time of `calls` calls, in ns. `clock` is the time of reading the clock and is subtracted.
 fn least(calls: usize, clock: f64, mut call: impl FnMut()) -> f64 {
     let one = |_| {
         let start = Instant::now();
@@ -57,7 +59,7 @@ fn least(calls: usize, clock: f64, mut call: impl FnMut()) -> f64 {
     (least - clock).max(0.0)
 }
 
-/// Returns the median time between two readings of the clock.
+/// Returns the median time in ns between two readings of the clock.
 fn clock() -> f64 {
     let mut times: Vec<f64> = (0..10_001).map(|_| least(1, 0.0, || ())).collect();
     times.sort_by(f64::total_cmp);
@@ -68,7 +70,7 @@ fn sort(timed: &mut [Timed]) {
     timed.sort_by(|a, b| b.time.total_cmp(&a.time));
 }
 
-/// Times exact limits at each of `points` points separately.
+/// Times calls for exact limits at `points` points of a scene, one by one.
 pub fn of(label: Label, fill: &Fill<f64>, system: &System, points: usize) -> Tail {
     let clock = clock();
     let time = |r: f64, calls| {

@@ -1,9 +1,9 @@
-//! Computes limits without search. `before/` has its own version of this file, because its commit has no function for
-//! them.
+//! Computes limits without search. The program in `before/` has its own version of this file, because its commit has
+//! no function for these limits.
 
 use frictiongen::FrictionSystem;
 
-/// Computes both limits at r.
+/// Computes both limits at the frequency ratio r, without search.
 pub fn limits<F: FrictionSystem>(system: &F, r: F::Scalar) -> Option<[F::Scalar; 2]> {
     let limits = system.limits_without_search(r).ok()?;
     Some([limits.continuous, limits.sliding])

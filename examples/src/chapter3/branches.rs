@@ -9,18 +9,19 @@ use frictiongen_plot::{Axis, Colour, Figure, Layer, Line, Marker, Markers, Panel
 use std::error::Error;
 
 const RANGE: (f64, f64) = (0.1, 2.5);
-/// Friction ratio of figure 3.15.
+/// Friction ratio β of figure 3.15.
 const BETA: f64 = 1.0;
-/// Range of r in which states that motion from rest does not reach are drawn.
+/// Range of frequency ratios r in which the figure shows states that motion from rest does not reach.
 const SHOWN: (f64, f64) = (0.8, 1.8);
-/// Number of steps in r of the search for steady states that motion from rest does not reach.
+/// Number of steps over [`SHOWN`] in the search for steady states that motion from rest does not reach.
 const PLACES: u32 = 200;
-/// Difference of two amplitudes below which they belong to the same steady state.
+/// Two amplitudes that differ by less than this value belong to the same steady state.
 const ALIKE: f64 = 1e-5;
-/// Largest change of the amplitude of a branch from one r of the search to the next.
+/// Largest change of the amplitude along a branch, from one frequency ratio of the search to the next.
 const JOINED: f64 = 0.05;
 
-/// Properties that distinguish branches of steady states: stops and reversals in a period, period in cycles, symmetry.
+/// Properties that distinguish branches of steady states: number of stops and of reversals in a period, period in
+/// cycles, and symmetry.
 type Kind = (usize, usize, u32, bool);
 
 fn kind(orbit: &SystemOrbit<'_>) -> Kind {
@@ -32,8 +33,8 @@ fn kind(orbit: &SystemOrbit<'_>) -> Kind {
     )
 }
 
-/// Finds the stable sliding states that motion from rest does not reach, with their amplitudes. `part` 0 means the
-/// mass, 1 the contact.
+/// Finds the stable sliding states at one frequency that motion from rest does not reach. Returns each with the
+/// amplitude of the mass if `part` is 0, and otherwise of the contact.
 fn beside_rest(at: &SystemAt<'_>, part: usize) -> Vec<(Kind, f64)> {
     let of = if part == 0 { MASS } else { Of::Contact };
     let rest = at.response(BETA).ok().and_then(|rest| rest.swing(of));
@@ -48,7 +49,8 @@ fn beside_rest(at: &SystemAt<'_>, part: usize) -> Vec<(Kind, f64)> {
     sized.filter(other).collect()
 }
 
-/// Draws the branches of steady states that motion from rest does not reach.
+/// Draws the branches of steady states that motion from rest does not reach. `part` is 0 for the mass, and 1 for the
+/// contact.
 fn others(system: &System, part: usize, colour: Colour) -> Vec<Layer> {
     let step = (SHOWN.1 - SHOWN.0) / f64::from(PLACES);
     let mut branches: Vec<(Kind, Vec<Point>)> = Vec::new();
@@ -119,7 +121,7 @@ pub fn stiction() -> Result<Figure, Box<dyn Error>> {
                 .layers
                 .extend(desk::lines(&drawn, part, Reading::Amplitude, &scales));
         }
-        // The longest line is drawn first, so that the end of each remains visible, at β*_lim = r²/μ.
+        // The longest line is drawn first. The end of each line remains visible. It is at β*_lim = r²/μ.
         let height = if part == 0 { 1.0 } else { 0.0 };
         for (index, (stiction, _)) in systems.iter().enumerate().skip(1).rev() {
             let points = vec![(1.0, height), ((BETA * stiction).sqrt(), height)];
@@ -131,7 +133,7 @@ pub fn stiction() -> Result<Figure, Box<dyn Error>> {
                 .layers
                 .extend(others(system, part, variant_colour(index)));
         }
-        // Marks the frequency from which motion from rest slides without ever being stuck.
+        // A mark shows the frequency from which motion from rest slides and is never stuck.
         for (index, (_, responses)) in curves.iter().enumerate().skip(1) {
             let sliding = responses.curves().iter().flat_map(|curve| &curve.pieces);
             let first = sliding.filter(|piece| piece.regime != Regime::Stuck);

@@ -15,7 +15,8 @@ use std::f64::consts::{PI, TAU};
 
 const MASS: Of = Of::Mass(0);
 
-/// Returns a mass on a spring, which rubs on a wall that moves with the base.
+/// Returns a mass on a spring. It rubs on a wall that moves with the base. `stiction` is the ratio μ of static to
+/// kinetic friction.
 fn joined(stiction: f64) -> System {
     block("base", "base", &format!("stiction: {stiction:?},"))
 }

@@ -13,9 +13,9 @@ use std::f64::consts::PI;
 
 const TO: f64 = 2.5;
 const TOP: f64 = 4.0;
-/// Number of poles of the velocity constraint S within the figure. The last one is at r = 1/31.
+/// Number of poles of the velocity constraint S that the figure contains. The last one is at r = 1/31.
 const POLES: u32 = 15;
-/// Number of these poles that a grey line marks.
+/// Number of poles of S that the figure marks with a grey line.
 const GUIDES: u32 = 6;
 
 /// Figure 3.3: the velocity constraint S (2.27), computed from Z̄ = βS/r² (3.16) on the limit of continuous motion.
@@ -66,7 +66,8 @@ pub fn map() -> Result<Figure, Box<dyn Error>> {
     let mut inner = desk::regimes("", &lines, 1.0, &Scales::groups(&system));
     (inner.x.label, inner.y.label) = ("".into(), "".into());
     for layer in &mut inner.layers {
-        // The inset covers the name of one regime and has room for it. The outer panel names the other regimes.
+        // The inset covers the name of one regime, but has room for this name. The outer panel names the other
+        // regimes.
         if let Layer::Region(region) = layer
             && region.name.plain() != "stuck"
         {
@@ -106,7 +107,7 @@ pub fn stiction() -> Result<Figure, Box<dyn Error>> {
         ))
 }
 
-/// Returns a panel with the number of stops over a grid of r and β, and with β_lim and β*_lim.
+/// Returns a panel with the number of stops in a cycle over a grid of r and β. Lines show β_lim and β*_lim.
 fn counted(
     title: &str,
     stiction: f64,

@@ -30,7 +30,7 @@ pub fn dashpots() -> Result<Figure, Box<dyn Error>> {
         let points = points.map(|r| (r, value(r).unwrap_or(f64::NAN)));
         let mut pieces: Vec<Vec<Point>> = vec![Vec::new()];
         for (r, value) in points {
-            // The line is cut at the resonance, and where the response lies far above the figure.
+            // The line is interrupted at the resonance, and where the response lies far above the figure.
             if value < 50.0 {
                 pieces.last_mut().expect("a piece").push((r, value));
             } else {

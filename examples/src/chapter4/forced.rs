@@ -13,7 +13,7 @@ const JOINED: [f64; 5] = [0.5, 0.75, 1.0, 1.5, 2.0];
 const SIZE: Reading = Reading::Harmonic(0);
 const PHASE: Reading = Reading::HarmonicPhase(0);
 
-/// Responses identified from recordings of the rig, for several friction ratios.
+/// Responses identified from simulated recordings of the rig, one list for each friction ratio.
 struct Read(Vec<(f64, Vec<Point>)>);
 
 impl Read {
@@ -32,7 +32,7 @@ impl Read {
         Ok(Self(each.collect::<Result<_, Box<dyn Error>>>()?))
     }
 
-    /// Returns circles that mark one quantity of each recording, in the colour of the recording's friction ratio.
+    /// Returns circles that mark a quantity of each identified response. Their colour is that of the friction ratio.
     fn circles(&self, of: impl Fn(&Point) -> f64) -> impl Iterator<Item = Markers> {
         self.0.iter().map(move |(beta, points)| {
             let places = points.iter().map(|point| (point.r, of(point)));
@@ -41,8 +41,8 @@ impl Read {
     }
 }
 
-/// Returns panels with transmissibility and phase of the first harmonic, in all regimes. Circles show the responses
-/// identified from recordings.
+/// Returns two panels over the frequency ratio, with transmissibility and phase of the first harmonic in all regimes.
+/// Circles show the responses identified from recordings.
 fn harmonics(
     responses: &Responses<'_>,
     (top, phases): (f64, (f64, f64)),
@@ -71,7 +71,7 @@ fn finished(
     caption: &str,
 ) -> Figure {
     let columns = panels.len();
-    // On a fixed wall the plate is never stuck at these β.
+    // On a fixed wall the plate is never stuck at these friction ratios.
     let mut regimes = desk::keys();
     if on_wall(system) {
         regimes.truncate(2);

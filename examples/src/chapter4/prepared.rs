@@ -13,9 +13,9 @@ use std::error::Error;
 
 type Drawn = Result<Figure, Box<dyn Error>>;
 
-/// Friction ratio β of the free decay.
+/// Friction ratio β that corresponds to the friction force of the free decay.
 const BETA: f64 = 0.4;
-/// Largest amplitude in the figure.
+/// Largest amplitude that the figure shows.
 const TOP: f64 = 10.0;
 
 /// Figure 4.3: the natural frequency, from recordings without friction.

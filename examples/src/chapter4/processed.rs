@@ -11,14 +11,14 @@ use std::f64::consts::TAU;
 
 const R: f64 = 0.85;
 const BETA: f64 = 0.2;
-/// Sampling rate, Hz. It is low, so that the width of a spectral line is visible.
+/// Sampling rate of the recording, in Hz. It is low, so that the width of a spectral line is visible.
 const RATE: f64 = 100.0;
 const SECONDS: f64 = 6.0;
-/// Factor by which zero padding lengthens the recording.
+/// Length of the recording after zero padding, divided by its length before.
 const PADDED: usize = 4;
-/// Highest frequency that is drawn, Hz.
+/// Highest frequency of the spectra, in Hz.
 const HIGHEST: f64 = 12.0;
-/// Range of levels that is drawn, dB.
+/// Range of the levels that the figure shows, in dB.
 const LEVELS: (f64, f64) = (-80.0, 20.0);
 
 /// One way to compute a spectrum: with or without a window and zero padding.
@@ -28,7 +28,7 @@ struct Way {
     padding: usize,
 }
 
-/// Returns samples multiplied by the Hann window if `windowed` is true, and otherwise unchanged.
+/// Returns the samples multiplied by the Hann window if `windowed` is true, and otherwise the samples.
 fn weighed(samples: &[f64], windowed: bool) -> Vec<f64> {
     let count = samples.len() as f64;
     let weight = |t: usize| {
@@ -42,8 +42,8 @@ fn weighed(samples: &[f64], windowed: bool) -> Vec<f64> {
     each.map(|(t, x)| weight(t) * x).collect()
 }
 
-/// Returns the level of the spectrum at a frequency, in dB relative to `unit`. The amplitude of a pure tone is twice
-/// its Fourier sum over the sum of the window's weights, `whole`.
+/// Returns the level of a spectrum at a frequency in Hz, in dB relative to `unit`. The amplitude of a pure tone is
+/// twice its Fourier sum divided by `whole`, the sum of the window's weights.
 fn level(samples: &[f64], hertz: f64, whole: f64, unit: f64) -> f64 {
     let turn = Complex::from_polar(1.0, -TAU * hertz / RATE);
     let mut power = Complex::new(1.0, 0.0);

@@ -10,11 +10,11 @@ use std::f64::consts::TAU;
 
 const R: f64 = 1.15;
 const BETA: f64 = 0.7;
-/// Time in s from which on the friction ratio β grows.
+/// Time from which the friction ratio β grows, in s.
 const GROWS: f64 = 50.0;
-/// Growth of the friction ratio β, per second.
+/// Growth of the friction ratio β in one second.
 const GROWTH: f64 = 0.1;
-/// Number of cycles from rest before the recording.
+/// Number of cycles of motion from rest that the recording leaves out.
 const SKIPPED: f64 = 200.0;
 
 /// Figure 4.11: displacements while the friction grows, until the plate sticks.
@@ -27,7 +27,7 @@ pub fn stuck_at_last() -> Result<Figure, Box<dyn Error>> {
     let (mut base, mut plate) = (Vec::new(), Vec::new());
     let mut run = rig.simulation(R, BETA)?;
     reach(&mut run, TAU * SKIPPED)?;
-    // Friction is constant within a cycle. Each cycle starts from the state in which the previous one ended.
+    // Within a cycle friction is constant. Each cycle starts from the state in which the cycle before it ended.
     let mut cycle = 0.0;
     let mut index = 0_u32;
     while index < count {
@@ -82,7 +82,7 @@ pub fn stuck_at_last() -> Result<Figure, Box<dyn Error>> {
     )))
 }
 
-/// Returns the recording up to a time in s.
+/// Returns the first part of a recording, up to the time `end` in s.
 fn until(recording: &Recording, end: f64) -> Result<Recording, Box<dyn Error>> {
     let count = (recording.rate() * end) as usize;
     let cut = |channel: &Channel| Channel {
@@ -93,7 +93,8 @@ fn until(recording: &Recording, end: f64) -> Result<Recording, Box<dyn Error>> {
     Ok(Recording::new(recording.rate(), channels)?)
 }
 
-/// Returns every `every`-th sample of a channel between two times in s, as pairs (time, displacement).
+/// Returns the displacements of a channel between two times in s. The result has every `every`-th sample, as a pair
+/// of time and displacement.
 fn displacements(
     channel: &Channel,
     rate: f64,

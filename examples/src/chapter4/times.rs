@@ -14,32 +14,32 @@ use std::error::Error;
 use std::f64::consts::TAU;
 
 const BETA: f64 = 0.2;
-/// Letter of the panel, frequency ratio r and μ of each motion. With μ = 1.2 the plate stops once a cycle at r = 0.5,
-/// as the measured plate does.
+/// The motions of the figure: letter of the panel, frequency ratio r, and ratio μ of static to kinetic friction. With
+/// μ = 1.2 the plate stops once a cycle at r = 0.5, as the measured plate does.
 const CASES: [(&str, f64, f64); 4] = [
     ("a", 0.12, 1.0),
     ("b", 0.5, 1.2),
     ("c", 0.8, 1.0),
     ("d", 1.25, 1.0),
 ];
-/// Number of cycles on the short time axis.
+/// Length of the short time axis, in cycles.
 const SHORT: f64 = 2.0;
-/// Number of cycles on the long time axis.
+/// Length of the long time axis, in cycles.
 const LONG: f64 = 16.0;
-/// Number of circles in a cycle on the short time axis.
+/// Number of circles in a cycle in the panels with the short time axis.
 const CIRCLES: u32 = 24;
-/// Number of points in a cycle on the long time axis.
+/// Number of points in a cycle in the panels with the long time axis.
 const POINTS: u32 = 48;
 /// Number of cycles from which a spectrum is computed.
 const CYCLES: f64 = 20.0;
-/// Highest order of the excitation in a spectrum.
+/// Highest frequency of a spectrum, as a multiple of the excitation's frequency.
 const HIGHEST: f64 = 12.0;
-/// Lowest level that is drawn, dB.
+/// Lowest level of a spectrum that the figure shows, in dB.
 const LOWEST: f64 = -100.0;
 
 /// A recording of the plate, and the response identified from it.
 struct Recorded {
-    /// Displacement of the plate, divided by the identified amplitude of the base.
+    /// Displacement of the plate at each sample, divided by the identified amplitude of the base.
     plate: Vec<f64>,
     measured: Measured,
 }
@@ -59,7 +59,8 @@ impl Recorded {
         })
     }
 
-    /// Returns the phase angle of the base at a sample. Identified phases count from the middle of the steady interval.
+    /// Returns the phase angle of the base at a sample, in rad. Identified phases count from the middle of the steady
+    /// interval.
     fn angle(&self, index: usize) -> f64 {
         let (from, to) = self.measured.steady;
         let middle = 0.5 * (from + to) * self.measured.rate - 0.5;
@@ -68,8 +69,8 @@ impl Recorded {
         turn * (index as f64 - middle) + drive.im.atan2(drive.re)
     }
 
-    /// Returns samples of the plate from a phase angle on, about `each` samples a cycle. The angles in the result are
-    /// counted from that phase angle.
+    /// Returns about `each` samples of the plate in each of `cycles` cycles, which begin at the phase angle `from`.
+    /// The angles in the result count from there.
     fn samples(&self, from: f64, cycles: f64, each: u32) -> Vec<(f64, f64)> {
         let per_sample = TAU * self.measured.hertz / self.measured.rate;
         let wait = (from - self.angle(0)).rem_euclid(TAU);
@@ -142,7 +143,8 @@ fn theory(system: &System, title: &str, r: f64) -> Result<(f64, Panel), Box<dyn 
     Ok((origin, panel))
 }
 
-/// Draws the steady state that motion from rest reaches. The line begins at a phase angle of the base.
+/// Returns the steady state that motion from rest reaches, as a line over time. The line begins at the phase angle
+/// `origin` of the base.
 fn with_a_stop(system: &System, r: f64, origin: f64) -> Result<Line, Box<dyn Error>> {
     let count = 480;
     let taus: Vec<f64> = (0..=count)
@@ -192,8 +194,8 @@ pub fn harmonics() -> Result<Figure, Box<dyn Error>> {
         ))
 }
 
-/// Returns the spectrum of 20 cycles of a recording under a Hann window, as pairs (order, level in dB). A shorter
-/// recording gives `None`.
+/// Returns the spectrum of 20 cycles of a recording under a Hann window. Each pair has the frequency as a multiple of
+/// the excitation's, and the level in dB. Returns `None` if the recording is too short.
 fn spectrum(recorded: &Recorded) -> Option<Vec<(f64, f64)>> {
     let per_sample = recorded.measured.hertz / recorded.measured.rate;
     let count = (CYCLES / per_sample).round() as usize;
@@ -202,7 +204,7 @@ fn spectrum(recorded: &Recorded) -> Option<Vec<(f64, f64)>> {
     let windowed: Vec<f64> = samples.map(|(t, x)| weight(t) * x).collect();
     let whole: f64 = (0..count).map(weight).sum();
     let step = 0.5 / CYCLES;
-    // The mean has half the weight of a spectral line.
+    // The mean value has half the weight of a spectral line.
     let orders = (0..).map(|i: u32| f64::from(i) * step);
     let orders = orders.take_while(|order| *order <= HIGHEST);
     let level = |order: f64| {

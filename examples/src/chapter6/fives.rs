@@ -17,7 +17,7 @@ const LOW: [f64; 5] = [0.0, 0.2, 0.4, 0.6, 0.8];
 const MIDDLE: [f64; 6] = [0.0, 0.2, 0.4, 0.6, 1.0, 2.0];
 const NAMES: [&str; 5] = ["*x̄*_1", "*x̄*_2", "*x̄*_3", "*x̄*_4", "*x̄*_5"];
 
-/// Returns panels with the amplitudes or phases of all masses over the frequency ratio.
+/// Returns panels with the amplitudes or the phases of all five masses over the frequency ratio.
 fn all(
     system: &System,
     (betas, stuck): (&[f64], bool),
@@ -26,7 +26,8 @@ fn all(
 ) -> Result<Vec<Panel>, Box<dyn Error>> {
     let mut responses = Responses::up_to(1e4, 1e-3, system, (0.2, 2.5), betas, &FIVE)?;
     if phases {
-        // In a motion with stops the maximum is a plateau, so its lag says little.
+        // In a motion with stops the largest displacement lasts for a while. The lag of this maximum is then not
+        // informative.
         responses = responses.sliding_or_stuck();
     }
     let panels = (0..FIVE.len()).map(|part| {
@@ -104,7 +105,7 @@ pub fn middle_phases() -> Drawn {
         ))
 }
 
-/// Returns a panel of all masses over half a cycle, and a panel of their phases at β = 0.4 over the shaded regimes.
+/// Returns two panels: the motion of all masses over half a cycle, and their phases at β = 0.4 over shaded regimes.
 fn motion(system: &System, at: (f64, f64)) -> Result<Vec<Panel>, Box<dyn Error>> {
     let times = Times {
         span: (0.0, PI),

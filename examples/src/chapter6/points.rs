@@ -2,11 +2,11 @@
 
 use frictiongen::{Of, System};
 
-/// Returns the change of the estimated amplitude (5.50) due to friction at the frequency ratio r. A positive change
-/// means that the amplitude grows with β.
+/// Returns by how much friction changes the estimated amplitude (5.50) at the frequency ratio r. If the change is
+/// positive, the amplitude grows with β.
 fn gain(system: &System, of: Of, r: f64) -> Option<f64> {
     let at = system.at(r).ok()?;
-    // Half of β_lim keeps the motion continuous, and changes the amplitude by enough for a comparison.
+    // Half of β_lim keeps the motion continuous. It changes the amplitude by enough for a comparison.
     let beta = 0.5 * at.limits().continuous;
     let estimate = |beta: f64| {
         let motion = at.motion(beta).ok()?;
@@ -15,7 +15,8 @@ fn gain(system: &System, of: Of, r: f64) -> Option<f64> {
     Some((estimate(beta)? - estimate(0.0)?) / beta)
 }
 
-/// Finds the roots of (6.10) between two frequency ratios. At a root the estimated amplitude does not depend on β.
+/// Finds the frequency ratios in a range at which the estimated amplitude does not depend on β. They are the roots of
+/// (6.10).
 pub fn invariant(system: &System, of: Of, (from, to): (f64, f64)) -> Vec<f64> {
     let steps = 1000;
     let place = |i: u32| from + (to - from) * f64::from(i) / f64::from(steps);

@@ -8,7 +8,7 @@ use std::error::Error;
 
 type Drawn = Result<Figure, Box<dyn Error>>;
 
-/// Describes a row of panels with amplitude and phase of the first harmonic.
+/// Returns the settings of a row of two panels: amplitude and phase of the first harmonic of a motion.
 fn row<'a>(part: usize, titles: [&'a str; 2], labels: [&'a str; 2]) -> Row<'a> {
     Row {
         part,
@@ -22,7 +22,7 @@ fn row<'a>(part: usize, titles: [&'a str; 2], labels: [&'a str; 2]) -> Row<'a> {
     }
 }
 
-/// Returns panels with amplitudes and phases of both masses over the frequency ratio.
+/// Returns panels with the amplitudes and the phases of both masses over the frequency ratio.
 fn rows(responses: &Responses<'_>) -> Vec<Panel> {
     let lower = row(
         0,

@@ -17,7 +17,7 @@ type Drawn = Result<Figure, Box<dyn Error>>;
 
 const GAMMA: f64 = STOREYS[0];
 const KAPPA: f64 = STOREYS[1];
-/// Frequency ratio r₁ at 1 Hz.
+/// The frequency ratio r₁ at a frequency of 1 Hz.
 const SECONDS: f64 = STOREYS[2];
 
 fn configuration(number: &str, title: &str, contact: &str, caption: &str) -> Figure {
@@ -51,7 +51,7 @@ pub fn disc_on_the_upper() -> Drawn {
 /// A driving frequency in Hz, the complex transmissibility X₁/Y at that frequency, and its standard deviation.
 type Point = (f64, Complex<f64>, f64);
 
-/// Identifies the complex transmissibility X₁/Y of the lower plate from recordings without friction.
+/// Identifies the transmissibility X₁/Y of the lower plate from simulated recordings without friction.
 fn read() -> Result<Vec<Point>, Box<dyn Error>> {
     let rig = two_storeys()?;
     let mut noise = Noise::new(619);
@@ -65,7 +65,7 @@ fn read() -> Result<Vec<Point>, Box<dyn Error>> {
     Ok(points)
 }
 
-/// Fits the parameters of the rig to the amplitudes of the lower plate, starting from two equal storeys.
+/// Fits the parameters of the rig to the amplitudes of the lower plate. The fit starts from two equal storeys.
 fn fitted(points: &[Point]) -> Result<SweepFit, Box<dyn Error>> {
     let guess: System = "struct Storeys {
         masses: { m1: 3.0, m2: 3.0 }, springs: { base - m1: 1000.0, m1 - m2: 1000.0 }, contact: m1 - wall, excitation: base,
@@ -123,7 +123,7 @@ pub fn without_friction() -> Drawn {
         };
         let pieces = undamped(&system, of, &guides.map(|guide| guide.1));
         panel = panel.with(Line::new(name, part_colour(index), stroke, pieces));
-        // The relative motion is z = x₁ − y (A.12).
+        // The relative motion of the lower plate is z = x₁ − y, with the motion y of the base (A.12).
         let base = Complex::new(f64::from(index as u32), 0.0);
         let circles = points
             .iter()
@@ -162,7 +162,8 @@ pub fn without_friction() -> Drawn {
         )))
 }
 
-/// Returns the amplitude without friction over r, cut at the zeros and poles in `marks`.
+/// Returns the amplitude without friction over the frequency ratio, as several lines. The lines end at the zeros and
+/// poles in `marks`.
 fn undamped(system: &System, of: Of, marks: &[f64]) -> Vec<Vec<(f64, f64)>> {
     let steps = 800;
     let width = 8.0 * SECONDS;
@@ -171,7 +172,7 @@ fn undamped(system: &System, of: Of, marks: &[f64]) -> Vec<Vec<(f64, f64)>> {
     let mut pieces = Vec::new();
     for pair in ends.windows(2) {
         let &[from, to] = pair else { continue };
-        // The points are denser near both bounds of an interval.
+        // The points of a line are denser near its ends.
         let place = |i: u32| {
             let share = f64::from(i) / f64::from(steps);
             from + (to - from) * 0.5 * (1.0 + (6.0 * (2.0 * share - 1.0)).tanh() / 6.0_f64.tanh())

@@ -15,7 +15,7 @@ use std::f64::consts::PI;
 
 type Drawn = Result<Figure, Box<dyn Error>>;
 
-/// Colour of the invariant points. No friction ratio has this colour.
+/// Colour of the invariant points. Curves do not have this colour.
 const MAGENTA: Colour = Colour::Rgb(0xd1, 0x00, 0xa5);
 
 /// Figure 6.1a: sketch of the three masses of section 6.2.
@@ -120,7 +120,8 @@ pub fn upper_system() -> Drawn {
     .with_caption("The system of figures 6.12 to 6.14. With *m*_2 stuck, *m*_1 moves on."))
 }
 
-/// Returns a panel with both masses over half a cycle.
+/// Returns a panel with the motion of both masses over half a cycle, at the frequency ratio and the friction ratio
+/// `at`.
 fn half_cycle(title: &str, system: &System, at: (f64, f64)) -> Result<Panel, Box<dyn Error>> {
     let times = Times {
         span: (0.0, PI),
@@ -182,7 +183,7 @@ pub fn upper_cycles() -> Drawn {
         ))
 }
 
-/// Returns panels with amplitude and phase of both masses over the frequency ratio.
+/// Returns panels with the amplitudes and the phases of both masses over the frequency ratio.
 fn rows(stuck: bool, responses: &Responses<'_>, sizes: [(f64, f64); 2]) -> Vec<Panel> {
     let row = |part, titles, labels| Row {
         part,
@@ -240,7 +241,7 @@ pub fn upper_responses() -> Drawn {
         ))
 }
 
-/// Returns three panels of regimes, one for each μ, and a panel with the limits for every μ.
+/// Returns four panels: the regimes for each of three values of μ, and the limits for all of them.
 fn regimes(contact: usize, top: f64) -> Result<Vec<Panel>, Box<dyn Error>> {
     let stictions = [1.0, 1.2, 1.5];
     let mut panels = Vec::new();

@@ -11,23 +11,24 @@ use std::f64::consts::{FRAC_PI_4, PI};
 
 type Drawn = Result<Figure, Box<dyn Error>>;
 
-/// Number of steps from point to point of a line.
+/// Number of intervals of a line between its points.
 const STEPS: u32 = 400;
 
-/// Returns the amplitude of x̄ at the undamped resonance. `None` if the contact stops there.
+/// Returns the amplitude of the mass at the frequency ratio r of the undamped resonance. Returns `None` if the
+/// contact stops there.
 fn at_resonance(system: &System, r: f64, beta: f64) -> Option<f64> {
     Some(system.at(r).ok()?.motion(beta).ok()?.contact().amplitude())
 }
 
-/// Returns the limit of continuous motion β_lim at the undamped resonance.
+/// Returns the limit of continuous motion β_lim at the frequency ratio 1, the undamped resonance.
 fn limit(system: &System) -> Option<f64> {
     Some(system.at(1.0).ok()?.limits().continuous)
 }
 
-/// Finds the largest amplitude of continuous motion near the resonance. The frequency of this peak lies slightly below
-/// r = 1.
+/// Returns the largest amplitude of continuous motion near the resonance. The frequency ratio of this peak is
+/// slightly below 1.
 fn peak(system: &System, beta: f64) -> Option<f64> {
-    // The amplitude has one maximum in this range, so golden section search finds it.
+    // In this range the amplitude has a single maximum, which golden section search finds.
     let ratio = 0.5 * (5.0_f64.sqrt() - 1.0);
     let (mut low, mut high) = (0.95, 1.005);
     let read = |r: f64| at_resonance(system, r, beta).unwrap_or(0.0);
@@ -42,7 +43,7 @@ fn peak(system: &System, beta: f64) -> Option<f64> {
     at_resonance(system, 0.5 * (low + high), beta)
 }
 
-/// Returns numbers between two bounds, evenly spaced on a logarithmic axis.
+/// Returns numbers from `low` to `high` that are evenly spaced on a logarithmic axis.
 fn spread(low: f64, high: f64) -> impl Iterator<Item = f64> {
     (0..=STEPS).map(move |i| low * (high / low).powf(f64::from(i) / f64::from(STEPS)))
 }

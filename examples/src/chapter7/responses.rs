@@ -14,12 +14,13 @@ type Drawn = Result<Figure, Box<dyn Error>>;
 
 const DAMPINGS: [f64; 3] = [0.001, 0.01, 0.1];
 
-/// Returns one mass that rubs on a wall, with modal damping.
+/// Returns one mass that rubs on a wall, with the modal damping ratio `zeta`.
 pub fn one_mass(zeta: f64) -> System {
     block("wall", "block", &format!("damping: modal({zeta:?}),"))
 }
 
-/// Returns two equal masses. The lower one is loaded, the upper one rubs on a wall, and ζ_i = ζ/r_n,i.
+/// Returns two equal masses. The lower one is loaded, and the upper one rubs on a wall. The damping ratio of a mode
+/// is `zeta` divided by its natural frequency ratio.
 fn two_masses(zeta: f64) -> System {
     let resonances = [1.0, -1.0].map(|sign| 0.5 * (5.0_f64.sqrt() - sign));
     let [first, second] = resonances.map(|resonance| zeta / resonance);
@@ -37,7 +38,7 @@ pub fn with_dashpot() -> Sketch {
     sketch
 }
 
-/// Returns panels with amplitude and phase, one row for each of three damping ratios.
+/// Returns panels with amplitude and phase over the frequency ratio, one row for each system.
 fn rows(
     systems: &[(String, System)],
     betas: &[f64],
@@ -125,8 +126,8 @@ pub fn upper() -> Drawn {
         ))
 }
 
-/// Returns a panel with the limits for three damping ratios. A limit of sliding that is the same for all is drawn
-/// once.
+/// Returns a panel with the limits β_lim and β*_lim of each system. If β*_lim is the same for all of them, it is
+/// drawn once.
 fn limits(
     systems: &[(String, System)],
     label: &str,

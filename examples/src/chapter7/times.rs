@@ -11,14 +11,15 @@ type Drawn = Result<Figure, Box<dyn Error>>;
 
 const NAMES: [&str; 5] = ["*x̄*_1", "*x̄*_2", "*x̄*_3", "*x̄*_4", "*x̄*_5"];
 
-/// Returns five equal masses. The first one is loaded, and one of them rubs on a wall.
+/// Returns five equal masses with the modal damping ratio `zeta`. The first one is loaded, and the mass with the
+/// number `contact` rubs on a wall.
 fn five(contact: usize, zeta: f64) -> System {
     let contact = format!("m{contact} - wall");
     let damping = format!("damping: modal({zeta:?}),");
     chain(&[1.0; 5], &[1.0; 5], &contact, "m1", &damping)
 }
 
-/// Returns panels with half a cycle of all masses, one for each of two damping ratios.
+/// Returns panels with the motion of all five masses over half a cycle, one for each of two damping ratios.
 fn cycles(contact: usize) -> Result<Vec<Panel>, Box<dyn Error>> {
     let times = Times {
         span: (0.0, PI),
@@ -35,7 +36,7 @@ fn cycles(contact: usize) -> Result<Vec<Panel>, Box<dyn Error>> {
         let panel = cycle(title, &five(contact, zeta), (0.9, 0.2), &parts, times);
         panels.push(panel.ok_or("no motion")?);
     }
-    // Both panels have the same range, so that they can be compared.
+    // Both panels have the same range of displacements, so that they can be compared.
     let reach = panels.iter().map(|panel| panel.y.high).fold(0.0, f64::max);
     for panel in &mut panels {
         (panel.y.low, panel.y.high) = (-reach, reach);

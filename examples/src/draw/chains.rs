@@ -10,13 +10,13 @@ use frictiongen_plot::{Key, Layer, Marker, Panel, Scale, Sketch, Stroke};
 /// Label of the frequency axis for a system of several masses.
 pub const RATIO: &str = "frequency ratio *r*_1";
 
-/// Range of phases in degrees: a whole turn with a margin. A panel whose phases are above the bound `HIGH` has a
-/// shorter axis that begins there.
+/// Range of the phase axis in degrees: a whole turn with a margin. If all phases of a panel are above `HIGH`, its
+/// axis begins there.
 const WIDE: (f64, f64) = (-190.0, 190.0);
 const HIGH: f64 = -45.0;
 
-/// Builds a chain of masses m1, m2, … that begins at the base. All masses and springs are given as multiples of the
-/// first.
+/// Builds a chain of masses m1, m2, …, which begins at the base. Masses and springs are given as multiples of the
+/// first one.
 #[must_use]
 pub fn chain(
     masses: &[f64],
@@ -48,14 +48,14 @@ pub fn drawn(system: &System) -> Sketch {
     sketch(system.scene(), false)
 }
 
-/// Sets the label of a panel's frequency axis to r₁.
+/// Returns the panel with the label r₁ on its frequency axis.
 #[must_use]
 pub fn over_r1(mut panel: Panel) -> Panel {
     panel.x.label = RATIO.into();
     panel
 }
 
-/// Draws the regimes over the frequency ratio r₁ and the friction ratio β.
+/// Returns a panel of the regimes over the frequency ratio r₁ and the friction ratio β. `top` is the highest β.
 ///
 /// # Errors
 /// Fails if the limits cannot be computed.
@@ -68,32 +68,32 @@ pub fn map(title: &str, system: &System, top: f64) -> Result<Panel, Box<dyn std:
 /// Content of a row of two panels: amplitude and phase of one mass or of the contact.
 #[derive(Clone, Copy, Debug)]
 pub struct Row<'a> {
-    /// Index of the drawn motion among the motions of the responses.
+    /// Index of the motion that the row shows, among the motions of the responses.
     pub part: usize,
     /// Titles of the amplitude panel and of the phase panel.
     pub titles: [&'a str; 2],
     /// Labels of the vertical axes of the amplitude panel and of the phase panel.
     pub labels: [&'a str; 2],
-    /// Range of amplitudes. The axis is logarithmic if the lower bound is above 0.
+    /// Range of the amplitude axis. The axis is logarithmic if the lower bound is above 0.
     pub sizes: (f64, f64),
-    /// True if the response with the contact stuck is drawn.
+    /// True if the row also shows the response with the contact stuck.
     pub stuck: bool,
-    /// Lowest r at which the response at the limit of continuous motion is drawn.
+    /// Lowest frequency ratio at which the row shows the response at the limit of continuous motion.
     pub limit_from: f64,
-    /// Distance in r between the circles of the simulation. 0 means no circles.
+    /// Distance in the frequency ratio between the circles of the simulation. With 0 there are no circles.
     pub circles: f64,
-    /// True if the first harmonic is drawn in place of the amplitude and lag of the motion.
+    /// True if the row shows the first harmonic instead of amplitude and lag of the motion.
     pub harmonic: bool,
 }
 
 impl Row<'_> {
-    /// Returns the panel of the amplitude and the panel of the phase.
+    /// Returns the two panels of the row: amplitude and phase over the frequency ratio.
     #[must_use]
     pub fn panels(&self, responses: &Responses<'_>) -> [Panel; 2] {
         [self.amplitude(responses), self.phase(responses)]
     }
 
-    /// Returns the panel of the amplitude.
+    /// Returns the panel with the amplitude over the frequency ratio.
     #[must_use]
     pub fn amplitude(&self, responses: &Responses<'_>) -> Panel {
         let reading = if self.harmonic {
@@ -113,7 +113,7 @@ impl Row<'_> {
         tidy(panel)
     }
 
-    /// Returns the panel of the phase.
+    /// Returns the panel with the phase over the frequency ratio.
     #[must_use]
     pub fn phase(&self, responses: &Responses<'_>) -> Panel {
         let reading = if self.harmonic {
@@ -125,8 +125,8 @@ impl Row<'_> {
         let mut panel = self.panel(responses, self.titles[1], reading, y);
         panel.y = panel.y.degrees();
         if 0.0 < self.circles {
-            // During a stop the maximum is a plateau. The largest sample of the simulation may then lie anywhere on
-            // the plateau (3.6.1).
+            // During a stop the displacement stays at its maximum. The largest sample of the simulation may then be
+            // at any instant of the stop (3.6.1).
             let continuous = responses.clone().continuous();
             let circles = continuous.simulation(self.circles, self.part, reading);
             panel.layers.extend(circles);
@@ -151,7 +151,7 @@ impl Row<'_> {
             piece.retain(|point| self.limit_from <= point.0);
         }
         if self.stuck {
-            // The stuck response is drawn over its whole range, not only where one of the β reaches it.
+            // The stuck response is drawn over its whole range, even where no β reaches it.
             let some =
                 |layer: &Layer| matches!(layer, Layer::Line(line) if line.stroke == Stroke::Dotted);
             panel.layers.retain(|layer| !some(layer));
@@ -161,7 +161,7 @@ impl Row<'_> {
     }
 }
 
-/// Returns the least phase of the lines of a panel, in degrees.
+/// Returns the smallest phase of all lines of a panel, in degrees.
 fn least(panel: &Panel) -> f64 {
     let lines = panel.layers.iter().filter_map(|layer| match layer {
         Layer::Line(line) => Some(line),
@@ -171,7 +171,8 @@ fn least(panel: &Panel) -> f64 {
     phases.fold(0.0, f64::min)
 }
 
-/// Returns the legend of strokes and circles. The stroke of the stuck response appears only if `stuck` is true.
+/// Returns legend entries for the strokes of the regimes and for the circles of the simulation. The entry of the
+/// stuck response appears only if `stuck` is true, that of the circles only if `circles` is true.
 #[must_use]
 pub fn strokes(stuck: bool, circles: bool) -> Vec<Key> {
     let mut keys = desk::keys();

@@ -2,7 +2,7 @@
 
 use frictiongen_plot::Colour;
 
-/// Colours of the friction ratios in the figures of the thesis. Two ratios with the same colour are never in one
+/// Colours of friction ratios, as in the figures of the thesis. Two ratios with the same colour are never in the same
 /// figure.
 const TABLE: [(f64, Colour); 15] = [
     (0.0, Colour::Rgb(0x60, 0x60, 0x60)),
@@ -30,7 +30,8 @@ const DEEP: [Colour; 5] = [
     Colour::Rgb(0x6a, 0x3d, 0x8f),
 ];
 
-/// Returns the colour of a friction ratio. A ratio outside the table gets a colour by its tenths.
+/// Returns the colour of a friction ratio. If the table of colours does not contain the ratio, its tenths determine
+/// the colour.
 #[must_use]
 pub fn beta_colour(beta: f64) -> Colour {
     let known = TABLE.iter().find(|(known, _)| (known - beta).abs() < 1e-9);
@@ -45,7 +46,7 @@ pub fn part_colour(index: usize) -> Colour {
     DEEP[index % DEEP.len()]
 }
 
-/// Returns the colour of one of several systems at the same β, for example of one μ.
+/// Returns the colour of one of several systems with the same friction ratio, for example with different μ.
 #[must_use]
 pub fn variant_colour(index: usize) -> Colour {
     part_colour(index)

@@ -6,13 +6,14 @@ use frictiongen_plot::desk::Reading;
 use frictiongen_plot::{Colour, Line, Point, Stroke};
 use std::f64::consts::{FRAC_PI_2, TAU};
 
-/// Largest difference in lag, rad, between neighbouring points that a line joins.
+/// Largest difference of lag between neighbouring points that a line joins, in rad.
 const TURN: f64 = 0.6;
-/// Limit of continuous motion β_lim below which points are skipped. β_lim vanishes at single frequencies, and the
-/// response there does not represent its neighbourhood.
+/// Points at which β_lim is below this value are left out. At single frequencies β_lim vanishes. The response there
+/// is not that of neighbouring frequencies.
 const VANISHING: f64 = 1e-6;
 
-/// Returns frequency ratios in a range, each with β_lim and β*_lim. They are densest where a limit bends.
+/// Returns frequency ratios in a range, each with its limits β_lim and β*_lim. They are densest where the curve of a
+/// limit bends most.
 #[must_use]
 pub fn places(system: &System, (from, to): (f64, f64)) -> Vec<(f64, frictiongen::Limits<f64>)> {
     system
@@ -21,7 +22,8 @@ pub fn places(system: &System, (from, to): (f64, f64)) -> Vec<(f64, frictiongen:
         .unwrap_or_default()
 }
 
-/// Returns the response at β = β_lim over r, at frequencies where β_lim is below β*_lim, so that no stuck state exists.
+/// Returns the response with friction at the limit, β = β_lim, over the frequency ratio. Only frequencies at which
+/// β_lim is below β*_lim count, so that no stuck state exists.
 #[must_use]
 pub fn at_limit(system: &System, range: (f64, f64), of: Of, reading: Reading) -> Line {
     let mut pieces: Vec<Vec<Point>> = vec![Vec::new()];
@@ -58,7 +60,7 @@ pub fn at_limit(system: &System, range: (f64, f64), of: Of, reading: Reading) ->
 }
 
 fn read(system: &System, r: f64, limit: f64, of: Of, reading: Reading) -> Option<(f64, f64)> {
-    // The friction is just below β_lim, because at β_lim itself the motion is no longer continuous.
+    // The friction is just below β_lim. At β_lim itself the motion is no longer continuous.
     let response = system.at(r).ok()?.response(limit * (1.0 - 1e-13)).ok()?;
     match reading {
         Reading::Amplitude | Reading::Phase | Reading::Rate(_) => {

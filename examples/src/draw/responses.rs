@@ -11,10 +11,11 @@ use frictiongen::{Of, Regime, System};
 use frictiongen_plot::desk::{self, Drawn, Reading, Scales};
 use frictiongen_plot::{Colour, Layer, Line, Marker, Markers, Panel, Point};
 
-/// Lowest r at which the response at β_lim is drawn. At lower r its peaks are too close together.
+/// Lowest frequency ratio at which the response at β_lim is drawn. Below it the peaks are too close together.
 const LOWEST_LIMIT: f64 = 0.2;
 
-/// Largest amplitude that is computed by default. Larger amplitudes occur only near an infinite resonance.
+/// Largest amplitude that is computed, unless the caller gives another one. Larger amplitudes occur only near an
+/// infinite resonance.
 const LARGEST: f64 = 200.0;
 
 /// Responses of one system over the frequency ratio r, one curve for each of several friction ratios β.
@@ -28,7 +29,7 @@ pub struct Responses<'a> {
 }
 
 impl<'a> Responses<'a> {
-    /// Computes the responses of masses or of the contact in all regimes.
+    /// Computes the responses of masses or of the contact over a range of frequency ratios, in all regimes.
     ///
     /// # Errors
     /// Fails if the curves cannot be computed.
@@ -41,7 +42,7 @@ impl<'a> Responses<'a> {
         Self::up_to(LARGEST, 2e-4, system, range, betas, of)
     }
 
-    /// Computes the responses with amplitudes up to `largest`. `accuracy` is the accuracy of each curve.
+    /// Computes the responses with amplitudes up to `largest`. `accuracy` is the relative accuracy of each curve.
     ///
     /// # Errors
     /// Fails if the curves cannot be computed.
@@ -83,7 +84,7 @@ impl<'a> Responses<'a> {
         })
     }
 
-    /// Keeps the points of continuous motion only.
+    /// Returns the responses with their points of continuous motion only.
     #[must_use]
     pub fn continuous(mut self) -> Self {
         for curve in &mut self.curves {
@@ -95,7 +96,7 @@ impl<'a> Responses<'a> {
         self
     }
 
-    /// Removes the points of stick-slip motion.
+    /// Returns the responses without their points of stick-slip motion.
     #[must_use]
     pub fn sliding_or_stuck(mut self) -> Self {
         for curve in &mut self.curves {
@@ -106,7 +107,8 @@ impl<'a> Responses<'a> {
         self
     }
 
-    /// Returns the response with the contact stuck as a line, over the same range of r.
+    /// Returns the response with the contact stuck as a line over the same range of frequency ratios. `part` is the
+    /// index of the motion.
     #[must_use]
     pub fn stuck(&self, part: usize, reading: Reading) -> Line {
         let of = self.of.get(part).copied().unwrap_or(Of::Contact);
@@ -119,8 +121,8 @@ impl<'a> Responses<'a> {
         &self.curves
     }
 
-    /// Draws amplitude or phase of one motion over r. The panel begins at r = 0 if the curves begin near 0. The range
-    /// of y is fitted to the curves unless it is given.
+    /// Returns a panel with amplitude or phase of one motion over the frequency ratio. It begins at r = 0 if the
+    /// curves begin near 0. Without a given range the vertical axis is fitted to the curves.
     #[must_use]
     pub fn panel(
         &self,
@@ -169,13 +171,13 @@ impl<'a> Responses<'a> {
         panel
     }
 
-    /// Draws the amplitude of a motion over r.
+    /// Returns a panel with the amplitude of a motion over the frequency ratio. `top` is the upper end of its axis.
     #[must_use]
     pub fn amplitude(&self, title: &str, part: usize, label: &str, top: f64) -> Panel {
         self.panel(title, part, Reading::Amplitude, (label, Some((0.0, top))))
     }
 
-    /// Draws the phase of a motion in degrees over r.
+    /// Returns a panel with the phase of a motion over the frequency ratio, in degrees.
     #[must_use]
     pub fn phase(&self, title: &str, part: usize, label: &str, ends: (f64, f64)) -> Panel {
         let panel = self.panel(title, part, Reading::Phase, (label, Some(ends)));
@@ -185,7 +187,7 @@ impl<'a> Responses<'a> {
         }
     }
 
-    /// Returns the response at the limit of continuous motion as a line.
+    /// Returns the response at the limit of continuous motion, β = β_lim, as a line.
     #[must_use]
     pub fn limit(&self, part: usize, reading: Reading) -> Line {
         let range = (self.range.0.max(LOWEST_LIMIT), self.range.1);
@@ -193,7 +195,7 @@ impl<'a> Responses<'a> {
         at_limit(self.system, range, of, reading)
     }
 
-    /// Returns open circles of the simulation from rest, at intervals `step` in r.
+    /// Returns open circles that show simulations from rest, at frequency ratios with the distance `step`.
     #[must_use]
     pub fn simulation(&self, step: f64, part: usize, reading: Reading) -> Vec<Layer> {
         let of = self.of.get(part).copied().unwrap_or(Of::Contact);
@@ -226,8 +228,8 @@ impl<'a> Responses<'a> {
     }
 }
 
-/// Centres a stuck motion. A stuck contact remains where motion from rest has brought the contact, but the thesis
-/// draws the motion about its middle.
+/// Subtracts the offset from a stuck motion. A stuck contact stays where motion from rest has brought it, but the
+/// thesis draws the motion about its middle.
 fn centre(piece: &mut CurvePiece) {
     let movements = piece
         .points
@@ -238,7 +240,7 @@ fn centre(piece: &mut CurvePiece) {
     }
 }
 
-/// Splits a piece into runs of steady states. Motions that have not settled are not drawn.
+/// Splits a piece of a curve into pieces of steady states. Motions that have not settled are left out.
 fn settled(piece: &CurvePiece) -> Vec<CurvePiece> {
     let runs = piece.points.split(|point| !point.settled);
     let runs: Vec<_> = runs.filter(|run| !run.is_empty()).collect();

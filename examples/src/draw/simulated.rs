@@ -48,7 +48,7 @@ pub fn from_rest(
     Some(motions)
 }
 
-/// Returns amplitude and lag of each motion in a simulation from rest.
+/// Returns amplitude and lag of each of the motions `of`, from a simulation from rest.
 #[must_use]
 pub fn simulated(
     system: &System,

@@ -6,15 +6,15 @@ use frictiongen_plot::desk::Reading;
 use frictiongen_plot::{Colour, Line, Point, Stroke};
 use std::f64::consts::{FRAC_PI_2, TAU};
 
-/// Number of steps from point to point of a line. It is more than a picture resolves.
+/// Number of intervals of a line between its points. A picture cannot show more.
 const STEPS: u32 = 10_000;
 /// Smallest amplitude that is drawn. A mass with a smaller amplitude counts as at rest.
 const REST: f64 = 1e-9;
-/// Largest difference in lag, rad, between neighbouring points that a line joins.
+/// Largest difference of lag between neighbouring points that a line joins, in rad.
 const TURN: f64 = 0.6;
 
-/// Returns the response with the contact stuck over a range of r, which does not depend on friction. A mass that is at
-/// rest while the contact is stuck has no line.
+/// Returns the response of a motion with the contact stuck, over a range of frequency ratios. It does not depend on
+/// friction. If the mass is at rest while the contact is stuck, there is no line.
 #[must_use]
 pub fn stuck(system: &System, (from, to): (f64, f64), of: Of, reading: Reading) -> Line {
     let mut pieces: Vec<Vec<Point>> = vec![Vec::new()];

@@ -2,15 +2,16 @@
 
 use frictiongen_plot::{Axis, Layer, Marker, Markers, Panel, Point, Scale, desk};
 
-/// Largest distance of a removed point from the line that remains, as a fraction of the axis. It amounts to a
+/// Largest distance between a removed point and the remaining line, as a fraction of the axis. It is about a
 /// hundredth of a pixel.
 const STRAY: f64 = 3e-5;
-/// Distance beyond an axis, as a multiple of the axis's length, from which points are removed.
+/// Points farther than this distance beyond an axis are removed. The distance is a multiple of the axis's length.
 const BEYOND: f64 = 1.0;
-/// Length of a run of phases, as a fraction of the axis, below which the run is removed because it looks like a speck.
+/// A run of phases shorter than this fraction of the axis is removed, because it looks like a speck.
 const SPECK: f64 = 2e-3;
 
-/// Removes points that lie on a straight line between others, and dots of motions that do not settle.
+/// Returns the panel without points that lie on a straight line between others, and without dots of motions that do
+/// not settle.
 #[must_use]
 pub fn tidy(mut panel: Panel) -> Panel {
     let scattered = |layer: &Layer| {
@@ -35,7 +36,7 @@ pub fn tidy(mut panel: Panel) -> Panel {
     panel
 }
 
-/// Returns the position of a number on an axis, from 0 to 1.
+/// Returns the position of a value along an axis, from 0 at the lower end to 1 at the upper end.
 fn share(axis: &Axis, value: f64) -> f64 {
     match axis.scale {
         Scale::Linear => (value - axis.low) / (axis.high - axis.low),
@@ -46,15 +47,15 @@ fn share(axis: &Axis, value: f64) -> f64 {
     }
 }
 
-/// Cuts a piece of a curve into the runs that lie within or near the axis. Each run keeps one point beyond the axis at
-/// both ends.
+/// Cuts a piece of a curve into runs that lie within the axis or near it. Each run keeps one point beyond the axis at
+/// each end.
 fn seen(piece: &[Point], y: &Axis) -> Vec<Vec<Point>> {
     let far = |point: &Point| !(-BEYOND..=1.0 + BEYOND).contains(&share(y, point.1));
     let mut parts: Vec<Vec<Point>> = vec![Vec::new()];
     let mut last: Option<Point> = None;
     for point in piece {
         if far(point) {
-            // The last point beyond the axis is kept, not the first, because it may be the end of a jump.
+            // The last point beyond the axis is kept rather than the first, because it may be the end of a jump.
             if last.is_some_and(|last| !far(&last)) {
                 parts
                     .last_mut()
@@ -73,8 +74,7 @@ fn seen(piece: &[Point], y: &Axis) -> Vec<Vec<Point>> {
     parts
 }
 
-/// Returns the points that are needed to draw a piece of a curve. Points on a straight line between others are left
-/// out.
+/// Returns the points of a curve that are needed to draw it. Points on a straight line between others are left out.
 fn thin(piece: &[Point], x: &Axis, y: &Axis) -> Vec<Point> {
     let places: Vec<Point> = piece
         .iter()
@@ -103,7 +103,7 @@ fn thin(piece: &[Point], x: &Axis, y: &Axis) -> Vec<Point> {
     shown.map(|(point, _)| *point).collect()
 }
 
-/// Returns the distance from a point to the segment between two other points.
+/// Returns the distance from a point to the segment from a to b.
 fn distance(point: Point, a: Point, b: Point) -> f64 {
     let along = (b.0 - a.0, b.1 - a.1);
     let from = (point.0 - a.0, point.1 - a.1);
@@ -116,7 +116,8 @@ fn distance(point: Point, a: Point, b: Point) -> f64 {
     (from.0 - share * along.0).hypot(from.1 - share * along.1)
 }
 
-/// Removes runs of phases that are too short to be seen as lines. They occur next to an amplitude that vanishes.
+/// Returns the panel without runs of phases that are too short to be seen as lines. They occur next to frequencies at
+/// which an amplitude vanishes.
 #[must_use]
 pub fn without_specks(mut panel: Panel) -> Panel {
     let least = SPECK * (panel.x.high - panel.x.low);
@@ -132,7 +133,7 @@ pub fn without_specks(mut panel: Panel) -> Panel {
     panel
 }
 
-/// Folds the phases of a panel, in degrees, into (−180, 180], the range of every table.
+/// Returns the panel with its phases folded into (−180, 180] degrees, the range of every table.
 #[must_use]
 pub fn one_turn(mut panel: Panel) -> Panel {
     for layer in &mut panel.layers {

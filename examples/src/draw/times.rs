@@ -8,7 +8,7 @@ use frictiongen_plot::{
 };
 use std::f64::consts::TAU;
 
-/// Number of points of a line in a cycle.
+/// Number of points in a cycle of a line over time.
 const POINTS: f64 = 240.0;
 
 /// Settings of a panel over time.
@@ -16,20 +16,20 @@ const POINTS: f64 = 240.0;
 pub struct Times {
     /// Range of the phase τ on the horizontal axis.
     pub span: (f64, f64),
-    /// Distance in τ between the circles of the simulation. 0 means no circles.
+    /// Distance in τ between the circles of the simulation. With 0 there are no circles.
     pub circles: f64,
-    /// True if the excitation is drawn.
+    /// True if the panel also shows the excitation.
     pub excitation: bool,
 }
 
-/// Returns the legend of the simulation's circles.
+/// Returns the legend entry for the circles of the simulation.
 #[must_use]
 pub fn keys() -> [Key; 1] {
     [Key::marker("simulation from rest", Marker::Circle)]
 }
 
-/// Draws motions over time, beginning at a maximum of the contact's relative motion: exact lines, circles of the
-/// simulation, and shaded times at which the contact is stuck.
+/// Returns a panel of motions over time, which begins at a maximum of the contact's relative motion. Lines show the
+/// exact motions, circles the simulation, and shading the times at which the contact is stuck.
 #[must_use]
 pub fn cycle(
     title: &str,
@@ -104,7 +104,7 @@ fn displacement(response: &SystemResponse<'_>, of: Of, tau: f64) -> Option<f64> 
     }
 }
 
-/// Returns the shaded intervals in which the contact sticks, for all cycles in the range of the panel.
+/// Returns the shaded areas of a panel over time, in which the contact sticks, for all cycles of its range.
 fn stuck(
     sticking: &[(f64, f64)],
     origin: f64,

@@ -13,7 +13,7 @@ use ground::{LENGTH, RATE, ground};
 use std::error::Error;
 use std::path::PathBuf;
 
-/// Stiffness of the brace, in N/m. The macro needs the number itself, so that the description repeats it.
+/// Stiffness of the brace, in N/m. The macro needs a literal number, so the description repeats it.
 const BRACE: f64 = 1.0e3;
 /// Duration of the strong motion that the picture shows, in s.
 const SHOWN: f64 = 12.0;
@@ -52,10 +52,10 @@ friction_system! {
     }
 }
 
-/// Result of a simulation.
+/// Result of a simulation of one frame.
 struct Run {
-    /// Displacement of the upper floor relative to the ground in mm, and force of the damper in N, while the ground moves
-    /// strongly.
+    /// Each pair has the displacement of the upper floor relative to the ground in mm, and the force of the damper in
+    /// N. The list covers the strong motion of the ground.
     loop_of_damper: Vec<(f64, f64)>,
     /// Largest displacement of the upper floor relative to the ground, in mm.
     largest: f64,
@@ -64,7 +64,7 @@ struct Run {
     work: Work<f64>,
 }
 
-/// Follows the ground motion. Both scenes have the same names, so that one text serves both.
+/// Simulates a frame under the ground motion. Both frames have items of the same names, so the macro serves both.
 macro_rules! run {
     ($frame:ty, $input:ident, $motion:expr, $friction:expr) => {{
         let mut step = <$frame>::stepper(<$frame>::STEP)?;

@@ -8,7 +8,7 @@ use rand::{Rng, SeedableRng};
 pub const RATE: f64 = 200.0;
 /// Duration of the ground motion, in s.
 pub const LENGTH: f64 = 30.0;
-/// Seed of the noise.
+/// Seed of the random noise from which the ground motion is computed.
 const SEED: u64 = 1940;
 
 /// Motion of the ground at one instant.
@@ -24,7 +24,7 @@ pub struct Ground {
     pub acceleration: f64,
 }
 
-/// An oscillator that filters the noise: angular frequency ω in rad/s, damping ratio ζ, displacement and velocity.
+/// An oscillator that filters noise: its angular frequency ω in rad/s, damping ratio ζ, displacement and velocity.
 struct Filter {
     omega: f64,
     zeta: f64,
@@ -42,7 +42,7 @@ impl Filter {
         }
     }
 
-    /// Advances the oscillator by a step of the symplectic Euler method, and returns its acceleration under a load.
+    /// Advances the oscillator by a step of the symplectic Euler method under a load. Returns its acceleration.
     fn driven(&mut self, load: f64, step: f64) -> f64 {
         let pull = 2.0 * self.zeta * self.omega * self.speed + self.omega * self.omega * self.place;
         let acceleration = load - pull;
@@ -54,7 +54,7 @@ impl Filter {
 
 /// Computes the whole ground motion from rest. `peak` is its peak acceleration in m/s².
 pub fn ground(peak: f64) -> Vec<Ground> {
-    // The filters need shorter steps than the samples of the recording.
+    // Within a sample of the recording, the filters take several shorter steps.
     let fine = 20;
     let step = 1.0 / (RATE * f64::from(fine));
     let mut random = ChaCha8Rng::seed_from_u64(SEED);
@@ -100,7 +100,7 @@ fn envelope(time: f64) -> f64 {
     }
 }
 
-/// Returns a random number, uniform between −1 and 1.
+/// Returns a random number that is evenly distributed between −1 and 1.
 fn uniform(random: &mut ChaCha8Rng) -> f64 {
     let bits = u32::try_from(random.next_u64() >> 32).unwrap_or(u32::MAX);
     f64::from(bits) / f64::from(1_u32 << 31) - 1.0

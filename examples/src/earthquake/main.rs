@@ -30,8 +30,8 @@ const PEAK: f64 = 3.0;
 /// Friction force of the damper, in N.
 const FRICTION: f64 = 4.0;
 
-/// Result of a simulation: for each step the displacement of the upper floor relative to the ground in mm, and the
-/// force of the damper in N.
+/// Result of a simulation. For each step it has the displacement of the upper floor relative to the ground in mm, and
+/// the force of the damper in N.
 struct Run {
     drift: Vec<(f64, f64)>,
     force: Vec<(f64, f64)>,

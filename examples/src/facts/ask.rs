@@ -12,7 +12,7 @@ use frictiongen::study::{
 };
 use frictiongen::{Of, Regime};
 
-/// Returns a chain of equal masses and equal springs.
+/// Returns a chain of `n` equal masses and equal springs, with the given contact and excitation.
 #[must_use]
 pub fn unit(n: usize, contact: &str, excitation: &str) -> System {
     chain(&vec![1.0; n], &vec![1.0; n], contact, excitation, "")
@@ -31,19 +31,20 @@ pub fn base(mu: f64) -> System {
     chain(&[1.0], &[1.0], "m1 - base", "base", &rest)
 }
 
-/// Returns the limit of continuous motion β_lim at r, or NaN.
+/// Returns the limit of continuous motion β_lim at the frequency ratio r, or NaN.
 #[must_use]
 pub fn limit(system: &System, r: f64) -> f64 {
     system.at(r).map_or(f64::NAN, |at| at.continuous_limit())
 }
 
-/// Returns the limit of sliding β*_lim at r, or NaN.
+/// Returns the limit of sliding β*_lim at the frequency ratio r, or NaN.
 #[must_use]
 pub fn sliding_limit(system: &System, r: f64) -> f64 {
     system.at(r).map_or(f64::NAN, |at| at.sliding_limit())
 }
 
-/// Returns the result of `question` for the continuous motion at r and β, or NaN if there is no such motion.
+/// Returns the result of `question` for the continuous motion at the frequency ratio r and the friction ratio β.
+/// Returns NaN if there is no such motion.
 pub fn ask(system: &System, r: f64, beta: f64, question: impl Fn(&SystemMotion) -> f64) -> f64 {
     let motion = system.at(r).ok().and_then(|at| at.motion(beta).ok());
     motion.as_ref().map_or(f64::NAN, question)
@@ -98,12 +99,14 @@ pub fn orbit_amplitude(orbit: &SystemOrbit<'_>, mass: &str) -> f64 {
     mass.map_or(f64::NAN, |mass| mass.amplitude())
 }
 
-/// Returns the features of a system in non-dimensional groups. Without a load the request cannot fail.
+/// Returns the features of a system over frequency, in non-dimensional groups. Without a load the request cannot
+/// fail.
 fn features(system: &System) -> Option<Features<'_>> {
     system.features(None).ok()
 }
 
-/// Finds the invariant points of a motion in a range of r, where `measured` does not depend on friction.
+/// Finds the invariant points of a motion in a range of frequency ratios. At such a point the quantity `measured`
+/// does not depend on friction.
 #[must_use]
 pub fn invariant_points(
     system: &System,
@@ -116,7 +119,7 @@ pub fn invariant_points(
     found.into_iter().map(|point| point.r).collect()
 }
 
-/// Finds the bounds of all intervals within a range of r in which friction enlarges a motion.
+/// Finds the intervals of frequency ratios in which friction enlarges a motion. Returns the bounds of the intervals.
 #[must_use]
 pub fn inversions(
     system: &System,
@@ -129,7 +132,8 @@ pub fn inversions(
     found.flat_map(|found| [found.from, found.to]).collect()
 }
 
-/// Finds the r at which the exact amplitudes for two friction ratios are equal. Returns pairs of r and amplitude.
+/// Finds the frequency ratios at which the exact amplitudes for two friction ratios are equal. Returns pairs of r and
+/// amplitude.
 #[must_use]
 pub fn crossings(system: &System, of: Of, frictions: [f64; 2], range: [f64; 2]) -> Vec<(f64, f64)> {
     let found = features(system).and_then(|all| all.crossings(of, frictions, range).ok());
@@ -137,7 +141,7 @@ pub fn crossings(system: &System, of: Of, frictions: [f64; 2], range: [f64; 2]) 
     found.map(|found| (found.r, found.amplitude)).collect()
 }
 
-/// Finds the r at which a motion vanishes without friction.
+/// Finds the frequency ratios at which a motion vanishes without friction.
 #[must_use]
 pub fn antiresonances(system: &System, of: Of, range: [f64; 2]) -> Vec<f64> {
     let found = features(system).and_then(|all| all.antiresonances(of, range).ok());
@@ -145,7 +149,8 @@ pub fn antiresonances(system: &System, of: Of, range: [f64; 2]) -> Vec<f64> {
     found.into_iter().map(|zero| zero.r).collect()
 }
 
-/// Finds the bounds of all intervals within a range of r in which the contact slides at β.
+/// Finds the intervals of frequency ratios in which the contact slides at the friction ratio β. Returns the bounds of
+/// the intervals.
 #[must_use]
 pub fn sliding_ranges(system: &System, beta: f64, range: [f64; 2]) -> Vec<f64> {
     let found = features(system).and_then(|all| all.sliding_ranges(beta, range).ok());
@@ -153,14 +158,15 @@ pub fn sliding_ranges(system: &System, beta: f64, range: [f64; 2]) -> Vec<f64> {
     found.flat_map(|found| [found.from, found.to]).collect()
 }
 
-/// Finds the regimes along r at the friction ratio β.
+/// Finds the regimes over a range of frequency ratios, at the friction ratio β.
 #[must_use]
 pub fn regimes(system: &System, beta: f64, range: [f64; 2]) -> Vec<RegimeRange> {
     let found = features(system).and_then(|all| all.regimes(beta, range).ok());
     found.map_or_else(Vec::new, |(found, _)| found)
 }
 
-/// Finds the bounds of all intervals of continuous motion within a range of r at β.
+/// Finds the intervals of frequency ratios with continuous motion at the friction ratio β. Returns the bounds of the
+/// intervals.
 #[must_use]
 pub fn continuous(system: &System, beta: f64, range: [f64; 2]) -> Vec<f64> {
     let found = regimes(system, beta, range).into_iter();
@@ -168,7 +174,7 @@ pub fn continuous(system: &System, beta: f64, range: [f64; 2]) -> Vec<f64> {
     found.flat_map(|found| [found.from, found.to]).collect()
 }
 
-/// Returns the entry with this index if the list has exactly `count` entries, and otherwise NaN.
+/// Returns the number with this index if the list has exactly `count` numbers, and otherwise NaN.
 #[must_use]
 pub fn one_of(places: &[f64], count: usize, index: usize) -> f64 {
     if places.len() == count {
@@ -178,7 +184,8 @@ pub fn one_of(places: &[f64], count: usize, index: usize) -> f64 {
     }
 }
 
-/// Finds a sign change of f to the last bits. Returns NaN if f has the same sign at both bounds.
+/// Finds the argument between `low` and `high` at which the function f changes its sign, to the last bits. Returns
+/// NaN if f has the same sign at both bounds.
 pub fn root(f: impl Fn(f64) -> f64, mut low: f64, mut high: f64) -> f64 {
     let sign = f(low).signum();
     let opposite = sign * f(high) < 0.0;
@@ -196,8 +203,8 @@ pub fn root(f: impl Fn(f64) -> f64, mut low: f64, mut high: f64) -> f64 {
     0.5 * (low + high)
 }
 
-/// Finds the maximum of a function with one peak in [low, high]. A smooth peak is flat, so rounding leaves its abscissa
-/// uncertain by √ε ≈ 1e-8.
+/// Finds the maximum of a function with one peak between `low` and `high`. A smooth peak is flat, so rounding leaves
+/// its position uncertain by √ε ≈ 1e-8.
 pub fn peak(f: impl Fn(f64) -> f64, mut low: f64, mut high: f64) -> f64 {
     for _ in 0..60 {
         let third = (high - low) / 3.0;
@@ -210,8 +217,8 @@ pub fn peak(f: impl Fn(f64) -> f64, mut low: f64, mut high: f64) -> f64 {
     0.5 * (low + high)
 }
 
-/// Finds the r at which the contact's motion does not depend on β (6.9). At this r the phase of the contact is 0 or π
-/// for every β, and the sine of the phase changes sign. `share` is β/β_lim.
+/// Finds the frequency ratio at which the contact's motion does not depend on the friction ratio β (6.9). There the
+/// phase of the contact is 0 or π for every β, and its sine changes sign. `share` is β/β_lim.
 #[must_use]
 pub fn contact_invariant(system: &System, share: f64, low: f64, high: f64) -> f64 {
     let sine = |r| {
@@ -221,13 +228,13 @@ pub fn contact_invariant(system: &System, share: f64, low: f64, high: f64) -> f6
     root(sine, low, high)
 }
 
-/// Finds the r at which a quantity of the continuous motion does not depend on β, by comparison of two friction
-/// ratios.
+/// Finds the frequency ratio at which a quantity of the continuous motion does not depend on the friction ratio. The
+/// function compares two friction ratios.
 pub fn invariant(system: &System, of: impl Fn(f64, f64) -> f64, low: f64, high: f64) -> f64 {
     root(|r| growth(system, &of, r), low, high)
 }
 
-/// Returns the increase of a quantity when β rises from 0.45 to 0.9 times β_lim.
+/// Returns by how much a quantity increases when β rises from 0.45 to 0.9 times β_lim.
 pub fn growth(system: &System, of: impl Fn(f64, f64) -> f64, r: f64) -> f64 {
     let beta = 0.9 * limit(system, r);
     of(r, beta) - of(r, 0.5 * beta)

@@ -76,8 +76,8 @@ fn high_frequencies() -> Row {
     }
 }
 
-/// Returns S/(m*/r²), where S is the velocity constraint. S follows from β_lim = |V|/√(U² + S²) with μ = 1 (2.26),
-/// with m* = 1.
+/// Returns the velocity constraint S divided by its limit m*/r² for τ → 0. S follows from β_lim = |V|/√(U² + S²) with
+/// μ = 1 (2.26), and m* is 1.
 #[must_use]
 pub fn constraint_ratio(system: &System, r: f64) -> f64 {
     let (v, u) = (1.0 / (1.0 - r * r), (PI / (2.0 * r)).tan() / r);

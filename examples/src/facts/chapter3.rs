@@ -41,7 +41,7 @@ fn sticking() -> Row {
     }
 }
 
-/// Returns the width in β of the stick-slip region at r, between β_lim and β*_lim.
+/// Returns the difference of β*_lim and β_lim at the frequency ratio r, the width of the stick-slip region.
 fn width(system: &System, r: f64) -> f64 {
     sliding_limit(system, r) - limit(system, r)
 }
@@ -64,7 +64,8 @@ fn widths() -> Row {
     }
 }
 
-/// Finds the smallest width of the stick-slip region. The corner at r = 0, where the width is zero, is left out.
+/// Finds the smallest width of the stick-slip region over the frequency ratio. The corner at r = 0, where the width
+/// is zero, is left out.
 fn smallest_width(mu: f64) -> f64 {
     let system = base(mu);
     let width = |r: f64| width(&system, r);
@@ -127,7 +128,7 @@ fn inversion() -> Row {
     }
 }
 
-/// Finds the largest transmissibility of a sliding state of the mass on its base. Where sliding begins, the
+/// Returns the largest transmissibility of a sliding mass on its base. At the frequency at which sliding begins, the
 /// transmissibility drops below 1. The peak lies beyond that drop.
 #[must_use]
 pub fn largest_sliding(system: &System, beta: f64) -> f64 {
@@ -138,8 +139,8 @@ pub fn largest_sliding(system: &System, beta: f64) -> f64 {
     at(peak_coarse(at, begin.max(near - 0.02), near + 0.02))
 }
 
-/// Finds a maximum as [`peak`] does, but to 1e-5 in r. An orbit is expensive, and within 1e-5 a flat peak loses only
-/// about 1e-9 of its height.
+/// Finds a maximum as [`peak`] does, but to 1e-5 in the frequency ratio. A steady state takes long to compute. Within
+/// 1e-5, a flat peak loses only about 1e-9 of its height.
 fn peak_coarse(f: impl Fn(f64) -> f64, mut low: f64, mut high: f64) -> f64 {
     while high - low > 1e-5 {
         let third = (high - low) / 3.0;

@@ -64,7 +64,7 @@ fn fixed() -> Row {
     }
 }
 
-/// Natural frequency of the one-storey rig as printed, Hz. The thesis fitted it to a test, so only its consequences
+/// Printed natural frequency of the one-storey rig, in Hz. The thesis fitted it to a test, so only its consequences
 /// can be computed.
 pub const ONE_STOREY: f64 = 3.086;
 

@@ -69,9 +69,9 @@ const FIVE: [Of; 5] = [
     Of::Mass(4),
 ];
 
-/// Returns two largest deviations over a cycle and all masses. The first is the difference between closed form and
-/// simulation. The second, in degrees, is the difference of a phase from being in phase or in opposition with the
-/// contact.
+/// Returns the largest values of two differences over a cycle and all masses. The first is that between closed form
+/// and simulation. The second is that between a phase and motion in phase or in opposition with the contact, in
+/// degrees.
 #[must_use]
 pub fn differences(system: &System, r: f64, beta: f64) -> Option<(f64, f64)> {
     let angles: Vec<f64> = (0..24).map(|i| TAU * f64::from(i) / 24.0).collect();

@@ -74,7 +74,7 @@ fn invariants(system: &System) -> Row {
     }
 }
 
-/// Returns the two-storey rig with √(k₁/m₁) = `omega`.
+/// Returns the two-storey rig whose reference frequency √(k₁/m₁) is `omega`, in rad/s.
 #[must_use]
 pub fn rig_with(omega: f64) -> System {
     let mass = 3.27;

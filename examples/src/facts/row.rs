@@ -1,6 +1,6 @@
 //! A row of the table: the printed numbers, the computed ones, and the verdict.
 
-/// One printed statement, with the computed number that it is compared with.
+/// One printed statement of a row, with the computed number that it is compared with.
 #[derive(Clone, Debug)]
 pub struct Entry {
     /// Name of the number within its row.
@@ -65,8 +65,8 @@ impl Row {
     }
 }
 
-/// Relative tolerance for closed forms in double precision, which are rounded a few times and lose some digits next to
-/// a pole.
+/// Relative tolerance for closed forms in double precision. They are rounded a few times, and lose some digits next
+/// to a pole.
 pub const ROUNDING: f64 = 1e-12;
 
 /// Parses a printed decimal number. Returns the number, and half a unit of its last digit.

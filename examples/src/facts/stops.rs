@@ -4,18 +4,18 @@ use super::ask::{base, orbit, sliding_limit};
 use super::row::{Entry, ROUNDING, Row, added, words};
 use frictiongen::Regime;
 
-/// Numbers of steady states on a grid of r and β, by their number of stops in a cycle.
+/// Numbers of points of a grid of r and β, by the number of stops that their steady state has in a cycle.
 #[derive(Debug, Default)]
 pub struct Stops {
-    /// Number of states with at least one stop.
+    /// Number of points whose steady state has at least one stop.
     pub stopping: u32,
-    /// Number of states with one stop.
+    /// Number of points whose steady state has one stop.
     pub one: u32,
-    /// Number of states with two stops.
+    /// Number of points whose steady state has two stops.
     pub two: u32,
-    /// Number of states with more than two stops.
+    /// Number of points whose steady state has more than two stops.
     pub more: u32,
-    /// Smallest and largest r of the states with one stop.
+    /// Smallest and largest frequency ratio of the points with one stop.
     pub ends: Option<(f64, f64)>,
     /// Number of stick-slip points without a stable motion that repeats after one cycle.
     pub without: u32,

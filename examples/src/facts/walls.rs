@@ -171,7 +171,7 @@ fn lower() -> Vec<Row> {
     ]
 }
 
-/// Finds the r at which H = 0. At these r the contact does not respond to a harmonic force in the contact.
+/// Finds the frequency ratios at which H = 0. There the contact does not respond to a harmonic force in the contact.
 fn receptance(system: &System) -> Vec<f64> {
     let features = system.features(None).ok();
     let points = features.and_then(|all| {
@@ -277,7 +277,8 @@ fn upper() -> Vec<Row> {
     ]
 }
 
-/// Finds the maxima above 0.7 of a limit over r, from r = 1/4 to 3. Returns pairs (r, height).
+/// Finds the maxima of a limit over the frequency ratio from 1/4 to 3 that are above 0.7. Returns pairs of frequency
+/// ratio and height.
 pub fn maxima(limit: &dyn Fn(f64) -> f64) -> Vec<(f64, f64)> {
     let step = 5e-4;
     let mut found = Vec::new();
@@ -311,7 +312,8 @@ fn five() -> Row {
     for (r, beta) in &exact {
         entries.push(number(&format!("at r = {r:.4}"), "about 0.83", *beta, 4));
     }
-    // On both sides of a smooth maximum the limit falls with the square of the distance. A linear fall means a kink.
+    // On both sides of a smooth maximum, the limit falls with the square of the distance. If it falls linearly, the
+    // maximum is a kink.
     let kinks = exact.iter().filter(|(r, beta)| {
         let fall = |h: f64| beta - limit(&system, r + h);
         let near = 1e-5;

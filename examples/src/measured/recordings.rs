@@ -6,11 +6,12 @@ use std::error::Error;
 use std::fmt::Write as _;
 use std::path::Path;
 
-/// Friction ratio β of the recordings.
+/// Friction ratio β of the simulated recordings.
 const BETA: f64 = 0.4;
-/// Sampling rate, in samples a second.
+/// Sampling rate of the simulated recordings, in samples a second.
 const RATE: f64 = 100.0;
-/// Evaluates the transmissibility (6.15) of the two-storey rig at a frequency in Hz. The roots follow (A.2) and (A.5).
+/// Returns the transmissibility (6.15) of the two-storey rig at a frequency in Hz. The roots are those of (A.2) and
+/// (A.5).
 fn two_storeys(hertz: f64) -> f64 {
     let [gamma, kappa, seconds] = STOREYS;
     let k1 = seconds.powi(-2);
@@ -22,7 +23,7 @@ fn two_storeys(hertz: f64) -> f64 {
     w1 * w2 / w0 * (w0 - f) / ((w1 - f) * (w2 - f))
 }
 
-/// Returns a sweep of amplitudes as CSV, with a relative error of one in a thousand.
+/// Returns simulated amplitudes over frequency as CSV. They have a relative error of one in a thousand.
 fn sweep(mass: &str, frequencies: &[f64], of: impl Fn(f64) -> f64, noise: &mut Noise) -> String {
     let mut text = format!("frequency_Hz,{mass}.transmissibility,{mass}.deviation\n");
     for hertz in frequencies {

@@ -22,7 +22,7 @@ struct Equations {
 }
 
 impl Equations {
-    /// Creates the equations in units with k₁Y = P = 1 and base motion Y = 1/k₁.
+    /// Creates the equations of motion in units in which k₁Y = P = 1. The amplitude Y of the base is then 1/k₁.
     fn new(r: f64, beta: f64) -> Self {
         let [m1, m2] = MASS;
         let [k1, k2] = SPRING;
@@ -86,7 +86,8 @@ impl Equations {
     }
 }
 
-/// Returns the largest |x̄| of both floors in the last of many cycles.
+/// Returns the largest |x̄| of each floor in the last of many cycles, at the frequency ratio r and the friction ratio
+/// β.
 pub fn amplitudes(r: f64, beta: f64) -> [f64; 2] {
     let equations = Equations::new(r, beta);
     let h = TAU / equations.omega / STEPS as f64;

@@ -19,9 +19,9 @@ use std::f64::consts::TAU;
 pub const NATURAL: f64 = 3.086;
 /// Amplitude of the base of the one-storey rig, m.
 pub const Y: f64 = 1.75e-3;
-/// Sampling rate in samples a second, and length of a recording in s (4.3.3).
+/// Sampling rate of a recording in samples a second, and its length in s (4.3.3).
 pub const LENGTH: (f64, f64) = (2000.0, 60.0);
-/// Ratio of the noise to the signal's amplitude. It corresponds to 40 dB.
+/// Amplitude of the noise divided by that of the signal. It corresponds to 40 dB.
 const NOISE: f64 = 0.01;
 /// Parameters of the two-storey rig (6.4.2): mass ratio γ, stiffness ratio κ, and r₁ at 1 Hz.
 pub const STOREYS: [f64; 3] = [0.9772, 1.1119, 0.3419];
@@ -33,7 +33,7 @@ const SKIPPED: f64 = 200.0;
 pub struct Noise(ChaCha8Rng);
 
 impl Noise {
-    /// Creates the sequence of noise that belongs to a seed.
+    /// Creates the noise that belongs to a seed.
     #[must_use]
     pub fn new(seed: u64) -> Self {
         Self(ChaCha8Rng::seed_from_u64(seed))
@@ -45,7 +45,8 @@ impl Noise {
     }
 }
 
-/// Returns the one-storey rig. Its disc is on the `wall` or on the `base`. `more` is added to the description.
+/// Returns the one-storey rig with its disc on the `wall` or on the `base`. The text `more` is added to the
+/// description.
 ///
 /// # Errors
 /// Returns the error in the description.
@@ -87,7 +88,8 @@ pub fn reach(run: &mut SystemSimulation<'_>, target: f64) -> Result<(), Box<dyn 
     }
 }
 
-/// Returns the motions of base and first mass divided by Y, in `count` samples of a simulation from cycle `from` on.
+/// Returns the motions of the base and of the first mass, divided by Y. They are `count` samples of a simulation,
+/// which begin at cycle `from`.
 ///
 /// # Errors
 /// Never fails in practice, because the simulation does not go back in time.

@@ -5,9 +5,9 @@ use frictiongen::System;
 use frictiongen::measure::{Measured, Transmissibility};
 use std::error::Error;
 
-/// Middle of the range of lags, rad.
+/// Middle of the range in which lags are given, in rad.
 const MIDDLE: f64 = std::f64::consts::FRAC_PI_2;
-/// A whole turn, rad.
+/// A whole turn, in rad.
 const TURN: f64 = std::f64::consts::TAU;
 
 /// Response of the plate at one frequency, identified from a recording.
@@ -32,7 +32,8 @@ impl Point {
     }
 }
 
-/// Returns frequency ratios at intervals `step`. They are not round numbers, so that none is a resonance.
+/// Returns frequency ratios in a range at intervals `step`. They are not round numbers, so that none of them is a
+/// resonance.
 #[must_use]
 pub fn frequencies((from, to): (f64, f64), step: f64) -> Vec<f64> {
     let count = ((to - from) / step).round() as u32;
@@ -41,8 +42,8 @@ pub fn frequencies((from, to): (f64, f64), step: f64) -> Vec<f64> {
         .collect()
 }
 
-/// Simulates recordings of the one-storey rig at a friction ratio and identifies the response. The recordings have 60
-/// s at 2 kHz with noise at 40 dB. Frequencies at which the plate would be stuck give no point.
+/// Simulates recordings of the one-storey rig at one friction ratio, and identifies the response from each. A
+/// recording has 60 s at 2 kHz with noise at 40 dB. Frequencies at which the plate would be stuck give no point.
 ///
 /// # Errors
 /// Fails if a recording does not determine the response.

@@ -1,4 +1,5 @@
-//! Coupled clutches, the example `CoupledClutches` of the Modelica Standard Library.
+//! Computes the motion of four inertias with clutches between them. This is the example `CoupledClutches` of the
+//! Modelica Standard Library.
 //!
 //! Four inertias of 1 kg·m² are in a row, and nothing holds them. The first one rotates at 10 rad/s, and a torque of
 //! 10 sin 10πt N·m acts on it. The first clutch has the kinetic friction torque 10 cos 0.4πt N·m while this is positive,
@@ -9,45 +10,45 @@ use frictiongen::study::joints::{Motion, Wave};
 use std::error::Error;
 use std::f64::consts::PI;
 
-/// End of the motion, in s.
+/// Time at which the motion ends, in s.
 pub const END: f64 = 1.5;
 
-/// Speeds from the file `CoupledClutches.csv` of the published reference results of the Modelica Standard Library: the
+/// Two rows of the published reference results of the Modelica Standard Library (`CoupledClutches.csv`). Each has the
 /// time in s, the speed of the first inertia in rad/s, and the relative speed of the first clutch in rad/s.
 pub const PUBLISHED: [(f64, f64, f64); 2] = [
     (1.05, 3.178_768_760_519_36, -0.358_960_991_320_035),
     (END, 3.247_034_565_240_66, -0.783_826_964_342_972),
 ];
 
-/// An event of a clutch.
+/// An event of a clutch: it begins to stick or to slide.
 #[derive(Clone, Copy, Debug)]
 pub struct ClutchEvent {
     /// Number of the clutch, from 1.
     pub clutch: usize,
     /// True if the clutch begins to stick, false if it begins to slide.
     pub sticks: bool,
-    /// Time, in s.
+    /// Time of the event, in s.
     pub time: f64,
 }
 
-/// The motion of the clutches.
+/// The computed motion of the four inertias and three clutches.
 #[derive(Clone, Debug, Default)]
 pub struct Clutches {
-    /// All events, in the order of time.
+    /// All events of the clutches, in the order of time.
     pub events: Vec<ClutchEvent>,
     /// For each time of [`PUBLISHED`]: the time in s, and the speeds of the four inertias in rad/s.
     pub speeds: Vec<(f64, Vec<f64>)>,
 }
 
-/// Computes the motion.
+/// Computes the motion of the inertias and clutches from the start to [`END`].
 ///
 /// # Errors
 /// Errors of the description and of the solver.
 pub fn clutches() -> Result<Clutches, Box<dyn Error>> {
     let system: System = include_str!("../../scenes/clutches.friction").parse()?;
     let joined = system.joined()?;
-    // A load of a description is a cosine, and its friction forces are constant. The chain takes other phases and
-    // friction forces that change with time.
+    // The load in a description is a cosine, and its friction forces are constant. A chain from `joined.under` also
+    // takes loads with other phases, and friction forces that change with time.
     let mut chain = joined.under(10.0 * PI, 10.0)?.chain(0.0)?;
     for (_, torque) in &mut chain.loads {
         torque.phase = -PI / 2.0;
@@ -57,7 +58,7 @@ pub fn clutches() -> Result<Clutches, Box<dyn Error>> {
     }
     let mut motion = Motion::from(&chain, &[0.0; 4], &[10.0, 0.0, 0.0, 0.0])?;
     let mut found = Clutches::default();
-    // The friction torque of a clutch changes at some of these times. The clutches have the indices 0 to 2.
+    // At some of these times the friction torque of a clutch changes. The clutches have the indices 0 to 2.
     let stops = [
         (0.4, Some((1, 10.0))),
         (0.9, Some((2, 10.0))),
@@ -84,7 +85,7 @@ pub fn clutches() -> Result<Clutches, Box<dyn Error>> {
     Ok(found)
 }
 
-/// Returns the motion as text, beside the published speeds.
+/// Returns a text about the motion of the clutches, with the published speeds beside the computed ones.
 ///
 /// # Errors
 /// Same errors as [`clutches`].

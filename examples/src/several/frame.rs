@@ -1,5 +1,5 @@
-//! A frame of five storeys under a synthetic earthquake, with a friction damper on a brace in each storey: the best
-//! common friction force, and the best distribution of the forces over the storeys.
+//! Computes a frame of five storeys under a synthetic earthquake. Each storey has a friction damper on a brace. Finds
+//! the best common friction force, and the best distribution of the forces over the storeys.
 
 use super::record::{Sample, ground};
 use frictiongen::System;
@@ -9,12 +9,12 @@ use std::error::Error;
 
 /// Peak acceleration of the ground, in m/s².
 pub const PEAK: f64 = 3.0;
-/// Steps a second.
+/// Number of steps of the simulation in a second.
 pub const RATE: u32 = 100;
-/// Common friction forces between which the search looks, in N.
+/// Range of the common friction force that is searched, in N.
 pub const RANGE: (f64, f64) = (5.0e4, 5.0e6);
 
-/// The description of the frame.
+/// Returns the frame of five storeys as a run-time system.
 ///
 /// # Errors
 /// Errors of the description.
@@ -22,26 +22,26 @@ pub fn frame() -> Result<System, Box<dyn Error>> {
     Ok(include_str!("../../scenes/storeys.friction").parse()?)
 }
 
-/// Result of one earthquake.
+/// Result of a simulation of the frame under an earthquake.
 #[derive(Clone, Debug, Default)]
 pub struct Run {
-    /// Largest drift of each storey, in m.
+    /// Largest drift of each storey (displacement relative to the storey below), in m.
     pub drifts: Vec<f64>,
-    /// Displacement of the roof relative to the ground in m, at each step.
+    /// At each step, the time in s and the displacement of the roof relative to the ground in m.
     pub roof: Vec<(f64, f64)>,
     /// Energy that each damper dissipates, in J.
     pub energies: Vec<f64>,
 }
 
 impl Run {
-    /// Returns the largest drift of all storeys, in m.
+    /// Returns the largest drift over all storeys, in m.
     #[must_use]
     pub fn largest(&self) -> f64 {
         self.drifts.iter().copied().fold(0.0, f64::max)
     }
 }
 
-/// Follows an earthquake with a friction force in N for each damper.
+/// Simulates the frame under an earthquake. `forces` has the friction force of each damper, in N.
 ///
 /// # Errors
 /// Errors of the solver.
@@ -71,11 +71,11 @@ pub fn run(joined: &Joined<'_>, record: &[Sample], forces: &[f64]) -> Result<Run
     Ok(found)
 }
 
-/// Finds positive numbers with the smallest `cost`. Returns the numbers and their cost.
+/// Searches for positive numbers with the smallest `cost`. Returns the numbers and their cost.
 ///
-/// The search multiplies or divides one number after the other by a factor, which starts at `first`. If no change is an
-/// improvement, the factor becomes its square root. The search ends when the factor is below 1.03. It finds a local
-/// minimum.
+/// The search multiplies or divides one number after the other by a factor, which is `first` at the start. If no
+/// change reduces the cost, the factor becomes its square root. The search ends when the factor is below 1.03. It
+/// finds a local minimum.
 ///
 /// # Errors
 /// Errors of `cost`.
@@ -108,22 +108,22 @@ pub fn descend(
     Ok((best, least))
 }
 
-/// The frame without dampers, with equal dampers, and with the best distribution.
+/// Results for the frame without dampers, with equal dampers, and with the best distribution of friction forces.
 #[derive(Clone, Debug)]
 pub struct Design {
-    /// The frame without dampers.
+    /// Result of the frame without dampers.
     pub free: Run,
-    /// Largest drift in m over the common friction force in N.
+    /// Largest drift in m for several common friction forces. Each pair has the friction force in N and the drift.
     pub curve: Vec<(f64, f64)>,
-    /// Best common friction force in N, with equal dampers.
+    /// Best common friction force of equal dampers, in N, with the result of the frame.
     pub equal: (f64, Run),
-    /// Best friction force of each damper in N.
+    /// Best friction force of each damper in N, with the result of the frame.
     pub distributed: (Vec<f64>, Run),
-    /// Number of earthquakes that the search has followed.
+    /// Number of earthquakes that the search has simulated.
     pub runs: usize,
 }
 
-/// Searches for the best friction forces.
+/// Searches for the best friction forces of the dampers: a common force, and a force for each damper.
 ///
 /// # Errors
 /// Errors of the description and of the solver.
@@ -159,7 +159,7 @@ pub fn design() -> Result<Design, Box<dyn Error>> {
     })
 }
 
-/// Returns the result as text.
+/// Returns a text about the best friction forces and the drifts.
 #[must_use]
 pub fn report(design: &Design) -> String {
     let mm = |run: &Run| {
@@ -186,7 +186,8 @@ pub fn report(design: &Design) -> String {
     .join("\n")
 }
 
-/// Draws the largest drift over the common friction force, the drifts of the storeys and the motion of the roof.
+/// Returns a figure with three panels: the largest drift over the common friction force, the drifts of the storeys,
+/// and the motion of the roof.
 #[must_use]
 pub fn picture(design: &Design) -> Figure {
     let runs = [

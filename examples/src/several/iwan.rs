@@ -1,21 +1,21 @@
-//! A bolted joint as an Iwan element: four elastic contacts side by side. The force over the displacement is a Masing
-//! loop, which has a closed form.
+//! Computes a bolted joint as an Iwan element, which consists of four elastic contacts side by side. Its force over
+//! its displacement is a Masing loop, which has a closed form.
 
 use frictiongen::System;
 use frictiongen_plot::{Axis, Colour, Figure, Line, Panel, Stroke};
 use std::error::Error;
 use std::f64::consts::TAU;
 
-/// Frequency of the load, in Hz.
+/// Frequency of the load on the joint, in Hz.
 pub const HERTZ: f64 = 8.0;
-/// Common friction force, in N.
+/// Common friction force of the contacts, in N. Each contact has a share of it.
 pub const FRICTION: f64 = 40.0;
-/// Amplitudes of the load, in N.
+/// Amplitudes of the load for which the joint is computed, in N.
 pub const LOADS: [f64; 3] = [8.0, 20.0, 40.0];
-/// The contacts: stiffness in N/m, and share of the common friction force, as in the description.
+/// Stiffness in N/m and share of the common friction force of each contact, as in the description.
 pub const CONTACTS: [(f64, f64); 4] = [(4000.0, 0.1), (3000.0, 0.2), (2000.0, 0.3), (1000.0, 0.4)];
 
-/// The loop of a steady state.
+/// The hysteresis loop of the joint in a steady state.
 #[derive(Clone, Debug)]
 pub struct Loop {
     /// Amplitude of the load, in N.
@@ -24,11 +24,13 @@ pub struct Loop {
     pub amplitude: f64,
     /// Energy that the contacts dissipate in a cycle, in J.
     pub energy: f64,
-    /// Displacement in m, velocity in m/s and force of all contacts in N, over one cycle.
+    /// Samples over one cycle: displacement of the joint in m, its velocity in m/s, and the force of all contacts in
+    /// N.
     pub samples: Vec<(f64, f64, f64)>,
 }
 
-/// Computes the steady state under a load with an amplitude in N, and samples its loop.
+/// Computes the steady state of the joint under a load, and samples its hysteresis loop. `load` is the amplitude in
+/// N.
 ///
 /// # Errors
 /// Errors of the description and of the solver.
@@ -50,7 +52,8 @@ pub fn joint(load: f64) -> Result<Loop, Box<dyn Error>> {
     })
 }
 
-/// Returns the force at a displacement z ≥ 0 when the element is loaded for the first time.
+/// Returns the force of the joint at a displacement z ≥ 0 in m when it is loaded for the first time. Its curve is the
+/// backbone.
 #[must_use]
 pub fn backbone(z: f64) -> f64 {
     let contacts = CONTACTS.iter();
@@ -59,8 +62,8 @@ pub fn backbone(z: f64) -> f64 {
         .sum()
 }
 
-/// Returns the force on the closed loop of a displacement amplitude. Masing's rule: each branch is the first loading,
-/// twice as large in both directions.
+/// Returns the force at the displacement z on the closed hysteresis loop with the given displacement amplitude. By
+/// Masing's rule, each branch of the loop is the curve of first loading, twice as large in both directions.
 #[must_use]
 pub fn masing(amplitude: f64, z: f64, rises: bool) -> f64 {
     let top = backbone(amplitude);
@@ -70,7 +73,8 @@ pub fn masing(amplitude: f64, z: f64, rises: bool) -> f64 {
     }
 }
 
-/// Returns the area of the closed loop: 4F(X − F/k) for each contact that slides.
+/// Returns the area of the closed loop: the sum of 4F(X − F/k) over the contacts that slide. X is the displacement
+/// amplitude, and F and k are friction force and stiffness of a contact.
 #[must_use]
 pub fn area(amplitude: f64) -> f64 {
     let contacts = CONTACTS.iter();
@@ -82,7 +86,7 @@ pub fn area(amplitude: f64) -> f64 {
         .sum()
 }
 
-/// Returns the largest difference between a computed loop and Masing's, divided by the largest force.
+/// Returns the largest difference of the forces of a computed loop and Masing's loop, divided by the largest force.
 #[must_use]
 pub fn difference(found: &Loop) -> f64 {
     let apart = found.samples.iter().map(|(z, v, force)| {
@@ -92,7 +96,7 @@ pub fn difference(found: &Loop) -> f64 {
     apart.fold(0.0, f64::max) / backbone(found.amplitude)
 }
 
-/// Returns the loops as text.
+/// Returns a text about the hysteresis loops for all amplitudes of the load.
 ///
 /// # Errors
 /// Same errors as [`joint`].
@@ -111,7 +115,7 @@ pub fn report() -> Result<String, Box<dyn Error>> {
     Ok(lines.join("\n"))
 }
 
-/// Draws the loops.
+/// Returns a figure of the hysteresis loops for all amplitudes of the load.
 ///
 /// # Errors
 /// Same errors as [`joint`].

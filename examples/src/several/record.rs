@@ -1,12 +1,12 @@
-//! The synthetic ground motion of the example `earthquake`, at another sampling rate.
+//! Gives the synthetic ground motion of the example `earthquake` at another sampling rate.
 
 #[path = "../earthquake/ground.rs"]
 mod made;
 
 pub use made::Ground as Sample;
 
-/// Computes the ground motion. `peak` is its peak acceleration in m/s². The result has `rate` samples a second, and
-/// begins after the first step.
+/// Computes a synthetic ground motion with `rate` samples a second. Its first sample is at the end of the first step.
+/// `peak` is the peak acceleration in m/s².
 #[must_use]
 pub fn ground(peak: f64, rate: u32) -> Vec<Sample> {
     let every = (made::RATE / f64::from(rate)).round().max(1.0) as usize;

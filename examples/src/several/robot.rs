@@ -1,5 +1,5 @@
-//! A robot joint with friction in gear and seal, as a controller would follow it: the motor's torque is constant over
-//! each step.
+//! Computes a robot joint with friction in gear and seal, as a controller would do it. The torque of the motor is
+//! constant in each step.
 
 use frictiongen::friction_system;
 use std::error::Error;
@@ -14,7 +14,7 @@ pub const SEAL: f64 = 2.0;
 pub const GEAR_STICTION: f64 = 1.5;
 /// Ratio of static to kinetic friction of the seal, as in the description.
 pub const SEAL_STICTION: f64 = 1.2;
-/// Constant torque on the load: 0.3 of the static friction torque of the gear.
+/// Constant torque on the load in N·m: 0.3 of the static friction torque of the gear.
 pub const LOAD: f64 = 0.3 * GEAR_STICTION * GEAR;
 
 /// State of the joint after a step.
@@ -24,36 +24,37 @@ pub struct Now {
     pub step: u64,
     /// Torque of the motor during the step, in N·m.
     pub torque: f64,
-    /// Angle of the motor, in rad.
+    /// Angle of the motor at the end of the step, in rad.
     pub angle: f64,
-    /// Speeds of motor and load, in rad/s.
+    /// Speeds of the motor and of the load at the end of the step, in rad/s.
     pub speeds: [f64; 2],
-    /// Friction torques of gear and seal, in N·m.
+    /// Friction torques of the gear and of the seal, in N·m.
     pub frictions: [f64; 2],
-    /// True if gear and seal stick.
+    /// For the gear and for the seal, true if it sticks.
     pub sticks: [bool; 2],
     /// Number of events in the step.
     pub events: u32,
 }
 
-/// The motion of the joint.
+/// The motion of the joint: a hold, in which the motor has no torque, and then a move.
 #[derive(Clone, Debug)]
 pub struct Course {
-    /// The joint after the hold: the motor has no torque, and the load has its constant torque.
+    /// State of the joint at the end of the hold. The motor has no torque, and the load has its constant torque.
     pub held: Now,
-    /// Largest absolute value of angle and speed of the motor during the hold.
+    /// Largest absolute value of the motor's angle in rad and of its speed in rad/s, during the hold.
     pub creep: f64,
-    /// Every step of the move.
+    /// State of the joint after every step of the move.
     pub moved: Vec<Now>,
 }
 
-/// Torque of the motor in N·m, at a time in s after the hold: it rises by 10 N·m a second for 4 s, and is then −60 N·m.
+/// Returns the torque of the motor in N·m at a time in s after the hold. It rises by 10 N·m a second for 4 s, and is
+/// −60 N·m afterwards.
 #[must_use]
 pub fn torque(time: f64) -> f64 {
     if time < 4.0 { 10.0 * time } else { -60.0 }
 }
 
-/// Holds the joint under the load for a number of steps, and then moves it forth and back.
+/// Holds the joint without motor torque for `hold` steps, and then moves it forth and back.
 ///
 /// # Errors
 /// Errors of the solver.
@@ -96,7 +97,7 @@ pub fn course(hold: u64) -> Result<Course, Box<dyn Error>> {
     Ok(Course { held, creep, moved })
 }
 
-/// Returns the motion as text.
+/// Returns a text about the motion of the joint.
 ///
 /// # Errors
 /// Same errors as [`course`].

@@ -14,9 +14,9 @@
 pub struct Expected {
     /// Identifier of the row: F01, ….
     pub id: &'static str,
-    /// Indices of the row's entries that are wrong in the thesis.
+    /// Indices of those entries of the row whose printed numbers are wrong.
     pub wrong: &'static [usize],
-    /// Computed numbers in order, each correct to half a unit of its last digit.
+    /// Computed numbers of the row in order. Each is correct to half a unit of its last digit.
     pub values: &'static [&'static str],
 }
 

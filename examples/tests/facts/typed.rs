@@ -6,8 +6,8 @@ use crate::close;
 use frictiongen_examples::facts::ask::{base, chain, limit, peak, root};
 use std::f64::consts::PI;
 
-/// A mode of a scene: √λ, ζ, and four residues over λ, from load to mass, load to contact, contact to mass and contact
-/// to contact.
+/// A mode of a scene: √λ, ζ, and four residues divided by λ. They lead from load to mass, from load to contact, from
+/// contact to mass, and from contact to contact.
 struct Mode {
     root: f64,
     zeta: f64,
@@ -39,7 +39,7 @@ impl Complex {
 }
 
 impl Mode {
-    /// Returns 1/(1 − R² + 2iζR).
+    /// Returns the response 1/(1 − R² + 2iζR) of the mode to a harmonic force, with R = r/√λ.
     fn v(&self, r: f64) -> Complex {
         let ratio = r / self.root;
         let (re, im) = (1.0 - ratio * ratio, 2.0 * self.zeta * ratio);
@@ -47,7 +47,7 @@ impl Mode {
         Complex(re / square, -im / square)
     }
 
-    /// Returns u and g of the mode by (7.11) and (7.12).
+    /// Returns the functions u and g of the mode by (7.11) and (7.12), at the frequency ratio r.
     fn functions(&self, r: f64) -> (f64, f64) {
         let (ratio, zeta) = (r / self.root, self.zeta);
         let q = (1.0 - zeta * zeta).sqrt();
@@ -60,7 +60,7 @@ impl Mode {
         )
     }
 
-    /// Returns the response to the friction force, 1 − (1 + g)d − uRq̃.
+    /// Returns the response 1 − (1 + g)d − uRq̃ of the mode to the friction force, at the phase τ.
     fn h(&self, r: f64, tau: f64) -> f64 {
         let (ratio, zeta) = (r / self.root, self.zeta);
         let q = (1.0 - zeta * zeta).sqrt();
@@ -72,7 +72,8 @@ impl Mode {
 }
 
 impl Typed {
-    /// Finds the largest |x̄| of the mass over a half period, by 400 instants and a search next to the best one.
+    /// Finds the largest |x̄| of the mass over half a period. It compares 400 instants and searches next to the best
+    /// one.
     fn amplitude(&self, r: f64, beta: f64) -> f64 {
         let mut mass = Complex(0.0, 0.0);
         let mut contact = Complex(-self.of_base, 0.0);
@@ -114,7 +115,7 @@ impl Typed {
     }
 }
 
-/// Returns the scene of one mass, in which every residue is 1.
+/// Returns a scene with one mass, in which every residue is 1.
 fn single(zeta: f64, of_base: f64) -> Typed {
     let (root, load_mass, load_contact, contact_mass, contact) = (1.0, 1.0, 1.0, 1.0, 1.0);
     let mode = Mode {

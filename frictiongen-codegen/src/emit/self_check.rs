@@ -10,10 +10,11 @@ use frictiongen_kernel::number::dd::Dd;
 use frictiongen_model::scene::Precision;
 use proc_macro2::{Literal, TokenStream};
 
-/// Allowed error of an answer of the exact formulas, in rounding units. The known answers are at frequency ratios r where
+/// Allowed error of an answer of the exact formulas, in rounding units. At the frequency ratios of the known answers,
 /// a change of r by 32 rounding units changes an answer by at most an eighth of this error.
 const ROUNDINGS: f64 = 4096.0;
-/// Largest allowed error in rounding units, for a scene with a part of its range in which all answers depend on rounding.
+/// Largest allowed error of an answer, in rounding units. It is needed if all answers in a part of the scene's range
+/// depend on rounding.
 const WIDEST: f64 = 16.0 * ROUNDINGS;
 /// Range of the frequency ratios of the known answers: from the first number times the lowest resonance to the second
 /// number times the highest resonance.
@@ -73,12 +74,12 @@ fn hexadecimal(sum: u32) -> TokenStream {
     text.parse().unwrap_or_default()
 }
 
-/// Allowed error of an answer.
+/// The error that the self-check allows for an answer of the emitted code.
 #[derive(Clone, Copy, Debug, Default)]
 struct Allowed {
-    /// The error of the tables.
+    /// Allowed error of the tables. It is 0 for a scene without tables.
     accuracy: f64,
-    /// The rest, in rounding units.
+    /// Allowed error in addition to `accuracy`, in rounding units.
     roundings: f64,
     /// The rounding unit of the scene's scalar type.
     epsilon: f64,
@@ -90,7 +91,8 @@ impl Allowed {
     }
 }
 
-/// Returns the allowed error of an answer, and the known answers with which the emitted code compares its answers.
+/// Returns the error that the self-check allows, and the known answers with which the emitted code compares its
+/// answers.
 fn answers(emission: &Emission<'_>, wanted: &Wanted<'_>) -> (Allowed, Vec<KnownAnswers>) {
     use crate::lower::SceneTables;
     let scene = emission.scene;

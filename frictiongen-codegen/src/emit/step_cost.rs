@@ -27,8 +27,8 @@ pub(super) fn parts(scene: &StepScene<'_, Dd, AnyContact<Dd>>, step: Option<f64>
     ]
 }
 
-/// Returns upper bounds on the cost of a step, and the number of its parts. Without a declared step, they are those of a
-/// step of one part.
+/// Returns upper bounds on the cost of a step, and the number of parts into which the stepper divides it. Without a
+/// declared step, they hold for a step of a single part.
 pub(super) fn cost(
     scene: &StepScene<'_, Dd, AnyContact<Dd>>,
     step: Option<f64>,

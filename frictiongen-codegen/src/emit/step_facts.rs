@@ -15,18 +15,18 @@ use syn::{Expr, Lit, Member, UnOp};
 /// Facts about the emitted stepper of a scene with one contact.
 #[derive(Clone, Debug, PartialEq)]
 pub struct StepFacts {
-    /// Upper bounds on the cost of a step, as the documentation of the stepper states them. Without a declared step, they
-    /// are those of a step of one part.
+    /// Upper bounds on the cost of a step, as in the documentation of the stepper. Without a declared step, they hold
+    /// for a step of a single part.
     pub cost: Cost,
-    /// Number of parts of a step.
+    /// Number of equal parts into which the stepper divides a step.
     pub parts: u32,
-    /// Numbers of the tables of the declared step, each with its place in the tables. The list is empty without a
-    /// declared step.
+    /// Numbers of the tables of the declared step. Each comes with the fields and indices that lead to it. Without a
+    /// declared step the list is empty.
     pub numbers: Vec<(String, f64)>,
 }
 
-/// Returns facts about the emitted stepper of a description. Returns `None` for a description that provides no stepper,
-/// and for a description with several contacts or dashpots, whose stepper has neither tables nor a stated cost.
+/// Returns facts about the emitted stepper of a description. Returns `None` if the description provides no stepper.
+/// Also returns `None` for several contacts or dashpots, because their stepper has no tables and no stated cost.
 #[must_use]
 pub fn step_facts(description: &Description) -> Option<StepFacts> {
     let scene = &description.scene;
@@ -59,7 +59,8 @@ pub fn step_facts(description: &Description) -> Option<StepFacts> {
     })
 }
 
-/// Adds the numbers of an expression of structures, arrays and literals, each with its place.
+/// Appends the numbers of a Rust expression to `to`, each with the fields and indices that lead to it. The expression
+/// has structures, arrays and literals.
 fn collect(value: &Expr, place: &str, to: &mut Vec<(String, f64)>) {
     match value {
         Expr::Struct(structure) => {

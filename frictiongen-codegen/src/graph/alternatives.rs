@@ -31,7 +31,7 @@ impl Alternative {
     }
 }
 
-/// Returns the number of operations of the longest alternative.
+/// Returns the number of operations of the alternative that has the most.
 #[must_use]
 pub fn most_operations(graph: &Graph, alternatives: &[Alternative]) -> OperationCount {
     let counts = alternatives
@@ -40,7 +40,8 @@ pub fn most_operations(graph: &Graph, alternatives: &[Alternative]) -> Operation
     counts.max_by_key(OperationCount::total).unwrap_or_default()
 }
 
-/// Groups equal alternatives. Returns the keys of each group, and the alternative of each group.
+/// Puts equal alternatives into one group. Each alternative in `all` has a key. Returns the keys of each group, and
+/// the alternative that the group shares.
 pub fn grouped<T>(all: impl Iterator<Item = (T, Alternative)>) -> (Vec<Vec<T>>, Vec<Alternative>) {
     let (mut groups, mut alternatives): (Vec<Vec<T>>, Vec<Alternative>) = (Vec::new(), Vec::new());
     for (of, alternative) in all {
@@ -56,7 +57,8 @@ pub fn grouped<T>(all: impl Iterator<Item = (T, Alternative)>) -> (Vec<Vec<T>>, 
     (groups, alternatives)
 }
 
-/// Prints the shared statements first, then each alternative with its own statements.
+/// Prints alternatives as Rust code. The first result has the statements that all of them share. The second has the
+/// other statements and the outputs of each alternative.
 #[must_use]
 pub fn print(
     alternatives: &[Alternative],

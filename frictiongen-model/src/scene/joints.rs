@@ -65,7 +65,7 @@ pub struct Joints {
 }
 
 impl Joints {
-    /// Returns true if there are neither several contacts nor dashpots.
+    /// Returns true if the scene has neither the field `contacts` nor dashpots.
     #[must_use]
     pub fn is_empty(&self) -> bool {
         self.contacts.is_empty() && self.dampers.is_empty()

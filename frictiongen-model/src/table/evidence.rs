@@ -67,7 +67,7 @@ impl Proof {
         }
     }
 
-    /// Returns the total length of the open intervals of r.
+    /// Returns the total length of the intervals of r without a proof.
     #[must_use]
     pub fn open_length(&self) -> f64 {
         self.open
@@ -75,14 +75,14 @@ impl Proof {
             .fold(0.0, |sum, (from, to)| sum + (to - from))
     }
 
-    /// Returns the widest open interval.
+    /// Returns the longest interval of r without a proof. Returns `None` if the whole range is proven.
     #[must_use]
     pub fn widest(&self) -> Option<(f64, f64)> {
         let places = self.open.iter().copied();
         places.max_by(|a, b| (a.1 - a.0).total_cmp(&(b.1 - b.0)))
     }
 
-    /// Returns the result in one or two sentences.
+    /// Returns the result of the proof in one or two sentences.
     #[must_use]
     pub fn told(&self) -> String {
         let bound = format!(

@@ -14,7 +14,7 @@ use std::collections::HashMap;
 pub const ANGLE: usize = 3;
 /// Index of |V| among the functions of a table, if the table has this function.
 pub const SIZE: usize = 4;
-/// Fraction of a sum's terms. A sum that is smaller has lost significant digits by cancellation.
+/// A sum has lost significant digits by cancellation if it is smaller than this fraction of its terms.
 const CANCELS: f64 = 1e-2;
 
 /// Exact functions at one frequency ratio: β_lim, a = β_lim·U/|V|, g = β_lim·G/|V| and arg V. V is the response of the

@@ -45,8 +45,8 @@ impl Zero {
 }
 
 impl<S: Float> Held<S> {
-    /// Builds tables of the responses with the contact stuck, for a range of frequency ratios. Returns `None` if the zeros
-    /// of a response cannot be separated from one another.
+    /// Builds tables of the responses with the contact stuck, for a range of frequency ratios. Returns `None` if the
+    /// zeros of a response cannot be separated from one another.
     #[must_use]
     pub fn of(modal: &Modal, range: (f64, f64)) -> Option<Self> {
         let (masses, force) = responses(modal)?;

@@ -10,8 +10,8 @@ use frictiongen_kernel::table::{Factor, Root};
 const RANGE: (f64, f64) = (0.2, 2.5);
 
 /// Checks the stuck responses of chains with every kind of contact and damping, as products over zeros and poles. The
-/// products must have the accuracy `finest`: 1e-12, and 1e-5 in single precision. A product has up to sixty factors with
-/// a few roundings each.
+/// products must have the accuracy `finest`: 1e-12, and 1e-5 in single precision. A product has up to sixty factors
+/// with a few roundings each.
 fn of_chains<S: Float>(finest: f64) {
     for kind in ["Wall", "Base", "Pair"] {
         for count in 1..=16 {

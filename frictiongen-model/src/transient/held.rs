@@ -80,8 +80,8 @@ fn participations_of<T: Float>(
 ) -> (Vec<[T; 2]>, T) {
     let (zero, two) = (T::constant(0.0), T::constant(2.0));
     let mut own = vec![[zero; 2]; modes.len()];
-    // Finds the mode with the largest term in 1/κ + Σ c_i/(s² + 2ζ_iσ_i s + λ_i) = 0. The denominator of that mode may be
-    // only rounding, so its participation must balance the participations of the other modes.
+    // Finds the mode with the largest term in 1/κ + Σ c_i/(s² + 2ζ_iσ_i s + λ_i) = 0. The denominator of that mode
+    // may be only rounding, so its participation must balance the participations of the other modes.
     let (mut nearest, mut part) = (0, zero);
     for (index, (mode, participation)) in modes.iter().zip(&mut own).enumerate() {
         // The denominator d = s² + 2ζ_iσ_i s + λ_i is as + b modulo the polynomial of the pair. Its inverse is (b − 2αa

@@ -19,8 +19,8 @@ pub enum Reading {
     Amplitude,
     /// The phase of the motion in degrees.
     Phase,
-    /// The value of a [`MotionQuantity`], such as the largest velocity or acceleration of the motion. The curve must have been
-    /// computed with it.
+    /// The value of a [`MotionQuantity`], such as the largest velocity or acceleration of the motion. The curve must
+    /// have been computed with it.
     Rate(MotionQuantity),
     /// The amplitude of one harmonic of the motion. The number is the harmonic's index among the requested harmonics.
     Harmonic(usize),
@@ -347,7 +347,8 @@ fn exceeded(points: &[Point], share: f64) -> f64 {
 }
 
 /// Returns a figure of response curves, with one row of panels for each requested motion: the amplitude on the left,
-/// the phase on the right. A velocity, an acceleration and other values of [`Size`] have a panel without a phase.
+/// the phase on the right. A velocity, an acceleration and other values of [`MotionQuantity`] have a panel without a
+/// phase.
 #[must_use]
 pub fn curve_figure(
     title: impl Into<Label>,

@@ -1,5 +1,5 @@
-//! Figures of scenes with several contacts: motions over time with a hysteresis loop of each contact, and responses over
-//! frequency.
+//! Figures of scenes with several contacts: motions over time with a hysteresis loop of each contact, and responses
+//! over frequency.
 
 use super::curves::stroke;
 use super::scales::Scales;

@@ -294,8 +294,8 @@ impl Scales {
             .map_or(ratio, |load| load.displacement(ratio) * 1e3)
     }
 
-    /// Converts the value `ratio` of a [`Size`] at the frequency ratio r to the unit of its axis. In non-dimensional
-    /// groups the number stays.
+    /// Converts the value `ratio` of a [`MotionQuantity`] at the frequency ratio r to the unit of its axis. In
+    /// non-dimensional groups the number stays.
     #[must_use]
     pub fn rate_at(&self, size: MotionQuantity, r: f64, ratio: f64) -> f64 {
         let Some(load) = self.load else {
@@ -314,7 +314,7 @@ impl Scales {
         }
     }
 
-    /// Returns the label of an axis for the values of a [`Size`], such as largest velocities.
+    /// Returns the label of an axis for the values of a [`MotionQuantity`], such as largest velocities.
     #[must_use]
     pub fn size_label(&self, size: MotionQuantity) -> Label {
         match (size, self.load) {

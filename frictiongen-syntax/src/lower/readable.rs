@@ -18,7 +18,7 @@ pub struct Readable<'s> {
     pub on_base: bool,
     /// Masses on which the stepper may apply a force. The entries are indices into `mass_names`.
     pub forces: Vec<usize>,
-    /// True if the description declares a step.
+    /// True if the description declares the step of a stepper.
     pub has_step: bool,
 }
 

@@ -1,13 +1,13 @@
 //! Compares natural frequencies and mode shapes with two general eigensolvers.
 //!
-//! nalgebra and faer get the matrix Γ^−½ K̄ Γ^−½. It is built here from the numbers that also form the text of the
-//! scene. The coefficients lie within two decades. With a wider range the general solvers, not the project, lose the
-//! slow modes.
+//! nalgebra and faer get the matrix Γ^−½ K̄ Γ^−½. The test builds it from the numbers that also form the text of the
+//! scene. The coefficients lie within two decades. In a wider range the general solvers lose digits of the slow
+//! modes, but not this project.
 
 use frictiongen::study::System;
 use std::fmt::Write as _;
 
-/// Number that stands for the base in place of the index of a mass.
+/// Number that stands for the base of the chain in place of the index of a mass.
 const BASE: usize = usize::MAX;
 const WALL: usize = usize::MAX - 1;
 
@@ -16,7 +16,7 @@ struct Case {
     springs: &'static [(usize, usize, f64)],
 }
 
-/// Chains, trees and loops with one, two or many supports.
+/// The compared chains, trees and loops, with one, two or many supports.
 const CASES: [Case; 7] = [
     // A shear frame.
     Case {
@@ -122,7 +122,7 @@ impl Case {
             .unwrap_or_else(|error| panic!("{error}\n{text}"))
     }
 
-    /// Returns K̄, row by row.
+    /// Returns the non-dimensional stiffness matrix K̄ of the case, row by row.
     fn stiffness(&self) -> Vec<Vec<f64>> {
         let n = self.masses.len();
         let mut k = vec![vec![0.0; n]; n];
@@ -159,7 +159,7 @@ impl Case {
     }
 }
 
-/// Eigenvalues in ascending order, each with its unit vector.
+/// Eigenvalues in ascending order, each with its unit eigenvector.
 type Pairs = Vec<(f64, Vec<f64>)>;
 
 fn sorted(mut pairs: Pairs) -> Pairs {
@@ -186,7 +186,7 @@ fn by_faer(a: &[Vec<f64>]) -> Pairs {
     )
 }
 
-/// Compares every frequency and every component of every shape, and returns the number of comparisons.
+/// Compares all frequencies and all components of the mode shapes of a case. Returns the number of comparisons.
 fn compare(case: &Case, label: &str, pairs: &Pairs) -> usize {
     let system = case.system();
     let gamma = case.gamma();
@@ -246,9 +246,9 @@ fn compare(case: &Case, label: &str, pairs: &Pairs) -> usize {
     compared
 }
 
-/// Number of components of all mode shapes, Σ N².
+/// Number of components of the mode shapes of all cases: the sum of N² with N masses each.
 const COMPONENTS: usize = 2 * 2 + 3 * 3 + 4 * 4 + 5 * 5 + 7 * 7 + 4 * 4 + 10 * 10;
-/// Number of comparisons: the components, and 35 frequencies as ratios and in rad/s.
+/// Number of comparisons: all components, and 35 frequencies, each as a ratio and in rad/s.
 const COMPARED: usize = 2 * 35 + COMPONENTS;
 
 fn agrees(with: &str, solve: fn(&[Vec<f64>]) -> Pairs) {
@@ -270,7 +270,8 @@ fn faer_agrees() {
     agrees("faer", by_faer);
 }
 
-/// K̄φ = λΓφ and φᵀΓφ = 1 are satisfied to a few roundings. This check involves no rounding of another solver.
+/// Checks K̄φ = λΓφ and φᵀΓφ = 1 for every mode, to a few roundings. No rounding of another solver affects this
+/// check.
 #[test]
 fn modes_satisfy_their_equation() {
     let (mut residuals, mut products) = (0, 0);

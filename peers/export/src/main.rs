@@ -5,7 +5,7 @@
 frictiongen::friction_system!("shaken.friction");
 frictiongen::friction_system!("pushed.friction");
 
-/// Random numbers by xorshift (Marsaglia 2003).
+/// Random numbers from a xorshift generator (Marsaglia 2003). The number in it is the state.
 struct Random(u64);
 
 impl Random {
@@ -22,7 +22,7 @@ impl Random {
     }
 }
 
-/// FNV-1a hash of 64 bits.
+/// FNV-1a hash with 64 bits.
 struct Hash(u64);
 
 impl Hash {
@@ -33,7 +33,7 @@ impl Hash {
     }
 }
 
-/// Runs one scene. `input` makes an input of three random numbers. `masses` names the masses.
+/// Runs the stepper of one scene. `input` makes an input from three random numbers, and `masses` names the masses.
 macro_rules! run {
     ($scene:ident, $dt:expr, $steps:expr, |$random:ident| $input:expr, [$($mass:ident),*]) => {{
         let mut random = Random(88_172_645_463_325_252);

@@ -1,5 +1,5 @@
-//! Measures the time of limits and amplitudes, computed with the searches of an earlier commit. The main program
-//! alternates these measurements with its own.
+//! Measures the time of limits and amplitudes, computed with the searches of an earlier commit. The program `trade`
+//! starts this program, and alternates its measurements with its own.
 //!
 //! Reads requests line by line, and answers each request with one line:
 //!
@@ -29,7 +29,7 @@ use std::time::Instant;
 
 type Failure = Box<dyn std::error::Error>;
 
-/// Every scene in double precision, with the function that computes its quantities.
+/// All scenes in double precision, each with the function that computes its quantities.
 struct Scenes(Vec<(Label, Fill<f64>)>);
 
 impl Visitor for Scenes {
@@ -49,7 +49,7 @@ fn pair(text: &str) -> Result<Pair<f64>, Failure> {
     Ok([r.parse()?, beta.parse()?])
 }
 
-/// The scene that is being timed, and its points.
+/// The scene that is being timed, with the points at which it is called.
 struct Chosen<'a> {
     fill: &'a Fill<f64>,
     points: Vec<Pair<f64>>,

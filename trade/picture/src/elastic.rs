@@ -8,13 +8,13 @@ const CAPTION: &str = "Down and to the left is better.  The error is the relativ
     reference is the same solver in double-double.  Numbers beside marks are the odd harmonics of harmonic balance, and \
     the change between cycles at which the event stepper ends.";
 
-/// Smallest error in the picture, half a rounding of a double.
+/// Smallest error that the picture shows: half a rounding unit of a double.
 const ROUNDING: f64 = 1.1e-16;
 
-/// Factors on time and error from a mark to its note, and the end of the note at that place.
+/// Position of the note beside a mark: two factors on time and error of the mark, and which end of the note is there.
 type Place = (f64, f64, Anchor);
 
-/// Name in the table, name in the picture, colour, mark and place of notes of each method.
+/// How the picture shows each method: name in the table, name in the picture, colour, mark and place of its notes.
 const LOOKS: [(&str, &str, usize, Marker, Place); 3] = [
     (
         "frictiongen",
@@ -39,7 +39,7 @@ const LOOKS: [(&str, &str, usize, Marker, Place); 3] = [
     ),
 ];
 
-/// Returns a setting as text: 10⁻³ for 1e-3.
+/// Formats the setting of a method for a note, such as 10⁻³ for 1e-3.
 fn words(setting: &str) -> String {
     match setting {
         "1e-3" => "10⁻³".to_owned(),
@@ -49,13 +49,13 @@ fn words(setting: &str) -> String {
     }
 }
 
-/// A row of the table.
+/// A row of the table: the time and the error of one method with one setting.
 #[derive(Debug, PartialEq)]
 struct Row {
     scene: String,
     by: String,
     setting: String,
-    /// Time in ms.
+    /// Time of a steady state, in ms.
     time: f64,
     error: f64,
 }
@@ -78,7 +78,7 @@ fn rows(table: &str) -> Result<Vec<Row>, Box<dyn std::error::Error>> {
     Ok(rows)
 }
 
-/// Writes the picture of a table to a folder.
+/// Draws a table as a picture, and writes it to a folder.
 ///
 /// # Errors
 /// Fails if the table cannot be read, or if the folder cannot be written to.

@@ -17,10 +17,10 @@ const CAPTION: &str = "Down and to the left is better.  A mark is one way with o
     mode, monoharmonic and fundamental are shown compiled to f64 alone, per mode without one mass, where it is exact; \
     the stepper without a damped base, which is another scene to it.";
 
-/// Smallest ratio of the end points of an error axis.
+/// Smallest ratio of the upper to the lower end of an error axis.
 const LEAST_SPAN: f64 = 40.0;
 
-/// Name and mark of one method in the picture.
+/// How the picture shows one method: its name and its mark.
 struct Look {
     /// First characters of the method's name in the table.
     by: &'static str,
@@ -73,7 +73,7 @@ impl Look {
     }
 }
 
-/// Writes the picture of a table to a folder, wide and narrow.
+/// Draws a table as a picture for a wide and for a narrow page, and writes both to a folder.
 ///
 /// # Errors
 /// Fails if the table cannot be read, or if the folder cannot be written to.
@@ -136,7 +136,8 @@ fn panel(question: &Question, times: &Axis, pools: &[Pool]) -> Panel {
     panel
 }
 
-/// Returns an axis that shows all errors. It spans at least [`LEAST_SPAN`], so that similar errors look similar.
+/// Returns an axis that shows all given errors. Its ends have at least the ratio [`LEAST_SPAN`], so that similar
+/// errors look similar.
 fn errors(all: impl Iterator<Item = f64>) -> Axis {
     let mut axis = Axis::fitted_log("relative error  (← more exact)", all);
     let missing = (LEAST_SPAN / (axis.high / axis.low)).max(1.0).sqrt();
@@ -145,7 +146,7 @@ fn errors(all: impl Iterator<Item = f64>) -> Axis {
     axis
 }
 
-/// Returns the note beside a mark, or `None` if the panel lacks the mark.
+/// Returns the note beside a mark, or `None` if the panel does not show the mark.
 fn note(beside: &Beside, inside: &[&Pool]) -> Option<Note> {
     let (by, answer, masses) = beside.of;
     let mark = inside

@@ -1,21 +1,21 @@
-//! Combines rows of `trade.csv` into the marks of the picture.
+//! Combines the rows of `trade.csv` into the marks of the picture.
 
 /// One mark of the picture: one method for one answer with one number of masses, over all contacts and dampings.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Pool {
     /// Name of the method.
     pub by: String,
-    /// Name of the answer.
+    /// Name of the computed quantity.
     pub answer: String,
     /// Number of masses.
     pub masses: usize,
-    /// Median of the scenes' times, ns.
+    /// Median of the times over the scenes, in ns.
     pub time: f64,
-    /// Largest relative error of the scenes at usual points.
+    /// Largest relative error over the scenes, at usual points.
     pub error: f64,
 }
 
-/// Names of the columns that the picture uses.
+/// Names of the columns of `trade.csv` that the picture uses.
 const COLUMNS: [&str; 7] = [
     "scene",
     "masses",
@@ -72,7 +72,8 @@ pub fn pools(table: &str) -> Result<Vec<Pool>, String> {
     Ok(pools)
 }
 
-/// Parses a row. Returns `None` if it has no time or no error, or if its answer belongs to another scene.
+/// Parses a row of `trade.csv`. Returns `None` if the row has no time or no error, or if its value belongs to another
+/// scene.
 fn row(line: &str, places: &[usize]) -> Result<Option<Row>, String> {
     let cells = cells(line);
     let cell = |index: usize| cells.get(places[index]).map_or("", String::as_str);
@@ -84,7 +85,8 @@ fn row(line: &str, places: &[usize]) -> Result<Option<Row>, String> {
     };
     let (scene, by, answer) = (cell(0), cell(3), cell(4));
     let (masses, zeta, time, error) = (number(1)?, number(2)?, number(5)?, number(6)?);
-    // The event stepper damps the motion relative to the base, which makes another scene.
+    // The event stepper damps the motion relative to the base. With damping and a moving base it therefore computes
+    // another scene.
     let other = by == "C event stepper" && scene.starts_with("Base") && zeta > 0.0;
     let shown = time > 0.0 && time.is_finite() && error.is_finite() && !other;
     Ok(shown.then(|| Row {
@@ -96,7 +98,7 @@ fn row(line: &str, places: &[usize]) -> Result<Option<Row>, String> {
     }))
 }
 
-/// Returns the cells of a line. A comma within quotes is part of a cell.
+/// Splits a line of a CSV file into its cells. A comma within quotes belongs to a cell.
 fn cells(line: &str) -> Vec<String> {
     let mut cells = vec![String::new()];
     let mut quoted = false;

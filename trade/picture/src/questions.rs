@@ -1,4 +1,4 @@
-//! Panels of the picture: the answers that each panel shows, and its notes.
+//! The panels of the picture: which methods and quantities each panel shows, and its notes.
 
 use frictiongen_plot::Anchor;
 
@@ -8,15 +8,15 @@ pub struct Question {
     pub title: &'static str,
     /// Height of the panel's frame, in pixels.
     pub height: f64,
-    /// Returns true if the panel shows a method, an answer and a number of masses.
+    /// Returns true if the panel shows the method, the quantity and the number of masses in the arguments.
     pub shows: fn(&str, &str, usize) -> bool,
     /// Notes in the panel.
     pub notes: &'static [Beside],
 }
 
-/// A note that stands beside a mark.
+/// A note beside a mark of a panel.
 pub struct Beside {
-    /// Method, answer and number of masses of the mark.
+    /// Method, quantity and number of masses of the mark.
     pub of: (&'static str, &'static str, usize),
     /// Text of the note.
     pub text: &'static str,
@@ -44,13 +44,13 @@ impl Beside {
         }
     }
 
-    /// Makes this a note about all methods near the mark, without the colour of one method.
+    /// Returns the same note without the colour of a method, because it is about all methods near the mark.
     const fn about_all(mut self) -> Self {
         self.coloured = false;
         self
     }
 
-    /// Creates a note above or below the mark.
+    /// Creates a note that is centred above or below the mark.
     const fn centred(
         of: (&'static str, &'static str, usize),
         text: &'static str,
@@ -77,7 +77,7 @@ fn is_balance(by: &str) -> bool {
     by.starts_with("harmonic balance")
 }
 
-/// All panels. The two panels of a row share a time axis.
+/// All panels of the picture. Two panels of a row have the same time axis.
 pub const ALL: [Question; 6] = [
     Question {
         title: "**(a)** both limits, exact and from tables",
@@ -93,7 +93,8 @@ pub const ALL: [Question; 6] = [
     Question {
         title: "**(b)** both limits, approximate",
         height: 300.0,
-        // With one mass the limit per mode is exact, so that this panel of approximations leaves it out.
+        // With one mass the limit per mode is exact. This panel shows approximations only, so it leaves that limit
+        // out.
         shows: |by, answer, masses| {
             answer == WITHOUT || (answer == PER_MODE && by == OURS && masses > 1)
         },
@@ -142,7 +143,7 @@ pub const ALL: [Question; 6] = [
     Question {
         title: "**(e)** amplitude in the contact, no stops",
         height: 230.0,
-        // The event stepper gives only the amplitude of the contact.
+        // The event stepper computes only the amplitude of the contact.
         shows: |by, answer, _| answer == CONTACT || (answer == AMPLITUDE && by == STEPPER),
         notes: &[
             Beside::centred((STEPPER, AMPLITUDE, 1), "1", 8.0),

@@ -8,12 +8,13 @@ use crate::methods::Method;
 use crate::tabled::{Refused, USUAL};
 use std::fmt::{Result as Written, Write};
 
-/// Aims for both limits from tables: the earlier searches take this many times as long, and so do limits without
-/// search.
+/// Smallest ratios that are aimed for, of another time to the time of both limits from tables. The first is for the
+/// earlier searches, the second for limits without search.
 const LIMITS: [f64; 2] = [100.0, 3.0];
-/// Aim for the contact's amplitude of five damped masses: the earlier program takes this many times as long.
+/// Smallest ratio that is aimed for in five damped masses, of the time of the earlier program to that of the
+/// contact's amplitude from tables.
 const CONTACT: f64 = 50.0;
-/// Typical scenes, by name and modal damping ratio ζ.
+/// Typical scenes, each with its name and its modal damping ratio ζ.
 const TYPICAL: [(&str, f64); 4] = [
     ("Wall1", 0.02),
     ("Base2", 0.0),
@@ -22,7 +23,7 @@ const TYPICAL: [(&str, f64); 4] = [
 ];
 const CHOICES: [u8; 5] = [2, 3, 4, 6, 9];
 
-/// Writes the whole section.
+/// Writes the section on tables of a declared accuracy.
 pub fn declared(measure: &Measure, text: &mut String) -> Written {
     let rows = &measure.rows;
     text.push_str("## Against declared accuracies\n\nIn this section the scenes have `accuracy` and `range: { r: 0.2..2.5 }`, so that piecewise polynomials replace the formulas.  The column `table` is the time from r to both limits, or to the contact's amplitude.  `before` is the time of the earlier searches, and `exact now` that of the present ones.  A ratio is the time to its left divided by the time of the table.  `bytes` is the size of pieces, buckets, zeros and poles.  `comparisons` is the number of comparisons that find a piece.  `error` is the largest difference from double-double at the points of the clock and the usual points.\n\n");
@@ -40,13 +41,13 @@ fn exponent(row: &Row) -> Option<u8> {
     }
 }
 
-/// Returns the rows of tables, each with the exponent of its accuracy.
+/// Returns the rows of results from tables for one quantity. Each comes with the number n of its accuracy 10⁻ⁿ.
 fn tables(rows: &[Row], method: Method) -> impl Iterator<Item = (&Row, u8)> {
     let of_method = rows.iter().filter(move |row| row.method == method);
     of_method.filter_map(|row| Some((row, exponent(row)?)))
 }
 
-/// Formats the largest error. Marks an error that is beyond the accuracy.
+/// Formats the largest error of a row. An error that exceeds the accuracy 10⁻ⁿ is marked, where n is `exponent`.
 fn error(row: &Row, exponent: u8) -> String {
     let worst = row.error.worst();
     let within = worst <= 10_f64.powi(-i32::from(exponent));
@@ -60,13 +61,13 @@ fn size(row: &Row) -> String {
     figures.unwrap_or_else(|| " |  | ".to_owned())
 }
 
-/// Returns the median time of another method, and its ratio to the time of a row.
+/// Returns the median time of another method for the scene of a row, and its ratio to the time of the row.
 fn over(rows: &[Row], row: &Row, by: By, method: Method) -> Option<(f64, f64)> {
     let other = of(rows, row, by, method)?;
     Some((other.time.median, other.time.median / row.time.median))
 }
 
-/// Formats time and ratio as two columns.
+/// Formats a time and a ratio as two columns of a table. Both are empty for `None`.
 fn columns(compared: Option<(f64, f64)>) -> String {
     compared.map_or_else(
         || " | ".to_owned(),

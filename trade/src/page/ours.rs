@@ -8,13 +8,14 @@ use crate::methods::Method;
 use crate::tails::{RANGE, Tail};
 use std::fmt::{Result as Written, Write};
 
-/// Largest allowed time of a run-time system over that of the emitted scene.
+/// Largest ratio that is allowed, of the time of a run-time `System` to that of the emitted scene.
 const RUN_TIME: f64 = 1.2;
-/// Largest allowed times over the median time. The first one holds for all but a thousandth of the calls, the second
-/// one for all calls.
+/// Largest ratios that are allowed, of the time of a call to the median time. The first holds for all but a
+/// thousandth of the calls, the second for all calls.
 const TAILS: [f64; 2] = [10.0, 40.0];
 
-/// Returns the aim for exact limits: the earlier searches take this many times as long, for a number of masses.
+/// Returns the smallest ratio that is aimed for, of the time of the earlier searches to that of the present ones.
+/// `None` if there is no aim.
 fn aim_against_before(masses: usize, method: Method) -> Option<f64> {
     match (method, masses) {
         (Method::Limits, 1) => Some(4.0),
@@ -24,7 +25,7 @@ fn aim_against_before(masses: usize, method: Method) -> Option<f64> {
     }
 }
 
-/// Writes the section on the times of the earlier searches over those of the present ones.
+/// Writes the section that compares the earlier searches with the present ones.
 pub fn before(rows: &[Row], text: &mut String) -> Written {
     text.push_str("## Against the searches before\n\n");
     if !rows.iter().any(|row| row.by == By::Before) {
@@ -59,7 +60,7 @@ pub fn before(rows: &[Row], text: &mut String) -> Written {
     )
 }
 
-/// Writes the section on the times of the run-time `System` over those of emitted scenes.
+/// Writes the section that compares the run-time `System` with emitted scenes.
 pub fn run_time(rows: &[Row], text: &mut String) -> Written {
     let mut aims = Tally::default();
     let mut table = Table::of_scenes(
@@ -95,7 +96,7 @@ pub fn run_time(rows: &[Row], text: &mut String) -> Written {
     )
 }
 
-/// Writes the section on the slowest calls of exact limits.
+/// Writes the section on the slowest calls that compute exact limits.
 pub fn tails(tails: &[Tail], text: &mut String) -> Written {
     let points = tails.first().map_or(0, |tail| tail.points);
     let [low, high] = RANGE;
@@ -128,7 +129,7 @@ pub fn tails(tails: &[Tail], text: &mut String) -> Written {
     writeln!(text, "{table}")
 }
 
-/// Writes the section on the cost of limits without search, and the operations that they need at least.
+/// Writes the section on the operations and the time of limits without search.
 pub fn floor(rows: &[Row], text: &mut String) -> Written {
     let mut table =
         Table::of_scenes("a call | C | operations | ÷ | √ | sin and cos | exp and its like");

@@ -7,24 +7,25 @@ use std::fmt::{self, Display};
 pub struct Table(String);
 
 impl Table {
-    /// Creates a table without rows. `columns` has the names of the columns, with bars between them.
+    /// Creates a Markdown table without rows. `columns` gives the names of the columns, separated by bars.
     pub fn new(columns: &str) -> Self {
         let rule = "|---".repeat(1 + columns.matches('|').count());
         Self(format!("| {columns} |\n{rule}|\n"))
     }
 
-    /// Creates a table whose rows begin with the name and the damping of a scene.
+    /// Creates a Markdown table whose rows begin with the name and the damping of a scene. `columns` gives the names
+    /// of the other columns.
     pub fn of_scenes(columns: &str) -> Self {
         Self::new(&format!("scene | ζ | {columns}"))
     }
 
-    /// Adds a row. A bar within a cell splits the cell into two.
+    /// Adds a row to the table. A bar within a cell splits it into two cells.
     pub fn row(&mut self, cells: &[&dyn Display]) {
         self.0.extend(cells.iter().map(|cell| format!("| {cell} ")));
         self.0.push_str("|\n");
     }
 
-    /// Adds a row that begins with the name and the damping of a scene.
+    /// Adds a row to the table that begins with the name and the damping of a scene.
     pub fn scene(&mut self, label: &Label, cells: &[&dyn Display]) {
         let scene: [&dyn Display; 2] = [&label.name, &label.zeta];
         self.row(&[&scene, cells].concat());
@@ -37,7 +38,7 @@ impl Display for Table {
     }
 }
 
-/// Number of results that have an aim, and number of results that missed their aim.
+/// Counts the results that have an aim, and those that missed their aim.
 #[derive(Default)]
 pub struct Tally {
     all: usize,
@@ -45,7 +46,7 @@ pub struct Tally {
 }
 
 impl Tally {
-    /// Counts a result. Returns the text of its verdict.
+    /// Counts a result, and returns the text that says whether it reached its aim.
     pub fn judge(&mut self, reached: bool) -> &'static str {
         self.all += 1;
         self.missed += usize::from(!reached);

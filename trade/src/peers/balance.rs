@@ -7,16 +7,16 @@ use nalgebra::{DMatrix, DVector};
 use num_complex::Complex;
 use std::f64::consts::PI;
 
-/// Highest harmonics of the compared expansions.
+/// Highest harmonics of the expansions that are compared.
 pub const ORDERS: [usize; 4] = [1, 3, 9, 25];
-/// Ratio of ε to the largest velocity without friction.
+/// The width ε of the regularised friction force, divided by the largest velocity without friction.
 const WIDTH: f64 = 0.02;
 const MOST_STEPS: usize = 60;
 const REPEATS: f64 = 1e-10;
-/// Smallest fraction of a Newton step that is tried.
+/// Smallest fraction of a step of Newton's method that is tried.
 const SHORTEST: f64 = 1.0 / 64.0;
 
-/// Computes the amplitude of the observed mass with harmonics up to `order`.
+/// Creates the function that computes the amplitude of the observed mass with harmonics up to `order`.
 pub fn filler(modal: Modal, order: usize) -> Fill<f64> {
     let half = Half::new(order);
     Box::new(move |method, points, out| {
@@ -29,8 +29,8 @@ pub fn filler(modal: Modal, order: usize) -> Fill<f64> {
     })
 }
 
-/// Returns the response of the modes at r: the sum of `shares` over 1 − (nR)² + 2iζnR, where R is the frequency ratio
-/// of a mode.
+/// Returns the response of a motion to a harmonic force at the frequency ratio r. It is the sum over the modes of
+/// their shares, each divided by 1 − R² + 2iζR. R is r divided by the natural frequency ratio of the mode.
 fn response(modal: &Modal, shares: &[f64], r: f64) -> Complex<f64> {
     let terms = shares.iter().zip(&modal.root).map(|(share, root)| {
         let ratio = r / root;
@@ -39,7 +39,7 @@ fn response(modal: &Modal, shares: &[f64], r: f64) -> Complex<f64> {
     terms.sum()
 }
 
-/// Samples of half a cycle: the values e^{int} for each sample and harmonic.
+/// Samples of half a cycle. For each sample and each harmonic n they have the value e^{int}.
 struct Half {
     orders: Vec<usize>,
     waves: Vec<Vec<Complex<f64>>>,
@@ -104,7 +104,8 @@ fn amplitude(modal: &Modal, half: &Half, r: f64, beta: f64) -> Option<f64> {
     None
 }
 
-/// Returns, at the samples, the friction force over β and its derivative with respect to the velocity.
+/// Returns a pair of numbers at each sample: the friction force divided by β, and its derivative with respect to the
+/// velocity.
 fn force(half: &Half, width: f64, z: &[Complex<f64>]) -> Vec<(f64, f64)> {
     let velocity = |waves: &Vec<Complex<f64>>| -> f64 {
         let terms = waves.iter().zip(z).zip(&half.orders);
@@ -128,7 +129,7 @@ fn coefficient(half: &Half, force: &[(f64, f64)], index: usize) -> Complex<f64> 
     terms.sum::<Complex<f64>>() * (2.0 / half.waves.len() as f64)
 }
 
-/// Returns the residual of the balance and its derivative, for given harmonics.
+/// Returns the residual of the harmonic balance and its derivative, for given harmonics.
 fn balanced(
     half: &Half,
     receptances: &[Complex<f64>],

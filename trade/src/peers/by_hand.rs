@@ -43,12 +43,12 @@ functions! {
        limits_without_search_damped_10 amplitude_undamped_10 amplitude_damped_10;
 }
 
-/// Quantities that the C program computes.
+/// Quantities that the C functions compute.
 pub const METHODS: [Method; 3] = [Method::Limits, Method::WithoutSearch, Method::Amplitude];
 
-/// Creates the function that computes the quantities in C.
+/// Creates the function that computes the quantities with the C functions.
 pub fn filler(modal: &Modal) -> Fill<f64> {
-    // The data are the members of `Thesis` in order.
+    // The numbers follow the order of the members of `Thesis` in C.
     let mut data = Vec::new();
     for part in [
         &modal.root,

@@ -10,30 +10,31 @@ pub mod textbook;
 use crate::scenes::Label;
 use frictiongen::System;
 
-/// Modal data of a scene, in the form that the other programs take.
+/// Modal data of a scene, as the other programs take them.
 #[derive(Clone, Debug)]
 pub struct Modal {
-    /// Natural frequency ratios √λ.
+    /// Natural frequency ratios √λ of the modes.
     pub root: Vec<f64>,
-    /// Residues from the load to the relative motion in the contact.
+    /// Residues of the modes, from the load to the relative motion in the contact.
     pub load: Vec<f64>,
-    /// Residues from friction to the relative motion in the contact.
+    /// Residues of the modes, from friction to the relative motion in the contact.
     pub friction: Vec<f64>,
-    /// Residues from the load to the observed mass.
+    /// Residues of the modes, from the load to the observed mass.
     pub far_load: Vec<f64>,
-    /// Residues from friction to the observed mass.
+    /// Residues of the modes, from friction to the observed mass.
     pub far_friction: Vec<f64>,
-    /// Squares (φᵀw)² of the modes' components in the contact.
+    /// Squares (φᵀw)² of the mode shapes φ in the direction w of the contact.
     pub share: Vec<f64>,
-    /// Coefficient of the base motion in the relative motion.
+    /// Coefficient of the base's motion in the relative motion of the contact.
     pub base: f64,
-    /// Inverse effective mass of the contact, wᵀΓ⁻¹w.
+    /// Inverse wᵀΓ⁻¹w of the effective mass of the contact, with its direction w.
     pub inverse_mass: f64,
     /// Damping ratio of every mode.
     pub zeta: f64,
 }
 
-/// Returns the load vector, the direction vector of the contact, and the coefficient of the base motion.
+/// Returns the load vector of a scene, the direction vector w of its contact, and the coefficient of the base's
+/// motion in the contact.
 pub fn vectors(label: &Label) -> (Vec<f64>, Vec<f64>, f64) {
     let n = label.masses;
     let unit = |i: usize| -> Vec<f64> { (0..n).map(|k| f64::from(u8::from(k == i))).collect() };

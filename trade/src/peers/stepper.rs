@@ -4,19 +4,19 @@ use crate::clock::Time;
 use crate::scenes::Label;
 use std::process::Command;
 
-/// Upper bound on the number of cycles. In an undamped scene only friction damps the transient, which takes thousands
+/// Largest number of cycles of a run. In an undamped scene only friction damps the transient, which takes thousands
 /// of cycles.
 const MOST_CYCLES: &str = "2000";
 
 /// Result of a run of the event stepper.
 pub struct Run {
-    /// Time of the run, ns.
+    /// Time of the whole run, in ns.
     pub time: f64,
-    /// Amplitude |z̄| in the contact in the last cycle.
+    /// Amplitude |z̄| of the contact in the last cycle of the run.
     pub amplitude: f64,
 }
 
-/// Runs the stepper. Returns `None` for a contact that the stepper does not support.
+/// Runs the event stepper for a scene at the point (r, β). Returns `None` for a contact that it does not support.
 pub fn run(label: &Label, [r, beta]: [f64; 2]) -> Option<Run> {
     let (contact, excited) = match &label.name[..4] {
         "Wall" => (label.masses, 1),
@@ -41,7 +41,7 @@ pub fn run(label: &Label, [r, beta]: [f64; 2]) -> Option<Run> {
     })
 }
 
-/// Returns median and shortest time over all runs.
+/// Returns the median and the shortest time of several runs.
 pub fn time(runs: &[Run]) -> Time {
     let mut times: Vec<f64> = runs.iter().map(|run| run.time).collect();
     times.sort_by(f64::total_cmp);

@@ -1,5 +1,5 @@
-//! The textbook method. It solves a new eigenproblem at each r, because the thesis's mode shapes contain r, and then
-//! evaluates the printed sums.
+//! The textbook method. The mode shapes of the thesis contain the frequency ratio r. The method therefore solves a
+//! new eigenproblem at each r, and then computes the printed sums.
 
 use super::{dot, vectors};
 use crate::methods::{Fill, Method};
@@ -11,7 +11,7 @@ use std::f64::consts::PI;
 /// Quantities that the textbook method computes.
 pub const METHODS: [Method; 1] = [Method::WithoutSearch];
 
-/// Computes both limits without search. With equal masses Γ is the identity.
+/// Creates the function that computes both limits without search. With equal masses the matrix Γ is the identity.
 pub fn filler(label: Label) -> Fill<f64> {
     let n = label.masses;
     let stiffness = DMatrix::from_fn(n, n, |i, k| match i.abs_diff(k) {

@@ -1,4 +1,4 @@
-//! Scenes of a declared accuracy, whose limits and contact amplitude come from tables.
+//! Scenes of a declared accuracy. Their limits and the amplitude of their contact come from tables.
 
 mod scenes;
 
@@ -8,27 +8,27 @@ use frictiongen::System;
 use frictiongen::study::scene::Side;
 use frictiongen::study::table::{Request, TableError, Tables};
 
-/// Range of frequency ratios of the tables.
+/// Range of frequency ratios r that the tables cover.
 const RANGE: (f64, f64) = (0.2, 2.5);
-/// Exponent of the finest accuracy, 10⁻¹². Not every scene can reach it. Its tables are built at run time.
+/// The number n of the finest accuracy 10⁻ⁿ. Not every scene can reach it. Its tables are built at run time.
 pub const FINEST: u8 = 12;
-/// Exponent of the accuracy that the page uses most, 10⁻⁴.
+/// The number n of the accuracy 10⁻ⁿ that the page uses most.
 pub const USUAL: u8 = 4;
 
-/// Size of a table, and the cost of a look-up.
+/// Size of a table, and number of comparisons of a look-up.
 #[derive(Clone, Copy, Debug)]
 pub struct Figures {
-    /// Bytes of pieces, buckets, zeros and poles.
+    /// Number of bytes of the table: those of its pieces, buckets, zeros and poles.
     pub bytes: usize,
-    /// Number of pieces.
+    /// Number of pieces of the table.
     pub pieces: usize,
-    /// Number of comparisons that find a piece.
+    /// Number of comparisons by which a look-up finds a piece.
     pub comparisons: u32,
 }
 
 /// One table of a scene.
 pub struct Tabled {
-    /// Exponent of the accuracy. The accuracy is 10 to the minus this exponent.
+    /// The number n of the table's accuracy 10⁻ⁿ.
     pub exponent: u8,
     /// Quantity that the table contains.
     pub method: Method,
@@ -43,9 +43,9 @@ pub struct Tabled {
 pub struct Refused {
     /// Scene without such tables.
     pub label: Label,
-    /// Frequency ratio at which the accuracy is missed.
+    /// Frequency ratio at which the tables miss the accuracy.
     pub at: f64,
-    /// Finest accuracy that can be reached.
+    /// Finest accuracy that the tables of the scene can reach, if it is known.
     pub reached: Option<f64>,
 }
 
@@ -67,8 +67,8 @@ fn figures(tables: &Tables<f64>) -> Figures {
     }
 }
 
-/// Returns the tables of a scene, and the reason if the finest accuracy is refused. All tables except the finest are
-/// emitted.
+/// Returns the tables of a scene. If the finest accuracy is refused, also returns the reason. All tables except the
+/// finest are emitted.
 pub fn of(label: &Label, system: &System) -> (Vec<Tabled>, Option<Refused>) {
     let (limits, contact) = scenes::emitted(label.name, label.zeta > 0.0).expect("a scene");
     let figures_of = |exponent, motion| {
@@ -90,7 +90,7 @@ pub fn of(label: &Label, system: &System) -> (Vec<Tabled>, Option<Refused>) {
         fill: contact,
         figures: figures_of(USUAL, true),
     });
-    // The leak lets jobs own the functions that they call. The leaked system lives until the program ends.
+    // Jobs need functions that live as long as the program. The leaked system does.
     let system: &'static System = Box::leak(Box::new(system.clone()));
     let refused = match system.compile_for(request(FINEST, false)) {
         Ok(built) => {

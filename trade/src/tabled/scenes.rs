@@ -1,4 +1,4 @@
-//! The chains, emitted with tables over r = 0.2 to 2.5, in double precision.
+//! The chains in double precision, emitted with tables over the frequency ratios from 0.2 to 2.5.
 
 use crate::methods::{Fill, each, limits};
 use frictiongen::{FrictionSystem, LimitsAt};
@@ -13,8 +13,8 @@ macro_rules! tabled {
             tabled!(@accuracies [modal(0.02)]; $($name $body)*);
         }
 
-        /// Returns the emitted tables of a scene by name: those of limits with the exponents of their accuracies, and
-        /// that of the contact's amplitude to 1e-4.
+        /// Returns the emitted tables of the scene with this name: those of both limits, each with the number n of
+        /// its accuracy 10⁻ⁿ, and that of the contact's amplitude to 1e-4.
         pub fn emitted(name: &str, damped: bool) -> Option<(Vec<(u8, Fill<f64>)>, Fill<f64>)> {
             $(
                 if name == stringify!($name) {
@@ -75,7 +75,7 @@ macro_rules! tabled {
 
 chains!(tabled);
 
-/// Computes both limits of a system.
+/// Creates the function that computes both limits of a system.
 pub fn both<F>(system: F) -> Fill<f64>
 where
     F: FrictionSystem<Scalar = f64> + 'static,
@@ -83,7 +83,7 @@ where
     Box::new(move |_, points, out| limits(&system, points, out, |at| at.continuous_limit()))
 }
 
-/// Computes the amplitude of the contact at r and β.
+/// Creates the function that computes the amplitude of the contact at each point (r, β).
 fn contact(amplitude: impl Fn(f64, f64) -> Option<f64> + 'static) -> Fill<f64> {
     Box::new(move |_, points, out| {
         each(points, out, |[r, beta]| Some([amplitude(r, beta)?; 2]));

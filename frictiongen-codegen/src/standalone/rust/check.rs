@@ -18,7 +18,7 @@ pub(super) fn imported<S: Float>(source: &Source<'_, S>) -> &'static str {
     }
 }
 
-/// Writes the checksums and the known answers.
+/// Writes the constants of the self-check: the checksums of the tables' numbers, and the known answers.
 pub(super) fn numbers<S: Float>(source: &Source<'_, S>, formulas: &Formulas) -> String {
     let numbers = formulas.numbers;
     let NumberFormat { real, .. } = numbers;

@@ -35,8 +35,7 @@ const DIFFERENCE: f64 = 1e-9;
 const MOVED: f64 = 4.1;
 /// A number slightly smaller than ½, for lower bounds on two distances. `at` is the number of the scalar type nearest
 /// to a zero y. First, every other number of the type is at least half a spacing away from y. Second, if the
-/// difference r − at is not exact,
-/// r − at| exceeds half of `at`.
+/// difference between r and `at` is not exact, its modulus exceeds half of `at`.
 const WITHIN_HALF: f64 = 0.45;
 /// Bound on |B|/(B² + 4x²y²) in units of 1/(xy), slightly enlarged, for a zero x + iy with B = (r − y)(r + y) + x².
 /// It follows from B² + 4x²y² ≥ 4xy|B|, which makes the quotient at most ¼/(xy).

@@ -34,8 +34,8 @@ pub(super) struct Factored {
     /// The gain, the constant in N = gain·Π(v − z_j)·(1 + δ). N is the numerator of the sum, and z_j are the given
     /// zeros.
     pub gain: Ball,
-    /// Bound on |δ| in N = gain·Π(v − z_j)·(1 + δ), without the contributions of the zeros. Each zero contributes its
-    /// weight, divided by the distance of v from the zero.
+    /// Bound on |δ| in N = gain·Π(v − z_j)·(1 + δ), without the contributions of the zeros z_j. N is the numerator of
+    /// the sum and v its variable. Each zero contributes its weight, divided by the distance of v from the zero.
     pub tail: f64,
     /// The zeros, each with the weight of its remainder.
     pub zeros: Vec<(Zero, f64)>,

@@ -16,9 +16,8 @@ const ENOUGH: f64 = 0.25;
 /// Smallest weight, as a fraction of the largest weight. A weight of zero could not grow.
 const FAINT: f64 = 1e-9;
 
-/// Returns the smallest k that the fit finds such that some displacements δ of the inputs with |δ_j| ≤ k leave
-/// residuals
-/// b_i − Σ a_ij δ_j| ≤ k. The fit stops at a k well below the accepted error `bar`.
+/// Returns the smallest k that the fit finds such that some displacements δ of the inputs with |δ_j| ≤ k leave every
+/// residual |b_i − Σ a_ij δ_j| at most k. The fit stops at a k well below the accepted error `bar`.
 ///
 /// It is a Chebyshev fit by Lawson's iteration, which is weighted least squares whose weights grow with the residuals.
 /// Every δ proves its own k, so the result is an upper bound.

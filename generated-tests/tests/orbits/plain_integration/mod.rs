@@ -5,10 +5,10 @@
 //! the transient has died out. For undamped scenes Newton's method finds the periodic state on the half-period map of
 //! the same integration.
 //!
-//! With [`STEPS`] steps in a half period, the phase of the fastest mode of the compared scenes changes by less than
-//! 4e-3 rad in a step. The error of the Runge-Kutta method is then about 1e-11. The tests also assert that the
-//! remaining transient, or Newton's residual, is below 1e-11. The instants of reversals and the displacements then
-//! agree within 1e-11, and [`TOLERANCE`] leaves one more digit.
+//! With [`equations::STEPS`] steps in a half period, the phase of the fastest mode of the compared scenes changes by
+//! less than 4e-3 rad in a step. The error of the Runge-Kutta method is then about 1e-11. The tests also assert that
+//! the remaining transient, or Newton's residual, is below 1e-11. The instants of reversals and the displacements
+//! then agree within 1e-11, and [`TOLERANCE`] leaves one more digit.
 
 mod boundaries;
 mod equations;

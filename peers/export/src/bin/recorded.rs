@@ -6,7 +6,7 @@ frictiongen::friction_system!("shaken.friction");
 frictiongen::friction_system!("pushed.friction");
 frictiongen::friction_system!("held.friction");
 
-/// Random numbers by xorshift (Marsaglia 2003).
+/// Random numbers from a xorshift generator (Marsaglia 2003). The number in it is the state.
 struct Random(u64);
 
 impl Random {
@@ -19,7 +19,8 @@ impl Random {
     }
 }
 
-/// Runs one scene from an initial state. Each input has its name in the FMU, its field and its scale.
+/// Runs the stepper of one scene from an initial state. Each input comes with its name in the FMU, its field in Rust
+/// and its scale.
 macro_rules! run {
     (
         $scene:ident, $input:ident, $steps:expr, $real:ty,

@@ -1,4 +1,4 @@
-//! Times of a step without event, of a step with one event, and of the slowest step under violent loads.
+//! Measures the times of a step without event, of a step with one event, and of the slowest step under violent loads.
 
 use crate::run::median;
 use crate::scenes;
@@ -7,18 +7,19 @@ use std::fmt::Write;
 use std::hint::black_box;
 use std::time::Instant;
 
-/// Length of a step in units of √(m/k). A free oscillation of one mass has 63 steps in a cycle.
+/// Length of a step in units of √(m/k), with mass m and stiffness k. A cycle of a single mass's free oscillation has
+/// 63 steps.
 const STEP: f64 = 0.1;
-/// Number of steps in which the program looks for steps with and without an event.
+/// Number of steps of a run in which the program looks for steps with and without an event.
 const STEPS: usize = 2000;
 /// Number of steps of each kind that are timed.
 const TIMED: usize = 40;
 /// Number of repetitions of each timed step. Each repetition starts from the same state.
 const REPEATS: u32 = 200;
-/// Amplitudes of the load over the friction force: a usual one and a very large one.
+/// Amplitudes of the load, divided by the friction force: a usual one and a very large one.
 const LOADS: [f64; 2] = [3.0, 1e4];
 
-/// Returns the time of a step from a given state in ns, without the time to copy the state.
+/// Returns the time of one step from a given state, in ns. The time of copying the state is subtracted.
 fn time<T: Clone>(state: &T, mut advance: impl FnMut(&mut T)) -> f64 {
     let mut of = |steps: bool| {
         let times = (0..7).map(|_| {
@@ -37,8 +38,8 @@ fn time<T: Clone>(state: &T, mut advance: impl FnMut(&mut T)) -> f64 {
     1e9 * (of(true) - of(false)) / f64::from(REPEATS)
 }
 
-/// Returns three times in ns: the median of steps without an event, the median of steps with one event, and the slowest
-/// step under the very large load. Also returns the number of events of the slowest step.
+/// Returns three times in ns: the median of steps without an event, the median of steps with one event, and the time
+/// of the slowest step under the very large load. The last number is how many events the slowest step had.
 fn kinds<T: Clone>(start: &T, advance: impl Fn(&mut T, f64) -> u32) -> (f64, f64, f64, u32) {
     let mut noise = Random(7);
     let (mut stepper, mut seen) = (start.clone(), [Vec::new(), Vec::new()]);
@@ -85,7 +86,7 @@ macro_rules! row {
     }};
 }
 
-/// Formats a table with one row for each number of masses.
+/// Returns a table of the times of steps, with one row for each number of masses.
 pub fn table() -> Result<String, std::fmt::Error> {
     let mut table = String::from(
         "| masses | no event, ns | one event, ns | the slowest under loads of 10⁴ F, ns |\n|---|---|---|---|\n",

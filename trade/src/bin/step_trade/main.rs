@@ -10,7 +10,7 @@ use run::{Point, Run, in_c, ours};
 use std::f64::consts::TAU;
 use std::fmt::Write;
 
-/// Numbers of steps in a cycle.
+/// Numbers of steps in a cycle of the excitation, with which each method runs.
 const STEPS: [usize; 3] = [50, 200, 1000];
 const BEGIN: &str = "<!-- scripts/step-trade: begin -->\n";
 const END: &str = "<!-- scripts/step-trade: end -->";
@@ -18,7 +18,7 @@ const KINDS: [&str; 2] = [
     "<!-- scripts/step-trade, kinds: begin -->\n",
     "<!-- scripts/step-trade, kinds: end -->",
 ];
-/// Methods of `peers/time_stepping.c`, with their names in the table.
+/// Methods of `peers/time_stepping.c`. Each has its name in the program and its name in the table.
 const IN_C: [(&str, &str); 4] = [
     ("moreau-half", "Moreau–Jean, θ = ½"),
     ("moreau-one", "Moreau–Jean, θ = 1"),
@@ -26,16 +26,17 @@ const IN_C: [(&str, &str); 4] = [
     ("rk4-located", "Runge–Kutta 4, located"),
 ];
 
-/// The exact steady state at a point.
+/// The exact steady state at a point, with which the methods are compared.
 struct Exact {
     amplitude: f64,
     stops: usize,
-    /// Displacement at the end of each step of a cycle, one list for each number of steps.
+    /// Displacement of the contact at the end of each step of a cycle, one list for each number in [`STEPS`].
     displacements: [Vec<f64>; 3],
 }
 
 impl Exact {
-    /// Returns the largest deviation of a run at the ends of its steps, over the amplitude.
+    /// Returns the largest deviation of a run from the exact displacement at the ends of its steps, divided by the
+    /// amplitude.
     fn error(&self, which: usize, run: &Run) -> f64 {
         let pairs = self.displacements[which].iter().zip(&run.displacements);
         pairs.fold(0.0, |worst: f64, (want, found)| {
@@ -49,7 +50,7 @@ impl Exact {
     }
 }
 
-/// Runs a stepper at a point. The arguments name the stepper's type and the type of its input.
+/// Runs a stepper at a point. Two arguments name the stepper's type and the type of its input.
 macro_rules! stepper {
     ($frame:ident, $input:ident, $point:expr, $steps:expr, $runs:expr, $hold:literal) => {{
         let beta = $point.beta;
@@ -77,7 +78,7 @@ macro_rules! stepper {
     }};
 }
 
-/// Computes the exact state and the runs with both kinds of input, for one number of masses.
+/// Computes the exact state at a point, and the runs of all methods, for scenes with one number of masses.
 macro_rules! of {
     ($point:expr, $runs:expr, $line:ident, $line_input:ident, $hold:ident, $hold_input:ident) => {{
         let at = scenes::$line::at($point.r).expect("in the domain");
@@ -164,7 +165,7 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
     Ok(())
 }
 
-/// Returns the page with a new table between its marks.
+/// Returns the page with a new table between its marks `begin` and `end`.
 fn between(page: &str, [begin, end]: [&str; 2], table: &str) -> Result<String, &'static str> {
     let (before, rest) = page.split_once(begin).ok_or("the page has no mark")?;
     let (_, after) = rest.split_once(end).ok_or("the page has no second mark")?;

@@ -1,34 +1,34 @@
-//! A run of one method at one point, with a given number of steps in a cycle.
+//! Runs one method at one point, with a given number of steps in a cycle.
 
 use crate::scenes::RAYLEIGH;
 use std::f64::consts::TAU;
 use std::process::Command;
 use std::time::Instant;
 
-/// Point (number of masses, r, β) at which a method runs.
+/// The point at which a method runs: number of masses, frequency ratio r and friction ratio β.
 #[derive(Clone, Copy, Debug)]
 pub struct Point {
     /// Number of masses.
     pub masses: usize,
-    /// Frequency ratio.
+    /// Frequency ratio r.
     pub r: f64,
-    /// Friction ratio.
+    /// Friction ratio β.
     pub beta: f64,
 }
 
 impl Point {
-    /// Returns the number of cycles after which the transient is below the last digit. No transient decays more slowly
-    /// than e^(−0.01 t).
+    /// Returns the number of cycles after which the transient is smaller than a rounding error. Every transient
+    /// decays at least as fast as e^(−0.01 t).
     pub fn cycles(&self) -> usize {
         let slowest = 0.5 * RAYLEIGH[0];
         (30.0 / (slowest * TAU / self.r)).ceil() as usize
     }
 }
 
-/// Result of a run, from its last cycle.
+/// Result of a run of one method, from the last cycle of the run.
 #[derive(Clone, Debug)]
 pub struct Run {
-    /// Time of a step in ns, the median over the repeated runs.
+    /// Time of a step in ns: the median over the repeated runs.
     pub time: f64,
     /// Number of stops of the contact in the last cycle.
     pub stops: usize,
@@ -36,15 +36,15 @@ pub struct Run {
     pub displacements: Vec<f64>,
 }
 
-/// Returns the median of times.
+/// Returns the median of times, or of other numbers.
 pub fn median(mut times: Vec<f64>) -> f64 {
     times.sort_by(f64::total_cmp);
     times.get(times.len() / 2).copied().unwrap_or(f64::NAN)
 }
 
-/// Runs a stepper of this library. `make` creates one. `advance` takes a step under a force and returns the number of
-/// events. `place` returns the displacement of the contact. Every stop is followed by a break-away, and no point has
-/// reversals, so that half of the events are stops.
+/// Runs a stepper of this library. `make` creates the stepper. `advance` advances it by a step under a force, and
+/// returns the number of events. `place` returns the displacement of the contact. At the points of this program every
+/// stop is followed by a break-away, and the motion has no reversals. Half of the events are therefore stops.
 pub fn ours<T>(
     point: &Point,
     (steps, runs, hold): (usize, usize, bool),
@@ -52,8 +52,8 @@ pub fn ours<T>(
     advance: impl Fn(&mut T, f64) -> u32,
     place: impl Fn(&T) -> f64,
 ) -> Run {
-    // If the force is constant within a step, it has the value at the start of the step. If it is linear, it reaches
-    // the value at the end.
+    // If the force is constant within a step, the stepper gets its value at the start of the step. If it is linear,
+    // the stepper gets its value at the end.
     let first = usize::from(!hold);
     let forces: Vec<f64> = (first..first + steps)
         .map(|step| (TAU * step as f64 / steps as f64).cos())
@@ -84,7 +84,7 @@ pub fn ours<T>(
     }
 }
 
-/// Runs a method in C. The C program measures its own time.
+/// Runs a method of the C program, which measures its own time.
 #[cfg(with_c)]
 pub fn in_c(method: &str, point: &Point, steps: usize, runs: usize) -> Option<Run> {
     let contact = point.masses;

@@ -1,6 +1,7 @@
 //! Chains of equal masses and springs. The last mass rubs on the wall, and the first one is excited.
 
-/// Rayleigh coefficients of the mass matrix and of the stiffness matrix in the scenes below, in units of m and k.
+/// Rayleigh coefficients of the scenes below: of the mass matrix and of the stiffness matrix. With mass m and spring
+/// k as units, both are 0.02.
 pub const RAYLEIGH: [f64; 2] = [0.02, 0.02];
 
 macro_rules! chains {

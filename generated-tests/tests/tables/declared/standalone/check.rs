@@ -82,9 +82,9 @@ fn known_answers_are_right() {
     assert!(seen.iter().all(|count| *count > 0), "{seen:?}");
 }
 
-/// Each tenth of the range of r has a known answer, also above the highest resonance, and also in undamped chains whose
-/// answers depend on rounding at most frequencies. The answers agree with those of the run-time system within the error
-/// that the self-check allows.
+/// Checks that each tenth of the range of r has a known answer. This holds above the highest resonance too. It also
+/// holds in undamped chains, whose answers depend on rounding at most frequencies. The answers agree with those of
+/// the run-time system within the error that the self-check allows.
 #[test]
 fn known_answers_cover_the_range() {
     let chain = |masses: usize, damping: &str| {
