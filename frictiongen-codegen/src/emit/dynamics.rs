@@ -2,9 +2,9 @@
 //! modes of the chain with its contact stuck.
 
 use super::constants::{kind, mode_constants, rubbing};
-use super::emission::{Emission, Wanted, rounded};
+use super::emission::{self, Emission, Wanted, rounded};
 use super::fields::fields;
-use super::{self_check, shapes};
+use super::shapes;
 use frictiongen_kernel::motion::{HeldMode, LOST_MODES};
 use frictiongen_kernel::oscillator::mode::Mode;
 use frictiongen_model::transient::Transient;
@@ -115,7 +115,7 @@ pub(super) fn emit(emission: &Emission<'_>, wanted: &Wanted<'_>) -> DynamicsCons
         state: 2 * driven + usize::from(elastic),
         held: transient.held.len(),
         parts: transient.modes.len() + transient.held.len(),
-        sum: self_check::sum(&transient.dynamics()),
+        sum: emission::sum(&transient.dynamics()),
     }
 }
 

@@ -5,7 +5,7 @@ use super::emission::{Checked, Emission, EmittedCode, Wanted};
 use super::fields::fields;
 use crate::known::{AnswersRequest, KnownAnswers, MotionKind, POINTS, TAU, known};
 use crate::standalone;
-use frictiongen_kernel::emitted::check::{self, Listed};
+use frictiongen_kernel::emitted::check;
 use frictiongen_kernel::number::dd::Dd;
 use frictiongen_model::scene::Precision;
 use proc_macro2::{Literal, TokenStream};

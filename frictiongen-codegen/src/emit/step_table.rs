@@ -3,7 +3,7 @@
 
 use super::checksum;
 use super::dynamics::count;
-use super::emission::{Emission, rounded};
+use super::emission::{Emission, rounded, sum_of_rounded};
 use super::fields::fields;
 use frictiongen_kernel::Float;
 use frictiongen_kernel::motion::AnyContact;

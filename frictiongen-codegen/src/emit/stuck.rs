@@ -2,7 +2,7 @@
 
 use super::arm::{self, Arm};
 use super::emission::{Emission, EmittedCode};
-use super::frequency::operations_about;
+use super::mode::operations_about;
 use super::names::TypeNames;
 use super::trace::Tracer;
 use crate::graph::Expr;

@@ -4,6 +4,7 @@ use frictiongen_model::scene::{Beyond, DampingFrom, Precision, Proving, Side, St
 
 use super::number::Number;
 use super::reader::{List, Name};
+use super::token::Token;
 use crate::diagnostics::TokenPosition;
 
 /// A doc comment or an attribute before the struct.

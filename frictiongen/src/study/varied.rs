@@ -12,7 +12,7 @@ use frictiongen_kernel::number::dual::Dual;
 use frictiongen_kernel::orbit::{self, CarryingStorage, NoDerivative, Orbit};
 use frictiongen_kernel::{Float, Scalar};
 use frictiongen_model::modal::Modal;
-use frictiongen_model::scene::Scene;
+
 use frictiongen_model::sensitivity::Quantity;
 use frictiongen_model::stepping::StepperSettings;
 use frictiongen_model::transient::Transient;

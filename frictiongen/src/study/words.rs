@@ -13,7 +13,7 @@ use super::{
     curve::{CurvePoint, CurveStart},
     map::Pattern,
 };
-use crate::{Error, Given, NoOrbit, NotContinuous, Of, OutOfDomain, Regime, Unsupported};
+use crate::{Error, Given, NoOrbit, NotContinuous, OutOfDomain, Regime, Unsupported};
 use frictiongen_kernel::simulation::{Contact, Event};
 #[cfg(feature = "desk")]
 use std::borrow::Cow;

@@ -2,7 +2,7 @@
 
 use super::super::units::UnitConstants;
 use super::super::{
-    Language, LoadWords, NumberFormat, STATUSES, Source, about, checksum, domain, piece_numbers,
+    Language, LoadWords, NumberFormat, STATUSES, Source, about, domain, piece_numbers,
 };
 use super::{check, constant, status};
 use crate::standalone::origin::c_text;

@@ -6,7 +6,7 @@ use super::super::units::UnitConstants;
 use super::super::{
     Language, NumberFormat, RESPONSES, Source, about, checksum, columns, piece_numbers, wrapped,
 };
-use super::{header, status};
+use super::{status, units};
 use crate::standalone::origin::c_text;
 use frictiongen_kernel::Float;
 

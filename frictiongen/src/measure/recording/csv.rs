@@ -4,7 +4,7 @@ use super::bare;
 use super::channel::Channel;
 use super::rate::even_rate;
 use super::series::Recording;
-use super::table::{CsvColumn, CsvRequest, CsvTable, number};
+use super::table::{self, CsvRequest, CsvTable};
 use super::unit::{Dimension, Unit};
 use crate::measure::MeasureError;
 use std::fmt::Write as _;
@@ -79,7 +79,7 @@ impl CsvTable {
                     return Ok(None);
                 }
                 // If commas do not separate the cells, a comma is a decimal comma.
-                let value = number(cell, separator != Some(','));
+                let value = table::number(cell, separator != Some(','));
                 value.map(Some).ok_or_else(|| MeasureError::NotANumber {
                     line,
                     channel: name.clone(),

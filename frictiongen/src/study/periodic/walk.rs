@@ -6,6 +6,7 @@ use crate::study::System;
 use crate::study::stepper::{SystemStepSaved, SystemStepper};
 use frictiongen_kernel::motion::Contact;
 use frictiongen_kernel::stepper::{Sample, Stepped};
+use nalgebra::Complex;
 use std::ops::DerefMut;
 
 /// A motion under a periodic load.
