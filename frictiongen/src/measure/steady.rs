@@ -14,9 +14,9 @@ const FEWEST_BLOCKS: usize = 4;
 /// Largest deviation of the excitation's phase from the phase of a constant frequency, in rad, for which the frequency
 /// counts as constant. It corresponds to a variation of the frequency by 1/30 of the width of a spectral line.
 const STRAY: f64 = 0.05;
-/// Largest relative change of the excitation's amplitude for which the excitation counts as steady.
+/// Largest relative change of the excitation's amplitude at which the excitation is treated as steady.
 const SWELL: f64 = 0.05;
-/// Largest change that counts as noise, in standard deviations of the noise.
+/// Largest change of an amplitude that is treated as noise, in standard deviations of the noise.
 const SURE: f64 = 6.0;
 /// Largest relative changes of a motion's fundamental for which the motion counts as steady. The search first tries the
 /// smaller one. The larger one permits a friction force that changes slowly.

@@ -30,9 +30,10 @@ const ROUNDING: f64 = 1e-9;
 pub struct FreeDecay {
     /// Friction force F in the contact, in N.
     pub friction: Estimate,
-    /// F/k in m, half the distance between the two points about which the mass oscillates.
+    /// Friction force F divided by the stiffness k, in m. It is half the distance between the two points about which
+    /// the mass oscillates.
     pub length: Estimate,
-    /// Damping ratio ζ. Its interval is a single point if ζ was given.
+    /// Damping ratio ζ of the mass. Its interval is a single point if ζ was given.
     pub damping: Estimate,
     /// Undamped natural frequency of the vibrating mass, in Hz.
     pub hertz: Estimate,

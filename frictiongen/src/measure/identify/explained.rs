@@ -54,7 +54,7 @@ impl IdentifyProblem<'_> {
         ))
     }
 
-    /// Fails if the scene does not explain the measurement at the friction force `friction`, in N.
+    /// Returns an error if the scene with the friction force `friction`, in N, does not explain the measurement.
     pub(super) fn explains(&self, friction: f64) -> Result<(), MeasureError> {
         if self.using == Using::PhaseAlone {
             return self.turns_alike(friction);

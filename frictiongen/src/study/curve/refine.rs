@@ -33,7 +33,7 @@ const NARROW_GAP: f64 = 1e-7;
 const SMALL: f64 = 1e-3;
 /// Number of less important frequency ratios that the code computes before it compares the work with its bound.
 const AT_ONCE: usize = 16;
-/// Largest amplitude of a motion that counts as rounding, divided by the amplitude of another motion.
+/// Largest amplitude of a motion that is treated as a rounding error, divided by the amplitude of another motion.
 const ROUNDING: f64 = 1e-6;
 
 /// An interval between two neighbouring nodes of the curve, which the refinement may halve.

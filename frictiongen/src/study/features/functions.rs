@@ -316,7 +316,7 @@ impl ChainNumbers<Interval> {
     }
 }
 
-/// Largest relative distance of two poles of different modes that count as one pole.
+/// Largest relative distance at which two poles of different modes are treated as one pole.
 const SAME: f64 = 4e-15;
 
 impl Target<Dd> {

@@ -66,9 +66,9 @@ pub enum Edge {
     Range,
     /// Here is an invariant point, where friction does not change the motion.
     Invariant,
-    /// A pole of the response without friction, or of the response to a square wave of friction.
+    /// Here is a pole of the response without friction, or of the response to a square wave of friction.
     Pole,
-    /// V = 0: without friction the contact does not move. With any friction the contact stops.
+    /// Here V is 0: without friction the contact does not move, and with any friction it stops.
     Still,
 }
 
@@ -97,7 +97,7 @@ pub struct Antiresonance {
 /// Upper bound on β_lim for a contact that counts as unable to slide. Its motion V without friction is then zero except
 /// for rounding.
 const STILL: f64 = 1e-10;
-/// Largest relative distance of two points of different conditions that count as one point.
+/// Largest relative distance at which two points of different conditions are treated as one point.
 const SAME: f64 = 1e-13;
 
 fn targets(measured: InvariantQuantity, is_contact: bool) -> &'static [(Condition, Target<Dd>)] {

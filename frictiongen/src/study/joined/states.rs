@@ -7,7 +7,7 @@ use super::orbit::JoinedOrbit;
 /// Factors on the states of linear responses. Each state multiplied by each factor is one more initial state of the
 /// search.
 const FACTORS: [f64; 3] = [1.0, -1.0, 3.0];
-/// Largest relative difference of the amplitudes of two steady states that count as the same.
+/// Largest relative difference of the amplitudes at which two steady states are treated as the same.
 const SAME: f64 = 1e-6;
 
 impl<'a> JoinedAt<'a> {

@@ -6,11 +6,12 @@ use crate::study::parameter::Parameter;
 /// The reason why no other friction gives a smaller largest amplitude.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum OptimumKind {
-    /// Two peaks have the same height. More friction raises one peak, and less friction raises the other.
+    /// The largest amplitude is that of two peaks of the same height. More friction raises one peak, and less friction
+    /// raises the other.
     EqualPeaks,
     /// The largest amplitude is that of one peak, which is at its own minimum with respect to friction.
     SinglePeak,
-    /// Any friction increases the largest amplitude. The best friction is 0.
+    /// The best friction is 0, because any friction increases the largest amplitude.
     NoFriction,
     /// The stuck contact has the smallest amplitude. More friction does not change it.
     Stuck,
