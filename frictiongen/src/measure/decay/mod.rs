@@ -21,8 +21,8 @@ use fit::DecayFit;
 use std::f64::consts::PI;
 use swings::{Swings, noise};
 
-/// Upper bound on a decrease in a half cycle that counts as a rounding error, divided by the largest swing (distance
-/// from one extreme to the next).
+/// Largest decrease in a half cycle that is treated as a rounding error, divided by the largest swing (distance from
+/// one extreme to the next).
 const ROUNDING: f64 = 1e-9;
 
 /// Friction, damping and natural frequency found in a free vibration.

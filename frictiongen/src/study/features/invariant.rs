@@ -94,8 +94,8 @@ pub struct Antiresonance {
     pub frequency: Sensed,
 }
 
-/// Upper bound on β_lim for a contact that counts as unable to slide. Its motion V without friction is then zero except
-/// for rounding.
+/// Largest β_lim at which the contact is treated as unable to slide. Its motion V without friction is then zero apart
+/// from rounding.
 const STILL: f64 = 1e-10;
 /// Largest relative distance at which two points of different conditions are treated as one point.
 const SAME: f64 = 1e-13;

@@ -43,7 +43,7 @@ impl<'a> JoinedAt<'a> {
     }
 }
 
-/// Returns true if two steady states are the same. Two marginal states of one continuum count as the same.
+/// Returns true if two steady states are the same. The code treats two marginal states of one continuum as the same.
 fn same(one: &JoinedOrbit<'_>, other: &JoinedOrbit<'_>) -> bool {
     let (a, b) = (one.centred_amplitudes(), other.centred_amplitudes());
     let size = a
