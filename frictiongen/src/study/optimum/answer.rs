@@ -13,7 +13,7 @@ pub enum OptimumKind {
     SinglePeak,
     /// The best friction is 0, because any friction increases the largest amplitude.
     NoFriction,
-    /// The stuck contact has the smallest amplitude. More friction does not change it.
+    /// The amplitude is smallest while the contact is stuck. More friction does not change it.
     Stuck,
     /// The requested quantity is 0, so that the result is trivial. Either the contact is stuck over the whole band, or
     /// the quantity is the contact force and there is no friction.
