@@ -18,7 +18,7 @@ pub enum OutOfDomain {
     FrequencyRatioInTime(Given),
     /// The friction ratio β is outside its domain.
     FrictionRatio(Given),
-    /// A frequency ratio or friction ratio outside the range for which the scene's tables were made.
+    /// The frequency ratio or friction ratio is outside the range for which the scene's tables were made.
     OutsideTables(Ratio),
     /// A frequency ratio or friction ratio that differs from that of the orbit. An orbit has derivatives only at its
     /// own ratios.
@@ -108,7 +108,7 @@ pub enum Ratio {
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub enum Slice {
-    /// Slice for the limits of continuous motion β_lim, one for each frequency ratio.
+    /// The slice for the limits of continuous motion β_lim, one for each frequency ratio.
     Continuous,
     /// Slice for the limits of sliding β*_lim, one for each frequency ratio.
     Sliding,
@@ -127,12 +127,12 @@ pub enum Slice {
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[non_exhaustive]
 pub enum Unsupported {
-    /// A motion in time of a scene with many modes near critical damping. In this number type, rounding mixes the modes
-    /// of the sliding chain with those of the stuck chain.
+    /// No motion in time exists for a scene with many modes near critical damping. In this number type, rounding mixes
+    /// the modes of the sliding chain with those of the stuck chain.
     CriticalDamping,
-    /// A steady response of a scene whose kinetic friction changes with the sliding speed.
+    /// The method has no result for a scene whose kinetic friction depends on the sliding speed.
     FrictionLaw,
-    /// A method that has no result for a scene with an elastic contact.
+    /// The method has no result for a scene with an elastic contact.
     ElasticContact,
     /// The method does not support a scene with several contacts or dashpots.
     SeveralContacts,
