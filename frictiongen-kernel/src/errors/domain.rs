@@ -20,8 +20,8 @@ pub enum OutOfDomain {
     FrictionRatio(Given),
     /// The frequency ratio or friction ratio is outside the range for which the scene's tables were made.
     OutsideTables(Ratio),
-    /// A frequency ratio or friction ratio that differs from that of the orbit. An orbit has derivatives only at its
-    /// own ratios.
+    /// The frequency ratio or friction ratio differs from that of the orbit (steady state). An orbit has derivatives
+    /// only at its own ratios.
     OtherPoint(Ratio),
     /// The initial state of the masses (displacements and velocities) is invalid.
     State,
@@ -53,8 +53,8 @@ pub enum OutOfDomain {
     Friction(Given),
     /// The stiction μ, the ratio of the static to the kinetic friction force, is outside its domain.
     Stiction(Given),
-    /// Input that a stepper accepts only before its first step, such as an initial state. The caller gave this input
-    /// after the first step.
+    /// After the first step of a stepper, the caller gave an input that the stepper accepts only before the first step,
+    /// such as an initial state.
     Begun,
     /// The saved state comes from a stepper with another scene or another time step dt.
     Saved,
@@ -62,7 +62,7 @@ pub enum OutOfDomain {
     ImageDamaged,
     /// Another version of this library wrote the image (bytes) of a stepper's state.
     ImageVersion,
-    /// Work of the load on the chain since the start. It is so large that it may overflow the number type after one
+    /// The work of the load on the chain since the start is so large that it may overflow the number type after one
     /// more step.
     Work,
     /// In a scene whose kinetic friction depends on the speed, the amplitude of a simulation's load is outside its
@@ -127,8 +127,8 @@ pub enum Slice {
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[non_exhaustive]
 pub enum Unsupported {
-    /// No motion in time exists for a scene with many modes near critical damping. In this number type, rounding mixes
-    /// the modes of the sliding chain with those of the stuck chain.
+    /// The method computes no motion in time for a scene with many modes near critical damping. In this number type,
+    /// rounding mixes the modes of the sliding chain with those of the stuck chain.
     CriticalDamping,
     /// The method has no result for a scene whose kinetic friction depends on the sliding speed.
     FrictionLaw,
