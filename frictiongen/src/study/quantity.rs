@@ -18,6 +18,7 @@ pub enum MotionQuantity {
     Energy,
     /// The quantity is the equivalent viscous damping ratio ζ_eq = E_d/(4πE_s) of the contact. E_d is the energy that
     /// friction dissipates in a cycle. E_s is the sum of ½kX² of all springs, or ½kX² of one spring, where X is the
-    /// centred amplitude of the elongation. [`Of::Contact`] selects all springs, and [`Of::Spring`] selects one spring.
+    /// centred amplitude of the elongation. [`Of::Contact`](crate::Of::Contact) selects all springs, and
+    /// [`Of::Spring`](crate::Of::Spring) selects one spring.
     Damping,
 }
