@@ -16,16 +16,18 @@ pub const STEPS: u32 = 100;
 pub enum GridQuantity {
     /// The numbers are frequency ratios r. A number may be 0 or infinite.
     FrequencyRatio,
-    /// Frequency ratio r of a motion in time. It must be above 0 and finite, so that the excitation has a cycle.
+    /// The numbers are frequency ratios r of a motion in time. Each must be above 0 and finite, so that the excitation
+    /// has a cycle.
     FrequencyRatioInTime,
     /// The numbers are frequencies in Hz. A number may be 0 or infinite.
     Hertz,
-    /// Frequency in Hz of a motion in time. It must be above 0 and finite, so that the excitation has a cycle.
+    /// The numbers are frequencies in Hz of a motion in time. Each must be above 0 and finite, so that the excitation
+    /// has a cycle.
     HertzInTime,
     /// The numbers are angular frequencies in rad/s. A number may be 0 or infinite.
     Omega,
-    /// Angular frequency in rad/s of a motion in time. It must be above 0 and finite, so that the excitation has a
-    /// cycle.
+    /// The numbers are angular frequencies in rad/s of a motion in time. Each must be above 0 and finite, so that the
+    /// excitation has a cycle.
     OmegaInTime,
     /// The numbers are friction ratios β. Each must be finite.
     FrictionRatio,
@@ -119,8 +121,8 @@ fn points(text: &str, quantity: GridQuantity, open: bool) -> Result<Vec<f64>, Gr
     Ok(points)
 }
 
-/// Parses a range a:b or a:step:b. Returns its first and last number, and its step. The step is 0 if the text gives
-/// none.
+/// Parses a range a:b or a:step:b. Returns its first and last number, and its step. If the text gives no step, the step
+/// is 0.
 pub fn band(text: &str, quantity: GridQuantity) -> Result<[f64; 3], GridError> {
     let parts: Vec<&str> = text.split(':').collect();
     let ends = |first: &str, step: &str, last: &str| -> Result<[f64; 3], String> {

@@ -16,8 +16,8 @@ pub enum Layout {
     Masses,
     /// Text has one line for each moving contact or mass. JSON is the same as for [`Layout::Masses`].
     Lines,
-    /// For scenes with several contacts. Text output is as for [`Layout::Lines`], and JSON output is as for
-    /// [`Layout::Objects`].
+    /// Layout for scenes with several contacts. Text has one line for each moving contact or mass, and JSON has an
+    /// object for each motion.
     Joints,
 }
 

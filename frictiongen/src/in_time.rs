@@ -42,7 +42,7 @@ use frictiongen_kernel::orbit::{Orbit, OrbitMotion};
     label = "add `orbit` to the scene's `provide: [...]`"
 )]
 pub trait OrbitAt: LimitsAt {
-    /// The type of the steady state that [`orbit`](Self::orbit) returns.
+    /// Type of the steady state that [`orbit`](Self::orbit) returns.
     type Orbit<'o>: SteadyState<Scalar = Self::Scalar>
     where
         Self: 'o;
@@ -68,7 +68,7 @@ pub trait SteadyState {
 
     /// Returns the number of excitation cycles after which the motion repeats: 1, or up to 64 for a subharmonic state.
     fn period(&self) -> u32;
-    /// Returns true if the motion repeats. Otherwise this state contains the last 64 computed cycles.
+    /// Returns true if the motion repeats. If the result is false, this state contains the last 64 computed cycles.
     fn is_settled(&self) -> bool;
     /// Returns the number of stops of the contact in a period. At a stop the contact starts to stick.
     fn stops(&self) -> usize;
@@ -236,9 +236,9 @@ pub trait Periodic {
     fn amplitude(&self) -> Self::Scalar;
     /// Returns the lag of the maximum of x̄ behind the maximum of the excitation, in rad, in (−π, π].
     fn phase(&self) -> Self::Scalar;
-    /// Returns the displacement x̄ at the phase τ. At τ = 0 the contact's relative motion has a maximum.
+    /// Returns the displacement x̄ at the phase τ in rad. At τ = 0 the contact's relative motion has a maximum.
     fn displacement(&self, tau: Self::Scalar) -> Self::Scalar;
-    /// Returns the velocity dx̄/dτ at the phase τ. At τ = 0 the contact's relative motion has a maximum.
+    /// Returns the velocity dx̄/dτ at the phase τ in rad. At τ = 0 the contact's relative motion has a maximum.
     fn velocity(&self, tau: Self::Scalar) -> Self::Scalar;
     /// Returns X_n, the complex amplitude of harmonic n in x̄ = Re Σ X_n e^{inτ_e}. The phase τ_e is 0 at a maximum of
     /// the excitation. X_0 is the mean.

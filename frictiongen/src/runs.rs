@@ -43,7 +43,7 @@ use frictiongen_kernel::simulation::{Moment, Segment, Simulation};
     label = "add `simulation` to the scene's `provide: [...]`"
 )]
 pub trait Simulates: FrictionSystem {
-    /// The type of the simulation that [`simulation`](Self::simulation) returns.
+    /// Type of the simulation that [`simulation`](Self::simulation) returns.
     type Run<'a>: Run<Scalar = Self::Scalar>
     where
         Self: 'a;
@@ -65,7 +65,7 @@ pub trait Simulates: FrictionSystem {
 pub trait SimulatesUnder {
     /// Number type of the scene, such as `f64` or `f32`.
     type Scalar: Float;
-    /// The type of the simulation that [`simulation_under`](Self::simulation_under) returns.
+    /// Type of the simulation that [`simulation_under`](Self::simulation_under) returns.
     type Run<'a>: Run<Scalar = Self::Scalar>
     where
         Self: 'a;
@@ -97,13 +97,13 @@ pub trait Run {
     fn advance(&mut self, reach: Self::Scalar) -> Result<Segment<Self::Scalar>, OutOfDomain>;
     /// Returns the number of excitation cycles that the simulation has completed.
     fn cycles(&self) -> u64;
-    /// Returns the phase τ = ωt within the excitation's cycle, in [0, 2π).
+    /// Returns the present phase τ = ωt of the excitation in its cycle, in rad, in [0, 2π).
     fn phase(&self) -> Self::Scalar;
     /// Returns the state of the contact just after the present instant: sticking, or sliding in a direction.
     fn contact(&self) -> Contact;
-    /// Returns the relative displacement z̄ in the contact, and the relative velocity dz̄/dτ.
+    /// Returns the present relative displacement z̄ of the contact, and its relative velocity dz̄/dτ.
     fn relative(&self) -> (Self::Scalar, Self::Scalar);
-    /// Returns the friction force in the contact, divided by the load amplitude P.
+    /// Returns the present friction force in the contact, divided by the load amplitude P.
     fn friction(&self) -> Self::Scalar;
     /// Returns the present displacement x̄ and velocity dx̄/dτ of a mass. `mass` is the index in the description. For
     /// an invalid index, both are 0.

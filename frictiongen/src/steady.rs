@@ -19,7 +19,8 @@ pub enum Of {
     Contact,
     /// The displacement of a mass. The number is its index in the description.
     Mass(usize),
-    /// The displacement of the first mass minus the displacement of the second mass, by their indices.
+    /// The displacement of one mass minus that of another. The numbers are the indices of the first and the second
+    /// mass.
     Relative(usize, usize),
     /// The displacement of a mass minus the displacement of the base, by the index of the mass. A base that is not
     /// excited is at rest.
@@ -27,7 +28,7 @@ pub enum Of {
     /// The force in a spring, by its index in the description. It is positive if the second end of the spring moves
     /// away from the first.
     Spring(usize),
-    /// The base shear: the sum of the forces in all springs between a mass and the base.
+    /// The base shear. It is the sum of the forces in all springs between a mass and the base.
     Shear,
 }
 
@@ -53,9 +54,9 @@ pub trait Steady {
     fn amplitude_monoharmonic(&self) -> Self::Scalar;
     /// Returns the lag of the maximum of x̄ behind the maximum of the excitation, in rad, in (−π, π].
     fn phase(&self) -> Self::Scalar;
-    /// Returns the displacement x̄ at the phase τ. At τ = 0 the contact's relative motion has a maximum.
+    /// Returns the displacement x̄ at the phase τ in rad. At τ = 0 the contact's relative motion has a maximum.
     fn displacement(&self, tau: Self::Scalar) -> Self::Scalar;
-    /// Returns the velocity dx̄/dτ at the phase τ. At τ = 0 the contact's relative motion has a maximum.
+    /// Returns the velocity dx̄/dτ at the phase τ in rad. At τ = 0 the contact's relative motion has a maximum.
     fn velocity(&self, tau: Self::Scalar) -> Self::Scalar;
     /// Returns X_n, the complex amplitude of harmonic n in x̄ = Re Σ X_n e^{inτ_e}. The phase τ_e is 0 at a maximum of
     /// the excitation.

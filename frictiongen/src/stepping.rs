@@ -45,7 +45,7 @@ use frictiongen_kernel::stepper::{ContactNow, MassNow, Stepped, Work};
 pub trait Steps {
     /// Number type of the scene, such as `f64` or `f32`.
     type Scalar: Float;
-    /// The type of the stepper that [`stepper`](Self::stepper) returns.
+    /// Type of the stepper that [`stepper`](Self::stepper) returns.
     type Stepper<'a>: Stepping<Scalar = Self::Scalar>
     where
         Self: 'a;
@@ -61,12 +61,12 @@ pub trait Steps {
 /// The input of a stepper at one instant, in the scene's units: base motion, forces and friction force.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct StepLoad<'l, S> {
-    /// Displacement and velocity of the base. Both are 0 for a base that does not move.
+    /// Displacement and velocity of the base at this instant. Both are 0 for a base that does not move.
     pub base: [S; 2],
     /// Forces on masses. Each entry has the index of a mass in the description, and the force. Forces on the same mass
     /// add up. A mass without an entry carries no force.
     pub forces: &'l [(usize, S)],
-    /// Kinetic friction force F at zero speed, at least 0.
+    /// Kinetic friction force F at zero sliding speed. It is at least 0.
     pub friction: S,
 }
 
@@ -128,7 +128,8 @@ pub trait Stepping {
     fn mass(&self, index: usize) -> MassNow<Self::Scalar>;
     /// Returns the present state of the contact, with its relative motion and friction force.
     fn contact(&self) -> ContactNow<Self::Scalar>;
-    /// Returns the work of the loads, of friction and of damping since the start.
+    /// Returns the energy balance since the start: the work of the loads, and the energy that friction and damping have
+    /// dissipated.
     fn work(&self) -> Work<Self::Scalar>;
     /// Returns the number of steps that the stepper has taken.
     fn steps(&self) -> u64;

@@ -9,8 +9,8 @@ pub const FREQUENCIES: u32 = 400;
 /// Range of the compared frequencies. It begins at the first number times the lowest natural frequency. It ends at the
 /// second number times the highest natural frequency.
 const BAND: (f64, f64) = (0.2, 1.5);
-/// Largest value that counts as 0, divided by the largest value of the same result over the frequencies. If the exact
-/// result is 0, rounding leaves such a value.
+/// Largest value that is treated as 0, divided by the largest value of the same result over the frequencies. If the
+/// exact result is 0, rounding causes values of this size.
 const NOISE: f64 = 1e-12;
 /// Friction for the comparison of motions, divided by the smaller one of β_lim and β*_lim of the old scene.
 const FRICTION: f64 = 0.5;

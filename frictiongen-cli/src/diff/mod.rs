@@ -130,7 +130,8 @@ fn unified(
     Ok(out.flush()?)
 }
 
-/// Largest relative difference of two results that count as equal. Rounding in both scenes can cause such a difference.
+/// Largest relative difference at which two results are treated as equal. Rounding in both scenes can cause this
+/// difference.
 const ROUNDINGS: f64 = 1e-12;
 
 /// Formats a relative change in per cent, with its sign.

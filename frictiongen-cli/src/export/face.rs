@@ -25,7 +25,7 @@ pub struct StructField {
     pub name: String,
     /// Type of the field in the C interface.
     pub kind: FieldType,
-    /// Meaning and unit of the field, for a comment.
+    /// Meaning and unit of the field, for a comment in the header.
     pub about: String,
 }
 
@@ -60,7 +60,7 @@ pub enum Passed {
     Input(&'static str),
     /// The function takes a pointer to memory for its result.
     Output(FieldType),
-    /// By a pointer to memory for an opaque struct, which the function initialises.
+    /// The function takes a pointer to memory for an opaque struct, which it initialises.
     Fresh(&'static str),
     /// The function takes a pointer to an opaque struct that it changes.
     Changed(&'static str),

@@ -13,7 +13,7 @@ use serde_json::{Value as Json, json};
 const MOST_DRAWN: usize = 5;
 /// Largest number of modes in the table. The JSON data contain all modes.
 const MOST_LISTED: usize = 16;
-/// Largest participation of a mode that counts as zero, divided by the largest participation of all modes.
+/// Largest participation of a mode that is treated as zero, divided by the largest participation of all modes.
 const NONE: f64 = 1e-12;
 
 /// A vibration mode of the chain, as the page shows it.

@@ -77,9 +77,9 @@ impl<S: Scalar> ModalTerms<S> {
 /// contains V and the selected sum. In this contribution the mode's own terms cancel.
 #[derive(Clone, Copy)]
 pub(crate) enum Partner {
-    /// The damping function U of the contact, for a continuous motion.
+    /// The sum combined with V is the damping function U of the contact, for a continuous motion.
     U,
-    /// The receptance H of the contact, for the response of the stuck chain.
+    /// The sum combined with V is the receptance H of the contact, for the response of the stuck chain.
     H,
 }
 

@@ -84,7 +84,7 @@ macro_rules! scene_items {
         }
     };
     (@ $scalar:ident, functions$(::<$all:literal, $but_g:literal>)?) => {
-        /// Returns all functions of the contact and of its modes at 1/r.
+        /// Returns the contact's sums over all modes at 1/r, and the functions of each mode.
         #[inline]
         fn frequency_stage(
             &self,
@@ -93,7 +93,7 @@ macro_rules! scene_items {
             Self::functions$(::<$all>)?(inverse_r)
         }
 
-        /// Returns the functions of the contact at 1/r without G. Only a motion needs G.
+        /// Returns the contact's sums over all modes at 1/r without the sum G. Only a motion needs G.
         #[inline]
         fn contact_without_g(&self, inverse_r: $scalar) -> $crate::emitted::ContactAt<$scalar> {
             Self::functions$(::<$but_g>)?(inverse_r).0

@@ -18,10 +18,10 @@ pub enum OutOfDomain {
     FrequencyRatioInTime(Given),
     /// The friction ratio β is outside its domain.
     FrictionRatio(Given),
-    /// A frequency ratio or friction ratio outside the range for which the scene's tables were made.
+    /// The frequency ratio or friction ratio is outside the range for which the scene's tables were made.
     OutsideTables(Ratio),
-    /// A frequency ratio or friction ratio that differs from that of the orbit. An orbit has derivatives only at its
-    /// own ratios.
+    /// The frequency ratio or friction ratio differs from that of the orbit (steady state). An orbit has derivatives
+    /// only at its own ratios.
     OtherPoint(Ratio),
     /// The initial state of the masses (displacements and velocities) is invalid.
     State,
@@ -53,8 +53,8 @@ pub enum OutOfDomain {
     Friction(Given),
     /// The stiction μ, the ratio of the static to the kinetic friction force, is outside its domain.
     Stiction(Given),
-    /// Input that a stepper accepts only before its first step, such as an initial state. The caller gave this input
-    /// after the first step.
+    /// After the first step of a stepper, the caller gave an input that the stepper accepts only before the first step,
+    /// such as an initial state.
     Begun,
     /// The saved state comes from a stepper with another scene or another time step dt.
     Saved,
@@ -62,7 +62,7 @@ pub enum OutOfDomain {
     ImageDamaged,
     /// Another version of this library wrote the image (bytes) of a stepper's state.
     ImageVersion,
-    /// Work of the load on the chain since the start. It is so large that it may overflow the number type after one
+    /// The work of the load on the chain since the start is so large that it may overflow the number type after one
     /// more step.
     Work,
     /// In a scene whose kinetic friction depends on the speed, the amplitude of a simulation's load is outside its
@@ -108,7 +108,7 @@ pub enum Ratio {
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub enum Slice {
-    /// Slice for the limits of continuous motion β_lim, one for each frequency ratio.
+    /// The slice for the limits of continuous motion β_lim, one for each frequency ratio.
     Continuous,
     /// Slice for the limits of sliding β*_lim, one for each frequency ratio.
     Sliding,
@@ -127,12 +127,12 @@ pub enum Slice {
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[non_exhaustive]
 pub enum Unsupported {
-    /// A motion in time of a scene with many modes near critical damping. In this number type, rounding mixes the modes
-    /// of the sliding chain with those of the stuck chain.
+    /// The method computes no motion in time for a scene with many modes near critical damping. In this number type,
+    /// rounding mixes the modes of the sliding chain with those of the stuck chain.
     CriticalDamping,
-    /// A steady response of a scene whose kinetic friction changes with the sliding speed.
+    /// The method has no result for a scene whose kinetic friction depends on the sliding speed.
     FrictionLaw,
-    /// A method that has no result for a scene with an elastic contact.
+    /// The method has no result for a scene with an elastic contact.
     ElasticContact,
     /// The method does not support a scene with several contacts or dashpots.
     SeveralContacts,

@@ -76,13 +76,13 @@ pub enum NoOrbit {
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[non_exhaustive]
 pub enum Error {
-    /// An argument is outside its domain: see [`OutOfDomain`].
+    /// An argument is outside its domain. The field names the argument: see [`OutOfDomain`].
     OutOfDomain(OutOfDomain),
-    /// No continuous motion exists: see [`NotContinuous`].
+    /// No continuous motion exists. The field gives the reason: see [`NotContinuous`].
     NotContinuous(NotContinuous),
     /// The stuck chain is excited on an undamped resonance: see [`StuckResonance`].
     StuckResonance(StuckResonance),
-    /// The search for a steady state returns none: see [`NoOrbit`].
+    /// The search for a steady state returns none. The field gives the reason: see [`NoOrbit`].
     NoOrbit(NoOrbit),
 }
 

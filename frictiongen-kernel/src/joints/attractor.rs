@@ -1,4 +1,4 @@
-//! Steady states that attract every motion of a chain.
+//! Finds the steady state of a chain with several contacts if this state attracts every motion.
 
 use super::model::{Contact, Model};
 use super::run::Motion;
@@ -9,24 +9,26 @@ use super::steady::{Search, Steady, modulus};
 use crate::errors::Halt;
 use crate::{Float, Scalar};
 
-/// Number of cycles before the first search for the steady state of a chain with μ = 1.
+/// Number of cycles that the motion runs before the first search for the steady state of a chain with μ = 1.
 const SOON: usize = 5;
-/// Largest number of searches.
+/// Largest number of searches for the steady state of a chain with μ = 1.
 const SEARCHES: usize = 4;
-/// Largest number of waits after a search, until no contact can slide that sticks in the steady state.
+/// Largest number of waits after a search. The waits end when no contact can slide any more that sticks in the steady
+/// state.
 const WAITS: usize = 32;
-/// Number of cycles of each wait.
+/// Number of cycles of the load in each wait.
 const WAIT: usize = 4;
-/// Number of waits without sliding of such contacts, after which the search starts again with their new sliders.
+/// Number of successive waits in which no slider moves, after which the search starts again with the present positions
+/// of the sliders.
 const CALM: usize = 2;
 
 impl<S: Float, Z: Size> Search<S, Z> {
-    /// Returns the steady state of a chain with μ = 1 if the search finds it after a few cycles.
+    /// Returns the steady state of a chain with μ = 1, if the search finds it after a few cycles.
     ///
-    /// If all contacts have μ = 1, the energy of the difference of two motions under the same loads never grows. A
-    /// steady state that attracts its neighbours therefore attracts every motion, and the search needs no test of the
-    /// motion from rest. An elastic contact that never slides keeps its slider if the energy of the present difference
-    /// is too small to make it slide.
+    /// If all contacts have μ = 1, the energy of the difference between two motions under the same loads never grows. A
+    /// steady state that attracts neighbouring motions therefore attracts every motion. The search then needs no test
+    /// of the motion from rest. If the energy of the present difference is too small to make an elastic contact slide,
+    /// the contact keeps the position of its slider.
     pub(super) fn only(&mut self, motion: &Motion<S, Z>) -> Option<Steady<S, Z>> {
         let one = S::constant(1.0);
         let mut contacts = motion.model().contacts().iter();
@@ -49,7 +51,7 @@ impl<S: Float, Z: Size> Search<S, Z> {
             };
             let most = one - self.tolerances.attracts;
             let attracts = found.multipliers().iter().all(|m| modulus(m) < most);
-            // The energy does not bound the force that holds a rigid contact.
+            // The energy gives no bound on the force that holds a rigid contact.
             let is_rigid = marginal(trial.model(), &found).any(|(_, contact)| contact.is_rigid());
             if found.neutral > 0 || !attracts || is_rigid {
                 return None;
@@ -61,8 +63,8 @@ impl<S: Float, Z: Size> Search<S, Z> {
         None
     }
 
-    /// Searches for a periodic motion near a state. The first cycles may be much larger than the steady state: then the
-    /// search starts again with its size.
+    /// Searches for a periodic motion near a state. The displacements in the first cycles may be much larger than those
+    /// in the steady state. The search then starts again with the size of the steady state.
     fn scaled(&mut self, motion: &Motion<S, Z>) -> Option<Option<Steady<S, Z>>> {
         let Some(found) = self.newton(motion, 1).ok()? else {
             return Some(None);
@@ -78,8 +80,8 @@ impl<S: Float, Z: Size> Search<S, Z> {
         self.newton(&near, 1).ok()
     }
 
-    /// Returns true if a contact slides so little that rounding errors may decide whether it slides at all. Multipliers
-    /// then do not tell whether the motion attracts its neighbours.
+    /// Returns true if a contact slides so little that rounding errors may decide whether it slides at all. In this
+    /// case the Floquet multipliers do not show whether the steady state attracts neighbouring motions.
     fn grazes(&self, steady: &Steady<S, Z>) -> bool {
         let least = self.tolerances.close * self.place;
         let contacts = steady.cycle.contacts.as_ref().iter();
@@ -87,8 +89,8 @@ impl<S: Float, Z: Size> Search<S, Z> {
         contacts.any(|(contact, moves)| *moves && contact.slip < least)
     }
 
-    /// Advances the motion until no contact can slide any more that does not slide in the steady state. Returns false if
-    /// such a contact has slid, or if the search must start again for another reason.
+    /// Advances the motion until no contact can slide any more that sticks in the steady state. Returns false if a
+    /// contact of this kind has slid, or if the search must start again for another reason.
     fn waits(&self, motion: &mut Motion<S, Z>, steady: &Steady<S, Z>) -> Result<bool, Halt> {
         let mut belongs = !self.grazes(steady);
         let mut calm = 0;
@@ -109,9 +111,9 @@ impl<S: Float, Z: Size> Search<S, Z> {
     }
 }
 
-/// Returns true if no contact can slide that does not slide in a periodic motion, while a motion approaches it. Both are
-/// at a maximum of the load. The energy of their difference never grows. It bounds the difference of the forces in each
-/// elastic contact.
+/// Returns true if no contact that sticks in a periodic motion can slide while a given motion approaches the periodic
+/// motion. Both motions are at a maximum of the load. The energy of their difference never grows. It therefore gives a
+/// bound on the difference of the forces in each elastic contact.
 fn keeps_its_sliders<S: Float, Z: Size>(motion: &Motion<S, Z>, steady: &Steady<S, Z>) -> bool {
     let (half, two) = (S::constant(0.5), S::constant(2.0));
     let model = motion.model();
@@ -123,7 +125,7 @@ fn keeps_its_sliders<S: Float, Z: Size>(motion: &Motion<S, Z>, steady: &Steady<S
         energy = energy + half * *value * speed * speed;
     }
     for &(plus, minus, stiffness) in model.springs.as_ref() {
-        // The supports have the same displacement in both motions.
+        // The supports (wall and base) have the same displacement in both motions.
         let place = |node| apart(a.x.as_ref(), b.x.as_ref(), node);
         let stretch = place(plus) - place(minus);
         energy = energy + half * stiffness * stretch * stretch;
@@ -144,8 +146,8 @@ fn keeps_its_sliders<S: Float, Z: Size>(motion: &Motion<S, Z>, steady: &Steady<S
     })
 }
 
-/// Returns true if each contact that does not slide in a periodic motion has its slider at the same position in the
-/// given motion and in another state. Both are at a maximum of the load.
+/// Compares the sliders of all contacts that stick in a periodic motion. Returns true if each slider has the same
+/// position in the given motion and in another state. Both are at a maximum of the load.
 fn same_sliders<S: Float, Z: Size>(
     motion: &Motion<S, Z>,
     steady: &Steady<S, Z>,
@@ -166,7 +168,7 @@ fn same_sliders<S: Float, Z: Size>(
     })
 }
 
-/// Returns the contacts that do not slide in a periodic motion, with their indices.
+/// Returns the contacts that do not slide in a periodic motion, each with its index.
 fn marginal<'m, S: Float, Z: Size>(
     model: &'m Model<S, Z>,
     steady: &'m Steady<S, Z>,

@@ -63,7 +63,8 @@ impl<S: Float> Curve<S> {
         self.wave.is_zero() && !self.bends()
     }
 
-    /// Returns true if the value has the opposite sign half a period of the angular frequency ω later, at every instant.
+    /// Returns true if the function always has the opposite sign half a period later. ω is the angular frequency of the
+    /// period.
     pub(super) fn is_odd(&self, omega: S) -> bool {
         self.wave.is_odd(omega) && !self.bends()
     }

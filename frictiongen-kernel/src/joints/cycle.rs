@@ -238,12 +238,13 @@ impl<S: Float, Z: Size> Observe<S, Z> for Watch<S, Z> {
     }
 }
 
-/// Returns the rounding error of a slip, for the largest relative displacement of the contact.
+/// Returns the largest slip that rounding errors can cause. `displacement` is the largest relative displacement of the
+/// contact.
 pub(super) fn least_slip<S: Float>(displacement: S) -> S {
     S::constant(64.0 * S::EPSILON) * displacement
 }
 
-/// Returns the two nodes of each contact.
+/// Returns the two nodes of each contact, `plus` and `minus`.
 pub(super) fn ends<S: Float, Z: Size>(model: &Model<S, Z>) -> Z::Contacts<(usize, usize)> {
     let mut ends = model.size.contacts((0, 0));
     for (ends, contact) in ends.as_mut().iter_mut().zip(model.contacts()) {
@@ -279,7 +280,7 @@ fn slope<S: Float>(terms: &Poly<S>) -> Poly<S> {
     slope
 }
 
-/// Returns the integral of a polynomial from 0 to `end`.
+/// Returns the integral of the polynomial `terms` from 0 to `end`.
 pub(super) fn integral<S: Float>(terms: &[S], end: S) -> S {
     let terms = terms.iter().enumerate().rev();
     terms.fold(S::constant(0.0), |sum, (order, term)| {

@@ -10,9 +10,9 @@
 //! * The *level* of a contact is its kinetic friction force F. A contact with the level 0 has no force.
 //!
 //! Between two events the equations are linear. A power series solves them over time intervals, which are called
-//! *stretches*. A stretch is at most 1.5 rad (1 rad in `f32`) of an upper bound on the fastest frequency. Events are
-//! roots of polynomials. Two masses with a sticking contact between them have the same acceleration. The relative
-//! velocity of this contact is therefore exactly 0, and its relative displacement a constant.
+//! *stretches*. The length of a stretch is at most 1.5 rad (1 rad in `f32`) of an upper bound on the fastest frequency.
+//! Events are roots of polynomials. Two masses with a sticking rigid contact between them have the same acceleration.
+//! The relative velocity of this contact is therefore exactly 0, and its relative displacement is constant.
 //!
 //! The type parameter [`Size`] selects the arrays: arrays of fixed length in emitted code ([`Fixed`]), or vectors at
 //! run time. The code is the same for both.

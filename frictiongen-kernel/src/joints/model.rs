@@ -145,7 +145,7 @@ impl<S: Float, Z: Size> Model<S, Z> {
         force
     }
 
-    /// Passes each force of [`forces`](Self::forces) to `put`, with its node.
+    /// Computes the forces of [`forces`](Self::forces), and passes each force to `put` together with its node.
     pub(super) fn put_forces(
         &self,
         x: &[S],
@@ -203,9 +203,9 @@ impl<S: Float, Z: Size> Model<S, Z> {
         })
     }
 
-    /// Sets the longest stretch to a/s, with an upper bound s on the rates of the motion and an angle a of 1.5 rad (1 rad
-    /// in `f32`). Gershgorin's theorem bounds M⁻¹K and M⁻¹C, where elastic contacts count as springs. A rate s satisfies
-    /// s² ≤ ‖M⁻¹C‖s + ‖M⁻¹K‖.
+    /// Sets the longest stretch to a/s. s is an upper bound on the rates of the motion, and a is an angle of 1.5 rad (1
+    /// rad in `f32`). Gershgorin's theorem gives upper bounds on M⁻¹K and M⁻¹C. In K, elastic contacts are springs. A
+    /// rate s satisfies s² ≤ ‖M⁻¹C‖s + ‖M⁻¹K‖.
     pub fn set_stretch(&mut self) {
         let mut stiff = self.size.nodes(S::constant(0.0));
         let mut slow = self.size.nodes(S::constant(0.0));

@@ -2,23 +2,24 @@
 
 use crate::Float;
 
-/// Number of coefficients of a power series in `f64`. Over 1.5 rad the first neglected term is below 1.5²²/22! = 7e-18
-/// of the first term.
+/// Number of coefficients of a power series in `f64`. In a stretch of 1.5 rad, the first neglected term is below
+/// 1.5²²/22! = 7e-18 of the first term.
 pub const TERMS: usize = 22;
 
-/// Returns the number of coefficients that the number type needs. In `f32`, the first neglected term over 1 rad is below
-/// 1/12! = 2e-9 of the first term.
+/// Returns the number of coefficients that a power series needs in this number type. In `f32`, the first neglected term
+/// in a stretch of 1 rad is below 1/12! = 2e-9 of the first term.
 pub(super) fn terms_of<S: Float>() -> usize {
     if S::EPSILON < 1e-10 { TERMS } else { 12 }
 }
 
-/// Returns the angle, in radians of an upper bound on the fastest frequency, over which a power series is used.
+/// Returns the largest length of a stretch (interval of one power series), in rad of an upper bound on the fastest
+/// frequency.
 pub(super) fn angle_of<S: Float>() -> f64 {
     if S::EPSILON < 1e-10 { 1.5 } else { 1.0 }
 }
 
-/// Coefficients of the power series of one quantity over a stretch. The variable is the elapsed fraction of the
-/// stretch, from 0 to 1.
+/// Coefficients of the power series of one quantity over a stretch (time interval). The variable is the elapsed
+/// fraction of the stretch, from 0 to 1.
 pub type Poly<S> = [S; TERMS];
 
 /// Returns the coefficients of a quantity that is always 0.
@@ -26,8 +27,8 @@ pub(super) fn nothing<S: Float>() -> Poly<S> {
     [S::constant(0.0); TERMS]
 }
 
-/// Evaluates a polynomial at a point. The even and the odd terms are separate sums, which a processor computes at the
-/// same time.
+/// Returns the value of the polynomial `terms` at the point `at`. The code sums the even and the odd terms separately,
+/// because a processor can compute the two sums at the same time.
 pub fn value<S: Float>(terms: &[S], at: S) -> S {
     let (zero, square) = (S::constant(0.0), at * at);
     let pairs = terms.chunks(2).rev();
@@ -38,7 +39,7 @@ pub fn value<S: Float>(terms: &[S], at: S) -> S {
     even + at * odd
 }
 
-/// Evaluates a polynomial and its derivative at a point.
+/// Returns the value and the derivative of the polynomial `terms` at the point `at`.
 pub(super) fn value_and_slope<S: Float>(terms: &[S], at: S) -> (S, S) {
     let (zero, square) = (S::constant(0.0), at * at);
     let pairs = terms.chunks(2).rev();
@@ -48,7 +49,7 @@ pub(super) fn value_and_slope<S: Float>(terms: &[S], at: S) -> (S, S) {
         let raise = |(sum, slope): (S, S), term| (sum * square + term, slope * square + sum);
         (raise(even, first), raise(odd, second))
     });
-    // The slopes are derivatives with respect to the square.
+    // The slopes in `even` and `odd` are derivatives with respect to the square of the variable.
     let slope = odd.0 + S::constant(2.0) * at * (even.1 + at * odd.1);
     (even.0 + at * odd.0, slope)
 }

@@ -33,7 +33,7 @@ pub fn first_negative<S: Float>(terms: &Poly<S>, zeros: usize) -> Option<S> {
     search(terms)
 }
 
-/// Returns true if the derivative of the polynomial is clearly negative on [0, 1].
+/// Returns true if the derivative of the polynomial `terms` is negative on [0, 1] by more than rounding errors.
 fn falls_steadily<S: Float>(terms: &[S]) -> bool {
     let mut slope = [S::constant(0.0); TERMS];
     let mut order = S::constant(0.0);
@@ -46,13 +46,14 @@ fn falls_steadily<S: Float>(terms: &[S]) -> bool {
         .is_some_and(stays_positive)
 }
 
-/// Number of coefficients in the quick test of [`stays_positive`].
+/// Number of coefficients in the fast test [`stays_positive`].
 const QUICK: usize = 6;
-/// Binomial coefficients of QUICK − 1.
+/// Binomial coefficients for the degree QUICK − 1.
 const BINOMIALS: [f64; QUICK] = [1.0, 5.0, 10.0, 10.0, 5.0, 1.0];
 
-/// Returns true if a lower bound on the polynomial, of degree 5, is clearly positive on [0, 1]. The bound replaces each
-/// negative term of higher degree by its value at 1, and omits the positive ones.
+/// Returns true if a lower bound on the polynomial `terms` is positive on [0, 1] by more than rounding errors. The
+/// lower bound is a polynomial of degree 5. It replaces each negative term of higher degree by its value at 1, and
+/// omits the positive terms of higher degree.
 fn stays_positive<S: Float>(terms: &[S]) -> bool {
     let zero = S::constant(0.0);
     let (Some(low), Some(high)) = (terms.first_chunk::<QUICK>(), terms.get(QUICK..)) else {
@@ -72,15 +73,15 @@ fn stays_positive<S: Float>(terms: &[S]) -> bool {
             before = *value;
         }
     }
-    // The margin is far above rounding errors.
+    // The margin is far larger than rounding errors.
     let [first, ..] = *low;
     let least = S::constant(1e-3) * first - falls;
     values.iter().all(|value| *value > least)
 }
 
-/// Bisects [0, 1], with the polynomial in Bernstein form, until each subinterval has at most one root. A subinterval
-/// extends from index/2^depth to (index + 1)/2^depth. The code computes its Bernstein form again from the form on [0,
-/// 1] when the search returns to it, so that no stack is needed.
+/// Bisects the interval [0, 1] until each subinterval has at most one root of the polynomial. The polynomial is in
+/// Bernstein form. A subinterval extends from index/2^depth to (index + 1)/2^depth. When the search returns to a
+/// subinterval, the code computes its Bernstein form again from the form on [0, 1], so that it needs no stack.
 fn search<S: Float>(terms: &[S]) -> Option<S> {
     let half = S::constant(0.5);
     let whole = Form::new(terms);
@@ -135,7 +136,7 @@ impl<S: Float> Form<S> {
         }
         let count = terms.len();
         for pass in 0..degree {
-            // In descending order the sums of a pass do not depend on each other.
+            // In descending order the sums of one pass do not depend on each other.
             let used = values.get_mut(pass..count).unwrap_or_default();
             let mut upper: Option<&mut S> = None;
             for lower in used.iter_mut().rev() {
@@ -205,11 +206,11 @@ impl<S: Float> Form<S> {
     }
 }
 
-/// Largest number of Newton steps before a bisection.
+/// Largest number of Newton steps before a bisection starts.
 const NEWTON: usize = 8;
 
-/// Finds by bisection the point at which the polynomial changes its sign from positive to negative. Newton's method
-/// first shortens the interval.
+/// Finds the point between `low` and `high` at which the polynomial changes its sign from positive to negative.
+/// Newton's method first shortens the interval, and bisections then find the point.
 fn bisect<S: Float>(terms: &[S], mut low: S, mut high: S) -> S {
     let half = S::constant(0.5);
     let mut middle = half * (low + high);
@@ -228,7 +229,7 @@ fn bisect<S: Float>(terms: &[S], mut low: S, mut high: S) -> S {
         middle = next;
         let near = S::constant(8.0 * S::EPSILON);
         if moved <= S::constant(4.0) * near {
-            // The root is within rounding errors of this point.
+            // The distance of the root from this point is within rounding errors.
             let (below, above) = (middle - near, middle + near);
             if below > low && value(terms, below) > S::constant(0.0) {
                 low = below;

@@ -33,7 +33,7 @@ impl<S: Float, Z: Size> Observe<S, Z> for () {
     fn event(&mut self, _: S, _: &Z::Contacts<i8>, _: &Z::Contacts<i8>) {}
 }
 
-/// Upper bounds on the work of one call.
+/// Largest amounts of work in one call.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Bounds {
     /// Largest number of events in one call.

@@ -138,7 +138,8 @@ impl<S: Float, Z: Size> Series<S, Z> {
         term(self.x.as_ref(), node, 0)
     }
 
-    /// Returns the relative displacement of two nodes at a fraction of the stretch.
+    /// Returns the displacement of the node `plus` minus that of the node `minus`, at the given fraction of the
+    /// stretch.
     pub fn place(&self, (plus, minus): (usize, usize), fraction: S) -> S {
         value(&self.place_terms(plus, minus), fraction)
     }

@@ -16,17 +16,19 @@ use crate::errors::Halt;
 use crate::number::complex::{Complex, mul};
 use crate::number::matrix::SquareMatrix;
 
-/// Largest number of steps in an attempt. A step computes the derivatives, or takes those of the step before it.
+/// Largest number of Newton steps in one attempt to find a periodic motion. A step computes the derivatives, or uses
+/// those of the previous step.
 const STEPS: usize = 24;
-/// Largest number of steps if the derivatives are differences.
+/// Largest number of Newton steps in one attempt if the derivatives are finite differences.
 const DIFFERENCES: usize = 12;
-/// A step computes the derivatives again unless the residual has fallen to this fraction.
+/// Largest residual after a Newton step at which the next step uses the same derivatives, divided by the residual
+/// before the step.
 const SLOW: f64 = 1e-2;
-/// A step computes the derivatives if the residual before it is above this value.
+/// Residual above which the next Newton step computes the derivatives together with the motion.
 const FAR: f64 = 1e-4;
 
 impl<S: Float, Z: Size> Search<S, Z> {
-    /// Returns the conversion between states and unknowns.
+    /// Returns the conversion between states of the motion and unknowns of the search.
     pub(super) fn unknowns(&self) -> Unknowns<'_, S, Z> {
         let rate = S::constant(core::f64::consts::TAU) / self.cycle;
         Unknowns {
@@ -75,7 +77,7 @@ impl<S: Float, Z: Size> Search<S, Z> {
             let residual = apart(to.as_ref(), from.as_ref());
             let stops = is_new && residual >= half * before && residual <= S::constant(50.0) * same;
             let found = residual <= exact || stops;
-            // Exact derivatives of an earlier step serve as long as the residual falls quickly.
+            // The code uses exact derivatives of an earlier step as long as the residual falls quickly.
             let kept = known.take().filter(|_| !found && residual <= slow * before);
             is_new = kept.is_none() || shot.derivatives.is_some();
             let mut matrix = match shot.derivatives.or(kept) {
@@ -105,8 +107,8 @@ impl<S: Float, Z: Size> Search<S, Z> {
         Ok(None)
     }
 
-    /// Returns the unknowns after a step of Newton's method. `from` and `to` are the unknowns at the start and at the end
-    /// of a period, and `matrix` has the derivatives of the latter.
+    /// Returns the unknowns after a step of Newton's method. `from` contains the unknowns at the start of a period, and
+    /// `to` those at its end. `matrix` contains the derivatives of `to` with respect to `from`.
     fn step(
         &self,
         model: &Model<S, Z>,

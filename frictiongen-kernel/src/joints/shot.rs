@@ -1,4 +1,4 @@
-//! One shot of the shooting method: the motion over a period, or over half a period, with its derivatives.
+//! One shot of the shooting method. A shot is the motion over a period or half a period, with its derivatives.
 
 use super::neutral::neutral;
 use super::run::{Motion, Observe};
@@ -10,29 +10,30 @@ use super::tangent::{Both, Tangent};
 use crate::Float;
 use crate::errors::Halt;
 
-/// Time of a shot.
+/// Duration of a shot (a motion that the shooting method follows).
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Span {
-    /// Half a cycle of the load. The shot ends with the opposite of the state at this time, so that a motion that repeats
-    /// with the opposite sign after half a cycle ends where it starts.
+    /// The shot lasts half a cycle of the load. The state at its end is multiplied by −1. A motion that repeats with
+    /// the opposite sign after half a cycle therefore ends in its initial state.
     Half,
-    /// A number of cycles of the load.
+    /// The shot lasts the given number of cycles of the load.
     Cycles(usize),
 }
 
-/// The end of a shot.
+/// Result of a shot: the motion at its end, and the derivatives.
 pub(super) struct Shot<S: Float, Z: Size> {
     pub(super) end: Motion<S, Z>,
-    /// For each contact, true if it slides during the shot.
+    /// One value for each contact, which is true if the contact slides during the shot.
     pub(super) moving: Z::Contacts<bool>,
-    /// Derivatives of the unknowns at the end with respect to those at the start, column by column, if they come with
-    /// the motion.
+    /// Derivatives of the unknowns at the end of the shot with respect to those at its start, column by column. `None`
+    /// if the code has not computed them together with the motion.
     pub(super) derivatives: Option<Z::Square<S>>,
 }
 
 impl<S: Float, Z: Size> Search<S, Z> {
-    /// Returns the time of a shot. Half a cycle is enough if the equations keep their form under a change of all signs
-    /// half a cycle later, and if all contacts have μ = 1: then only one steady state exists. It has this symmetry.
+    /// Returns the duration of a shot. Half a cycle is enough under two conditions. The first is that the equations
+    /// half a cycle later are the same equations with all signs changed. The second is that all contacts have μ = 1.
+    /// Then only one steady state exists, and it has this symmetry.
     pub(super) fn span(&self, motion: &Motion<S, Z>, period: usize) -> Span {
         let model = motion.model();
         let mut loads = model.loads.as_ref().iter();
@@ -46,8 +47,8 @@ impl<S: Float, Z: Size> Search<S, Z> {
         }
     }
 
-    /// Returns true if the sliders of all contacts that do not slide are at 0. A motion with another slider does not
-    /// repeat with the opposite sign.
+    /// Returns true if the slider of every contact that does not slide is at 0. If a slider is at another position, the
+    /// motion does not repeat with the opposite sign.
     pub(super) fn is_centred(&self, motion: &Motion<S, Z>) -> bool {
         let contacts = motion.model().contacts().iter().enumerate();
         let mut still = contacts.filter(|(j, _)| !self.unknowns().moves(*j));
@@ -64,7 +65,8 @@ impl<S: Float, Z: Size> Search<S, Z> {
         })
     }
 
-    /// Follows the motion from a state. Computes the derivatives if `derives` is true and if they come with the motion.
+    /// Follows the motion from a state through one shot. If `derives` is true, also computes the derivatives, if the
+    /// code can compute them together with the motion.
     pub(super) fn shoot(
         &self,
         start: &Motion<S, Z>,
@@ -90,7 +92,7 @@ impl<S: Float, Z: Size> Search<S, Z> {
         })
     }
 
-    /// Advances a motion to the end of a shot.
+    /// Advances a motion to the end of a shot with the duration `span`.
     fn pass(
         &self,
         motion: &mut Motion<S, Z>,
@@ -110,7 +112,8 @@ impl<S: Float, Z: Size> Search<S, Z> {
         }
     }
 
-    /// Returns the derivatives of the unknowns after a shot with respect to the unknowns before it, column by column.
+    /// Returns the derivatives of the unknowns after a shot with respect to the unknowns before the shot. The matrix is
+    /// stored column by column.
     pub(super) fn derivatives(
         &self,
         start: &Motion<S, Z>,

@@ -1,4 +1,4 @@
-//! Observers that note which contacts slide, and the number of events.
+//! Observers of a motion that detect which contacts slide, count events, or measure displacements.
 
 use super::cycle::{ends, integral, least_slip};
 use super::model::Model;
@@ -8,16 +8,16 @@ use super::size::{Size, add, at, set};
 use super::state::State;
 use crate::{Float, Scalar};
 
-/// Observer that notes whether a contact slides.
+/// Observer of a motion. It detects whether any contact slides.
 pub(super) struct Slid<S: Float, Z: Size> {
     ends: Z::Contacts<(usize, usize)>,
-    /// True if a contact has slid by more than rounding errors.
+    /// True if some contact has slid farther than rounding errors can cause.
     pub(super) slides: bool,
     scalar: core::marker::PhantomData<S>,
 }
 
 impl<S: Float, Z: Size> Slid<S, Z> {
-    /// Starts to observe the contacts of a chain.
+    /// Starts to observe whether the contacts of a chain slide.
     pub(super) fn new(model: &Model<S, Z>) -> Self {
         Self {
             ends: ends(model),
@@ -40,16 +40,17 @@ impl<S: Float, Z: Size> Observe<S, Z> for Slid<S, Z> {
     fn event(&mut self, _: S, _: &Z::Contacts<i8>, _: &Z::Contacts<i8>) {}
 }
 
-/// Observer of a period that measures how far each contact slides.
+/// Observer of a period. It measures how far each contact slides.
 pub(super) struct Slips<S: Float, Z: Size> {
     ends: Z::Contacts<(usize, usize)>,
     slips: Z::Contacts<S>,
-    /// Largest absolute relative displacement at the start of a stretch.
+    /// Largest absolute relative displacement of each contact, at the starts of the stretches (intervals of one power
+    /// series).
     places: Z::Contacts<S>,
 }
 
 impl<S: Float, Z: Size> Slips<S, Z> {
-    /// Starts to observe the contacts of a chain.
+    /// Starts to measure how far the contacts of a chain slide.
     pub(super) fn new(model: &Model<S, Z>) -> Self {
         let zero = S::constant(0.0);
         Self {
@@ -59,7 +60,8 @@ impl<S: Float, Z: Size> Slips<S, Z> {
         }
     }
 
-    /// Returns for each contact true if it has slid by more than rounding errors.
+    /// Returns one value for each contact. The value is true if the contact has slid farther than rounding errors can
+    /// cause.
     pub(super) fn slides(&self, model: &Model<S, Z>) -> Z::Contacts<bool> {
         let mut slides = model.size.contacts(false);
         for (j, slides) in slides.as_mut().iter_mut().enumerate() {
@@ -89,7 +91,7 @@ impl<S: Float, Z: Size> Observe<S, Z> for Slips<S, Z> {
     fn event(&mut self, _: S, _: &Z::Contacts<i8>, _: &Z::Contacts<i8>) {}
 }
 
-/// An observer that counts the events.
+/// Observer of a motion that counts the events.
 pub(super) struct Count(pub(super) u32);
 
 impl<S: Float, Z: Size> Observe<S, Z> for Count {
@@ -100,7 +102,7 @@ impl<S: Float, Z: Size> Observe<S, Z> for Count {
     }
 }
 
-/// An observer that measures the size of the displacements.
+/// Observer of a motion that measures the largest displacement of all masses.
 pub(super) struct Reach<S>(pub(super) S);
 
 impl<S: Float, Z: Size> Observe<S, Z> for Reach<S> {

@@ -66,7 +66,7 @@ impl<S: Float, Z: Size> State<S, Z> {
         (of(self.x.as_ref(), 0), of(self.v.as_ref(), 1))
     }
 
-    /// Returns the state with the opposite sign of all displacements, velocities and forces.
+    /// Returns the state in which all displacements, velocities and forces have the opposite sign.
     pub(super) fn opposite(&self) -> Self {
         let mut state = self.clone();
         let masses = state.x.as_mut().iter_mut().chain(state.v.as_mut());
@@ -89,7 +89,7 @@ impl<S: Float, Z: Size> State<S, Z> {
         state
     }
 
-    /// Sets the velocities of the masses from the velocities of the nodes.
+    /// Copies the velocities of the masses from `v`, which contains the velocities of all nodes.
     pub(super) fn keep_speeds(&mut self, v: &[S]) {
         for (mass, node) in self.v.as_mut().iter_mut().zip(v) {
             *mass = *node;

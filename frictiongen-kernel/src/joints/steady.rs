@@ -34,7 +34,7 @@ const DECAY: f64 = 1e-3;
 /// Largest number of cycles for which the test of a periodic motion follows the motion.
 const MAX_CONFIRM: usize = 256;
 
-/// Bounds on the work of one cycle.
+/// Largest numbers of events and stretches in one cycle.
 pub(super) const BOUNDS: Bounds = Bounds {
     events: MAX_EVENTS,
     stretches: MAX_STRETCHES,
@@ -148,9 +148,9 @@ impl<S: Float, Z: Size> Motion<S, Z> {
 
 /// Search for a periodic motion of a chain by the shooting method.
 pub(super) struct Search<S: Float, Z: Size> {
-    /// Angular frequency ω of the load.
+    /// Angular frequency ω of the load, in rad per unit of time.
     pub(super) omega: S,
-    /// Duration of a cycle of the load.
+    /// Duration of one cycle of the load.
     pub(super) cycle: S,
     /// Size of the displacements in the motion. The search divides displacements by it.
     pub(super) place: S,

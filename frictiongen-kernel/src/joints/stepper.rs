@@ -15,8 +15,8 @@ use crate::errors::{Given, Halt, OutOfDomain};
 
 /// Largest number of events that the stepper follows in one step.
 pub const MAX_STEP_EVENTS: usize = 64;
-/// Upper bound on the time step of a stepper, in radians of an upper bound on the fastest angular frequency. A stretch is
-/// at least one radian.
+/// Largest time step of a stepper, in rad of an upper bound on the fastest angular frequency. The length of a stretch
+/// is at least 1 rad.
 pub const MAX_STEP: f64 = 1024.0;
 
 /// Largest amounts of work in one step. Every event ends a stretch, even if no contact changes its phase. A step may
@@ -63,7 +63,7 @@ impl<S: Float, Z: Size> Stepper<S, Z> {
     ///
     /// # Errors
     ///
-    /// [`OutOfDomain::Step`] for a step that is not positive and finite, or longer than [`MAX_STEP`] radians.
+    /// [`OutOfDomain::Step`] if the step is not positive and finite, or is longer than [`MAX_STEP`] rad.
     pub fn new(mut model: Model<S, Z>, dt: S, holds: bool) -> Result<Self, OutOfDomain> {
         model.base = Curve::zero();
         for contact in model.contacts.as_mut() {

@@ -1,9 +1,10 @@
-//! Derivatives of a motion with respect to its initial state, for chains whose contacts are all elastic with μ = 1.
+//! Derivatives of a motion with respect to its initial state. They exist for chains in which all contacts are elastic
+//! with μ = 1.
 //!
 //! Between two events, a small deviation from a motion satisfies the homogeneous linear equations. At an event of an
-//! elastic contact with μ = 1 the force is continuous, and so are displacements, velocities and accelerations. The
-//! deviations of displacements and velocities therefore do not jump. The deviation of the force is 0 while the contact
-//! slides, and starts from 0 when the contact sticks again.
+//! elastic contact with μ = 1, the force, the displacements, the velocities and the accelerations do not jump. The
+//! deviations of displacements and velocities therefore do not jump either. The deviation of the force is 0 while the
+//! contact slides, and starts from 0 when the contact sticks again.
 
 use super::model::Model;
 use super::poly::terms_of;
@@ -15,29 +16,31 @@ use super::state::{STUCK, State};
 use super::unknowns::Unknowns;
 use crate::Float;
 
-/// Observer that propagates one deviation for each unknown of a steady state.
+/// Observer of a motion that advances one small deviation for each unknown of a steady state.
 pub(super) struct Tangent<'m, S: Float, Z: Size> {
     model: &'m Model<S, Z>,
-    /// Deviations, one column for each unknown. The rows are displacements of the masses, velocities of the masses, and
-    /// forces of the contacts.
+    /// Deviations from the motion, with one column for each unknown. The rows are the displacements of the masses, the
+    /// velocities of the masses, and the forces of the contacts.
     rows: Z::Square<S>,
-    /// Coefficients of the power series of `rows`, of one order.
+    /// Coefficients of one order in the power series of the deviations `rows`.
     term: Z::Square<S>,
-    /// Deviations of the forces on the masses, one row for each mass.
+    /// Deviations of the forces on the masses, with one row for each mass and one column for each unknown.
     forces: Z::Square<S>,
-    /// Number of columns: one for the displacement and one for the velocity of each mass, and one for each contact.
+    /// Number of columns of each matrix. Each mass has one column for its displacement and one for its velocity, and
+    /// each contact has one column.
     width: usize,
 }
 
 impl<'m, S: Float, Z: Size> Tangent<'m, S, Z> {
-    /// Returns true if this observer can follow all contacts of a chain.
+    /// Returns true if this observer can compute the derivatives for all contacts of a chain. This is possible if all
+    /// contacts are elastic with μ = 1.
     pub(super) fn follows(model: &Model<S, Z>) -> bool {
         let one = S::constant(1.0);
         let mut contacts = model.contacts().iter();
         contacts.all(|contact| !contact.is_rigid() && contact.stiction == one)
     }
 
-    /// Starts at a state, with a deviation of 1 of each unknown.
+    /// Starts to observe a motion at a state. Each unknown has a deviation of 1 in its column.
     pub(super) fn new(
         model: &'m Model<S, Z>,
         state: &State<S, Z>,
@@ -71,27 +74,28 @@ impl<'m, S: Float, Z: Size> Tangent<'m, S, Z> {
         tangent
     }
 
-    /// Sets one deviation.
+    /// Sets the deviation in one row and one column.
     fn put(&mut self, row: usize, column: usize, value: S) {
         if let Some(entry) = self.rows.as_mut().get_mut(row * self.width + column) {
             *entry = value;
         }
     }
 
-    /// Returns one deviation, or 0 for a support.
+    /// Returns the deviation in one row and one column, or 0 for a support.
     fn get(&self, row: usize, column: usize) -> S {
         at(self.rows.as_ref(), row * self.width + column)
     }
 
-    /// Returns the derivatives of the unknowns at the end of a shot, column by column. Contacts that do not move are not
-    /// unknown.
+    /// Returns the derivatives of the unknowns at the end of a shot, column by column. The position of a contact that
+    /// does not slide is not an unknown.
     pub(super) fn derivatives(&self, unknowns: &Unknowns<'_, S, Z>, span: Span) -> Z::Square<S> {
         let zero = S::constant(0.0);
         let turn = S::constant(if span == Span::Half { -1.0 } else { 1.0 });
         let mut matrix = self.model.size.square(zero);
         let masses = self.model.wall();
         let size = self.model.size.unknowns(zero).as_ref().len().max(1);
-        // The column of an unknown. A contact has two unknowns, of which an elastic one uses the first if it slides.
+        // This function returns the column of an unknown. A contact has two unknowns. An elastic contact uses the first
+        // one if it slides.
         let column_of = |index: usize| match index.checked_sub(2 * masses) {
             None => Some(index),
             Some(index) if index % 2 == 0 && unknowns.moves(index / 2) => {
@@ -120,7 +124,7 @@ impl<'m, S: Float, Z: Size> Tangent<'m, S, Z> {
         matrix
     }
 
-    /// Returns the deviation of the slider of an elastic contact.
+    /// Returns the deviation of the position of an elastic contact's slider.
     fn slider(&self, j: usize, column: usize) -> S {
         let masses = self.model.wall();
         let Some((contact, stiffness)) = self
@@ -141,7 +145,7 @@ impl<'m, S: Float, Z: Size> Tangent<'m, S, Z> {
         place(contact.plus) - place(contact.minus) - force / stiffness
     }
 
-    /// Computes the forces on the masses that belong to the present coefficients.
+    /// Computes the deviations of the forces on the masses from the present coefficients.
     fn sum_forces(&mut self, state: &State<S, Z>) {
         let (width, masses) = (self.width, self.model.wall());
         let (xs, others) = self.term.as_ref().split_at(masses * width);
@@ -154,7 +158,7 @@ impl<'m, S: Float, Z: Size> Tangent<'m, S, Z> {
         let springs = self.model.springs.as_ref().iter().map(|link| (link, xs));
         let dashpots = self.model.dashpots.as_ref().iter().map(|link| (link, vs));
         for (&(plus, minus, value), rows) in springs.chain(dashpots) {
-            // Supports have no deviation.
+            // The supports (wall and base) have no deviation.
             match (rows.get(row(plus)), rows.get(row(minus))) {
                 (Some(one), Some(other)) => {
                     add_difference(forces, plus * width, (one, other, -value));
@@ -181,7 +185,7 @@ impl<'m, S: Float, Z: Size> Tangent<'m, S, Z> {
         }
     }
 
-    /// Replaces the coefficients of one order by those of the next.
+    /// Replaces the coefficients of one order by those of the next order.
     fn raise(&mut self, state: &State<S, Z>, next: S) {
         let (width, masses) = (self.width, self.model.wall());
         let (xs, others) = self.term.as_mut().split_at_mut(masses * width);
@@ -214,7 +218,7 @@ impl<'m, S: Float, Z: Size> Tangent<'m, S, Z> {
     }
 }
 
-/// Adds a multiple of a row to a row of a matrix, which begins at the given index.
+/// Adds a row times `factor` to the row of a matrix that begins at the index `start`.
 fn add_rows<S: Float>(matrix: &mut [S], start: usize, (row, factor): (&[S], S)) {
     let entries = matrix.get_mut(start..).unwrap_or_default();
     for (entry, value) in entries.iter_mut().zip(row) {
@@ -222,7 +226,7 @@ fn add_rows<S: Float>(matrix: &mut [S], start: usize, (row, factor): (&[S], S)) 
     }
 }
 
-/// Adds a multiple of the difference of two rows to a row of a matrix, which begins at the given index.
+/// Adds the difference of two rows times `factor` to the row of a matrix that begins at the index `start`.
 fn add_difference<S: Float>(matrix: &mut [S], start: usize, (one, other, factor): (&[S], &[S], S)) {
     let entries = matrix.get_mut(start..).unwrap_or_default();
     for (entry, (one, other)) in entries.iter_mut().zip(one.iter().zip(other)) {
@@ -267,7 +271,7 @@ impl<S: Float, Z: Size> Observe<S, Z> for Tangent<'_, S, Z> {
     fn event(&mut self, _: S, _: &Z::Contacts<i8>, _: &Z::Contacts<i8>) {}
 }
 
-/// Two observers of one motion.
+/// Observer of a motion that consists of two other observers.
 pub(super) struct Both<'o, A, B>(pub(super) &'o mut A, pub(super) &'o mut B);
 
 impl<S: Float, Z: Size, A: Observe<S, Z>, B: Observe<S, Z>> Observe<S, Z> for Both<'_, A, B> {

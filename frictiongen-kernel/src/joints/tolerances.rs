@@ -14,8 +14,8 @@ pub(super) struct Tolerances<S> {
     pub(super) split: S,
     /// Distance of the motion from a periodic motion below which the search accepts the periodic motion at once.
     pub(super) close: S,
-    /// A multiplier belongs to an attracting state if its modulus is below 1 by more than this value, which is far above
-    /// the error of a multiplier.
+    /// Largest difference between 1 and the absolute value of a multiplier at which the steady state may fail to
+    /// attract neighbouring motions. It is far larger than the error of a multiplier.
     pub(super) attracts: S,
 }
 
@@ -24,7 +24,8 @@ impl<S: Float> Tolerances<S> {
         let [same, step, rank, split, close, attracts] = if S::EPSILON < 1e-10 {
             [2e-13, 1e-6, 1e-7, 1e-3, 1e-9, 1e-3]
         } else {
-            // A cycle has a rounding error of some 1e-6, which the differences divide by their step.
+            // In `f32` a cycle has a rounding error of about 1e-6. The finite differences divide this error by their
+            // step.
             [2e-6, 2e-3, 2e-3, 0.1, 1e-4, 2e-2]
         };
         Self {

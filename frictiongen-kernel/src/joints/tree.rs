@@ -173,8 +173,8 @@ impl<S: Float, Z: Size> Tree<S, Z> {
         accelerations
     }
 
-    /// Computes accelerations and the forces of sticking contacts, as [`accelerate`](Self::accelerate) does, without new
-    /// arrays. `rest` is working space.
+    /// Computes the acceleration of each node and the force of each sticking contact, as
+    /// [`accelerate`](Self::accelerate) does. The function needs no new arrays, because `rest` is working memory.
     pub(super) fn accelerate_in(
         &self,
         model: &Model<S, Z>,
@@ -183,7 +183,7 @@ impl<S: Float, Z: Size> Tree<S, Z> {
         (accelerations, holds): (&mut [S], &mut [S]),
     ) {
         if self.count == 0 {
-            // Every mass moves alone.
+            // No contact sticks, so that every mass moves alone.
             let supports = [S::constant(0.0), base];
             let alone = forces
                 .iter()
@@ -194,7 +194,7 @@ impl<S: Float, Z: Size> Tree<S, Z> {
             }
             return;
         }
-        // The total force on each tree, at its root.
+        // `rest` receives the total force on each tree at the index of its root.
         rest.fill(S::constant(0.0));
         for (force, &root) in forces.iter().zip(self.roots.as_ref()) {
             add(rest, root, *force);

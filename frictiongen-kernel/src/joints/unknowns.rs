@@ -19,7 +19,7 @@ pub(super) struct Unknowns<'s, S: Float, Z: Size> {
 }
 
 impl<S: Float, Z: Size> Unknowns<'_, S, Z> {
-    /// Returns the conversion with the same sizes for other contacts that slide.
+    /// Returns a conversion with the same sizes, in which the contacts in `moving` slide.
     pub(super) fn of<'m>(&self, moving: &'m Z::Contacts<bool>) -> Unknowns<'m, S, Z> {
         Unknowns {
             place: self.place,

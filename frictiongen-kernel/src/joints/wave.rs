@@ -65,13 +65,14 @@ impl<S: Float> Wave<S> {
         self.constant.is_zero() && self.slope.is_zero() && self.amplitude.is_zero()
     }
 
-    /// Returns true if the value has the opposite sign half a period of the angular frequency ω later, at every instant.
+    /// Returns true if the function always has the opposite sign half a period later. ω is the angular frequency of the
+    /// period.
     pub(super) fn is_odd(&self, omega: S) -> bool {
         let follows = self.amplitude.is_zero() || self.omega == omega;
         self.constant.is_zero() && self.slope.is_zero() && follows
     }
 
-    /// Returns true if all numbers of the function are finite.
+    /// Returns true if all coefficients of the function are finite.
     #[must_use]
     pub fn is_finite(&self) -> bool {
         let numbers = [

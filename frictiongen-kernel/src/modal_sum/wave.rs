@@ -82,7 +82,7 @@ impl<S: Float, D: Decay<S>> Wave<S, D> {
         at_rest || S::constant(1.0) < self.x * lasts * S::constant(S::RESOLUTION)
     }
 
-    /// Returns an upper bound on the modulus of the modal term in the half period.
+    /// Returns an upper bound on the absolute value of the modal term in the half period.
     fn amplitude_bound(&self) -> S {
         let one = S::constant(1.0);
         let Self {

@@ -16,9 +16,9 @@ pub struct HeldMode<S> {
     pub frequency: S,
     /// Modal damping ratio ζ of the mode.
     pub zeta: S,
-    /// √|1 − ζ²|, the damped natural frequency divided by the undamped one.
+    /// √|1 − ζ²|, the damped natural frequency of the mode divided by its undamped natural frequency.
     pub q: S,
-    /// Contact force per unit of the mode's displacement y, with the opposite sign.
+    /// Contact force caused by a unit displacement y of the mode, with the opposite sign.
     pub force: S,
     /// Symmetric matrix [m₁₁, m₁₂, m₂₂] from which `state` computes y and u. The matrix multiplies two scalar products:
     /// those of the chain's motion with the two state vectors of the mode.

@@ -33,7 +33,7 @@ pub enum MeasureError {
     NoRate,
     /// The samples are not evenly spaced in time.
     MixedRates {
-        /// The position at which the time step changes. It is a line of the file, or a channel.
+        /// Position at which the time step of the recording changes. It is a line of the file, or a channel.
         place: String,
         /// Time step before the change of the sampling rate, in s.
         before: f64,
@@ -135,7 +135,7 @@ pub enum MeasureError {
         mass: String,
         /// Measured lag of the mass behind the excitation, in degrees.
         measured: f64,
-        /// Lag of the mass behind the excitation with the best-fitting friction force, degrees.
+        /// Lag of the mass behind the excitation in the scene with the best-fitting friction force, in degrees.
         nearest: f64,
     },
     /// The number of measured values is smaller than the number of unknowns.

@@ -42,7 +42,7 @@ pub struct Measured {
     pub hertz_deviation: f64,
     /// Sampling rate of the recording, in samples per second.
     pub rate: f64,
-    /// Start and end of the steady interval, in s from the first sample.
+    /// Start and end of the interval of steady motion, in s from the first sample of the recording.
     pub steady: (f64, f64),
     /// Mean and harmonics of the excitation: displacement of the base in m, or force in N.
     pub drive: Tone,
@@ -53,7 +53,7 @@ pub struct Measured {
 /// A complex amplitude divided by the amplitude of the excitation, with its uncertainty.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Transmissibility {
-    /// The complex ratio X/Y for base motion, or X/P in m/N for a force.
+    /// Complex ratio X/Y for base motion, or X/P in m/N for a force. X is the amplitude of the mass.
     pub value: Complex<f64>,
     /// Standard deviation of the real part and of the imaginary part of [`value`](Self::value).
     pub deviation: f64,

@@ -15,7 +15,7 @@ use super::statistics::student;
 use super::{MeasureError, Recording};
 use nalgebra::{DMatrix, DVector};
 
-/// The direction of sliding counts as uncertain at speeds below this fraction of the largest speed.
+/// Speed below which the direction of sliding is uncertain, divided by the largest speed.
 const SLOW: f64 = 0.02;
 /// Smallest number of windows from which the regression determines the four unknowns and their scatter.
 const FEWEST: usize = 12;
@@ -29,7 +29,7 @@ pub struct Regression {
     pub viscous: Estimate,
     /// Coulomb friction force F_c, in N.
     pub coulomb: Estimate,
-    /// Constant force on the axis, the offset in the equation of motion, N.
+    /// Constant force on the axis, in N. It is the offset in the equation of motion.
     pub offset: Estimate,
     /// Root mean square of the force that the equation does not explain, in N.
     pub residual: f64,
@@ -93,7 +93,7 @@ impl Recording {
         solve(&kept)
     }
 
-    /// Returns the channel with a name. Fails unless the channel measures the given quantity.
+    /// Returns the channel called `name`. Returns an error if the channel does not measure the given quantity.
     fn channel_of(&self, name: &str, dimension: Dimension) -> Result<&Channel, MeasureError> {
         let known = || self.channels().iter().map(|channel| channel.name.clone());
         let found = self

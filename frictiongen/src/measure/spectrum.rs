@@ -17,12 +17,12 @@ const DECADE: f64 = 60.0;
 pub struct PeakResponse {
     /// Undamped natural period of the oscillator, in s.
     pub period: f64,
-    /// Largest displacement relative to the base within the record, m.
+    /// Largest displacement of the oscillator relative to its base during the record, in m.
     pub displacement: f64,
 }
 
 impl PeakResponse {
-    /// Returns the undamped angular frequency of the oscillator, rad/s.
+    /// Returns the undamped angular frequency of the oscillator, in rad/s.
     #[must_use]
     pub fn omega(&self) -> f64 {
         std::f64::consts::TAU / self.period

@@ -11,18 +11,19 @@ const BLOCK: f64 = 2.0;
 const MOST_BLOCKS: usize = 40;
 /// Smallest number of blocks of samples from which the code decides that the motion is steady.
 const FEWEST_BLOCKS: usize = 4;
-/// Largest deviation of the excitation's phase from the phase of a constant frequency, in rad, for which the frequency
-/// counts as constant. It corresponds to a variation of the frequency by 1/30 of the width of a spectral line.
+/// Largest deviation of the excitation's phase from the phase of a constant frequency, in rad, at which the frequency
+/// is treated as constant. This deviation corresponds to a variation of the frequency by 1/30 of the width of a
+/// spectral line.
 const STRAY: f64 = 0.05;
-/// Largest relative change of the excitation's amplitude for which the excitation counts as steady.
+/// Largest relative change of the excitation's amplitude at which the excitation is treated as steady.
 const SWELL: f64 = 0.05;
-/// Largest change that counts as noise, in standard deviations of the noise.
+/// Largest change of an amplitude that is treated as noise, in standard deviations of the noise.
 const SURE: f64 = 6.0;
-/// Largest relative changes of a motion's fundamental for which the motion counts as steady. The search first tries the
-/// smaller one. The larger one permits a friction force that changes slowly.
+/// Largest relative changes of a motion's fundamental component at which the motion is treated as steady. The search
+/// first tries the smaller value. The larger value permits a friction force that changes slowly.
 const STEADY: [f64; 2] = [2e-3, 2e-2];
-/// Largest scatter of a motion's fundamental about its mean, divided by the mean, for which the motion counts as
-/// steady.
+/// Largest scatter of a motion's fundamental component about its mean at which the motion is treated as steady, divided
+/// by the mean.
 const SCATTER: f64 = 0.1;
 
 /// Complex fundamental of a channel in each block of samples. The phases of all blocks refer to the same origin of
@@ -43,7 +44,8 @@ fn blocks(samples: &[f64], per_sample: f64, length: usize) -> Option<Blocks> {
         values.push(tone.fundamental() * Complex::new(cos, -sin));
         deviations.push(tone.deviation);
     }
-    // The last third of the blocks gives the noise. At the start, a transient would count as noise.
+    // The last third of the blocks gives the noise. At the start of the recording, a transient would be part of the
+    // noise.
     let last = deviations.len().div_ceil(3);
     let deviation = deviations.iter().rev().take(last).sum::<f64>() / last as f64;
     Some(Blocks { values, deviation })
@@ -159,7 +161,7 @@ fn settled(name: &str, blocks: &Blocks) -> Result<usize, MeasureError> {
     let freedom = steps.len().saturating_sub(1).max(1);
     let scatter = (0.5 * squares / freedom as f64).sqrt();
     let noise = blocks.deviation * std::f64::consts::SQRT_2;
-    // A motion also counts as steady if its changes are within its noise.
+    // A motion is also treated as steady if its changes are within its noise.
     if SCATTER * middle.norm() < scatter && SURE * noise < scatter {
         return Err(MeasureError::NotSteady(name.to_owned()));
     }

@@ -14,8 +14,8 @@ pub const HARMONICS: usize = 5;
 /// Half-width of the frequency band in which the code estimates the noise, divided by the driving frequency. A wider
 /// band would include 0.5 and 1.5 times the driving frequency, at which a contact may cause components of the motion.
 const BESIDE: f64 = 0.45;
-/// Largest distance of a spectral bin from a harmonic, in bins, at which the bin counts as part of the harmonic and not
-/// as noise.
+/// Largest distance of a spectral bin from a harmonic, in bins, at which the bin belongs to the harmonic and not to the
+/// noise.
 const LINE: f64 = 3.0;
 /// Number of bins from which the error of the noise estimate is below a tenth. If the band near the driving frequency
 /// has fewer bins, the code also uses the bins between the harmonics.

@@ -33,17 +33,18 @@ impl std::error::Error for UnknownMass {}
 pub enum UnknownMotion {
     /// A name in the expression is not that of a mass.
     Mass(UnknownMass),
-    /// The motion is that of a mass relative to itself, which is zero.
+    /// The motion is that of a mass relative to itself, which is zero. The field is the name.
     Itself(String),
-    /// The base is the first of two names. It must be the second: `roof-base`, not `base-roof`.
+    /// The base is the first of two names. It must be the second: `roof-base`, not `base-roof`. The field is the name
+    /// of the mass.
     BaseFirst(String),
     /// No spring connects the two nodes. The second field lists the springs of the scene.
     Spring(String, Vec<String>),
     /// The scene has no spring between a mass and the base, so that there is no base shear.
     NoShear,
-    /// The name in front of the brackets is not that of a known function.
+    /// The name in front of the brackets is not that of a known function. The field is this name.
     Function(String),
-    /// The name asks for the velocity or the acceleration of a force, which do not exist.
+    /// The name requests the velocity or the acceleration of a force, which do not exist. The field is the name.
     Rate(String),
     /// The brackets of `slip(…)`, `force(…)` or `energy(…)` do not contain the name of a contact. The first field is
     /// the name of the function, and the second field is the text in its brackets.

@@ -11,9 +11,9 @@ use nalgebra::DMatrix;
 
 /// Largest number of masses for which the modal analysis is in double-double arithmetic.
 pub(super) const LARGEST_EXACT: usize = 64;
-/// Largest residue that counts as a rounding error, divided by its largest possible size.
+/// Largest residue that is treated as a rounding error, divided by its largest possible size.
 const NOISE: f64 = 1e-13;
-/// Largest cosine of the angle between two columns that count as orthogonal.
+/// Largest cosine of the angle between two columns at which they are treated as orthogonal.
 const ORTHOGONAL: f64 = 1e-15;
 /// Largest number of sweeps. A sweep rotates each pair of columns once.
 const MAX_SWEEPS: usize = 12;

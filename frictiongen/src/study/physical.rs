@@ -319,11 +319,11 @@ fn groups(
 }
 
 /// Largest relative difference between the offset of a motion and that of a contact that has never slid, at which the
-/// two count as equal.
+/// two offsets are treated as equal.
 const SAME_OFFSET: f64 = 1e-9;
 
-/// Largest change p·dX/dp that counts as 0, divided by X (or by 1 if X is larger). In numbers of 30 digits, rounding
-/// causes changes of this size.
+/// Largest change p·dX/dp that is treated as 0, divided by X (or by 1 if X is larger). In numbers of 30 digits,
+/// rounding causes changes of this size.
 const NOTHING: f64 = 1e-24;
 
 /// Returns a number and its derivative with respect to one parameter. `parameter` is the value of that parameter.

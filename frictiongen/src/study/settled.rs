@@ -9,8 +9,8 @@ use crate::{Error, Given, NoOrbit, NotContinuous, OutOfDomain, Regime, StuckReso
 use frictiongen_kernel::oscillator::mode::{Kind, Mode};
 use frictiongen_kernel::response::Scene as _;
 
-/// Largest distance of √λ_i/r from an even integer at which the two count as equal, as a multiple of the machine
-/// epsilon. The same tolerance decides whether a Floquet multiplier is on the unit circle.
+/// Largest distance of √λ_i/r from an even integer at which the two are treated as equal, in machine epsilons. The same
+/// tolerance decides whether a Floquet multiplier is on the unit circle.
 const ON_CIRCLE: f64 = 4096.0;
 
 /// The state of a steady motion at a maximum of the excitation: displacement and velocity of every mass, as
@@ -120,7 +120,7 @@ impl<'a> SystemAt<'a> {
     }
 
     /// Returns the regime of a steady state at this frequency ratio. Other steady states at the same β do not influence
-    /// the result. A motion that does not settle counts as stick-slip.
+    /// the result. If the motion does not settle, the result is stick-slip.
     #[must_use]
     pub fn regime_of(&self, orbit: &SystemOrbit<'_>) -> Regime {
         // Just below β*_lim rounding can hide a small motion. The code therefore also compares β with β*_lim.

@@ -1,5 +1,5 @@
-//! Compares the steppers of two scenes: the declared step, the bounds on the cost of a step, the step tables, and the
-//! answers of a run.
+//! Compares the steppers of two scenes: the declared time step, the bounds on the cost of a step, the step tables, and
+//! the results of a run.
 
 mod run;
 mod words;
@@ -10,34 +10,35 @@ use frictiongen_codegen::{SizeLimits, StepFacts, parse_text, step_facts};
 use run::{Answer, Load, Run};
 use std::f64::consts::TAU;
 
-/// Number of steps in the shortest period of both scenes, if no description declares a step.
+/// Number of steps in the shortest natural period of both scenes, if no description declares a step.
 const STEPS_IN_PERIOD: f64 = 20.0;
-/// The compared steps cover this number of the longest periods.
+/// Length of the compared run, divided by the longest natural period of both scenes.
 const PERIODS: f64 = 10.0;
-/// Smallest and largest number of compared steps.
+/// Smallest and largest number of steps in the compared run.
 const STEPS: (f64, f64) = (200.0, 10_000.0);
-/// Friction force of each contact, divided by the largest force that holds this contact in the old scene.
+/// Friction force of each contact in the compared run, divided by the largest force that holds this contact in the old
+/// scene.
 const FRICTION: f64 = 0.3;
-/// A friction force that holds a contact under every load here, in the unit of force of the stiffest spring.
+/// Friction force that holds a contact under every load of the comparison, in the unit of force of the stiffest spring.
 const HOLDS: f64 = 1e6;
-/// Largest speed of the contact without friction, divided by the last speed of `friction: stribeck`.
+/// Largest speed of the contact without friction, divided by the last speed of the field `friction: stribeck`.
 const SPEED: f64 = 2.0;
 
-/// Largest difference of one answer over the compared steps.
+/// Largest difference of one result of two steppers over the compared steps.
 #[derive(Clone, Debug, PartialEq)]
 pub struct StepDifference {
-    /// Name of the answer.
+    /// Name of the result, such as the displacement of a mass.
     pub name: String,
-    /// Step of the largest difference.
+    /// Number of the step at which the difference is largest.
     pub step: u32,
-    /// Old and new value after this step.
+    /// Value of the old and value of the new stepper after this step.
     pub values: (f64, f64),
-    /// Largest modulus of the answer over the steps of both scenes.
+    /// Largest absolute value of the result over the steps of both scenes.
     pub largest: f64,
 }
 
 impl StepDifference {
-    /// Returns the difference divided by the largest modulus of the answer.
+    /// Returns the largest difference divided by the largest absolute value of the result.
     pub fn relative(&self) -> f64 {
         if self.largest == 0.0 {
             return 0.0;
@@ -46,33 +47,34 @@ impl StepDifference {
     }
 }
 
-/// Answers of both steppers over a run of steps.
+/// Results of the steppers of two scenes in the compared run.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Answers {
-    /// Length of a step, s.
+    /// Time step of both steppers, in s.
     pub step: f64,
-    /// Number of steps.
+    /// Number of steps in the compared run.
     pub steps: u32,
-    /// Amplitude of each sine wave of the load.
+    /// Amplitude of each sine wave in the load.
     pub amplitude: f64,
-    /// Friction force of each contact.
+    /// Friction force of each contact, with the name of the contact.
     pub frictions: Vec<(String, f64)>,
-    /// Number of events, old and new.
+    /// Number of events of the old and number of events of the new stepper.
     pub events: (u64, u64),
-    /// Largest difference of each answer.
+    /// Largest difference of each result, such as the displacement of a mass.
     pub differences: Vec<StepDifference>,
 }
 
-/// Comparison of two steppers.
+/// Comparison of the steppers of two scenes.
 #[derive(Clone, Debug, Default)]
 pub struct Steppers {
-    /// Declared steps, old and new.
+    /// Time step that each description declares, old and new. `None` if a description declares no step.
     pub declared: (Option<f64>, Option<f64>),
-    /// Facts about the emitted steppers, old and new. `None` unless both scenes have one contact and emitted code.
+    /// Facts about the emitted steppers, old and new. `None` if one of the scenes has several contacts or no emitted
+    /// code.
     pub facts: Option<(StepFacts, StepFacts)>,
-    /// Answers over a run of steps.
+    /// Results of both steppers in a run of steps. `None` if the runs were not compared.
     pub answers: Option<Answers>,
-    /// Reasons why something was not compared.
+    /// Reasons why the command has not compared a part of the steppers.
     pub left_out: Vec<String>,
 }
 
@@ -104,9 +106,10 @@ pub fn compare([old, new]: [&System; 2], texts: &[String; 2]) -> Option<Steppers
     Some(found)
 }
 
-/// Returns the facts about both emitted steppers.
+/// Returns the facts about the emitted steppers of both descriptions. Returns `None` if a description has no emitted
+/// stepper.
 fn facts(texts: &[String; 2]) -> Option<(StepFacts, StepFacts)> {
-    // The comparison of emitted code reports the errors of a description that the macro refuses.
+    // If the macro rejects a description, the comparison of emitted code reports the errors.
     let limits = SizeLimits {
         tables: false,
         ..SizeLimits::MACRO
@@ -116,7 +119,7 @@ fn facts(texts: &[String; 2]) -> Option<(StepFacts, StepFacts)> {
     Some((of(old)?, of(new)?))
 }
 
-/// Compares the answers of both steppers under the same input.
+/// Compares the results of the steppers of both scenes under the same input.
 fn answers(old: &System, new: &System) -> Result<Answers, String> {
     let scenes = [old.scene(), new.scene()];
     let [on_base, on_base_new] = scenes.map(|scene| scene.excitation == Excitation::Base);
@@ -167,7 +170,7 @@ fn answers(old: &System, new: &System) -> Result<Answers, String> {
     Ok(answers)
 }
 
-/// Runs both steppers under the load, and records the largest differences.
+/// Runs both steppers under the same load, and stores the largest differences in `answers`.
 fn follow([old, new]: [&System; 2], load: &Load, answers: &mut Answers) -> Result<(), String> {
     let which = |which: &str, reason: String| format!("the {which} stepper stops: {reason}");
     let start = |system| Run::start(system, load, answers.step, &answers.frictions);
@@ -194,7 +197,7 @@ fn follow([old, new]: [&System; 2], load: &Load, answers: &mut Answers) -> Resul
     Ok(())
 }
 
-/// Place of a number in an answer: a mass by its index, or a contact by its index with the index of the number.
+/// Position of a number in the results of a step. It is a mass, given by its index, or one of the numbers of a contact.
 #[derive(Clone, Copy)]
 enum Place {
     Mass(usize),
@@ -202,7 +205,7 @@ enum Place {
 }
 
 impl Place {
-    /// Returns the number of an answer at this place.
+    /// Returns the number at this position in the results of a step.
     fn of(self, answer: &Answer) -> f64 {
         let number = match self {
             Self::Mass(mass) => answer.masses.get(mass),
@@ -215,8 +218,8 @@ impl Place {
     }
 }
 
-/// Returns the compared answers: the displacement of each shared mass, then displacement and force of each contact.
-/// Each answer has its place in the old and in the new scene.
+/// Returns the results that the command compares: the displacement of each mass that both scenes have, then the
+/// displacement and force of each contact. Each result has its position in the old scene and in the new scene.
 fn named(
     old: &System,
     new: &System,
@@ -246,8 +249,8 @@ fn named(
     masses.chain(contacts).collect()
 }
 
-/// Returns the amplitude of each wave of the load, and the friction force of each contact. Both follow from two runs of
-/// the old scene, one with contacts that hold and one without friction.
+/// Returns the amplitude of each wave in the load, and the friction force of each contact. The function computes both
+/// from two runs of the old scene. In one run the contacts stick, and the other run is without friction.
 fn levels(
     old: &System,
     load: &Load,

@@ -1,4 +1,4 @@
-//! Steps of two steppers, of one contact or of several, under the same seeded input.
+//! Runs a stepper of a scene with one or several contacts, under a load that is the same in every run.
 
 use frictiongen::System;
 use frictiongen::study::SystemInput;
@@ -7,31 +7,31 @@ use frictiongen::study::scene::{Excitation, Scene};
 use frictiongen::study::stepper::SystemStepper;
 use std::f64::consts::TAU;
 
-/// Number of sine waves of the load.
+/// Number of sine waves in the load.
 const WAVES: u32 = 8;
-/// Frequencies of the waves. The first is this fraction of the lowest natural frequency, the last this multiple of the
+/// Range of the waves' frequencies. The lowest frequency is divided by the lowest natural frequency, the highest by the
 /// highest natural frequency.
 const BAND: (f64, f64) = (0.3, 1.2);
-/// Seed of the waves' phases.
+/// Seed of the pseudo-random phases of the waves.
 const SEED: u64 = 0x9E37_79B9_7F4A_7C15;
 
-/// A load with a value and a rate at every time: a sum of sine waves with seeded phases.
+/// A load that is a sum of sine waves with pseudo-random phases. It has a value and a rate at every time.
 #[derive(Clone, Debug)]
 pub struct Load {
     waves: Vec<(f64, f64)>,
-    /// Amplitude of each wave.
+    /// Amplitude of each sine wave.
     pub amplitude: f64,
 }
 
 impl Load {
-    /// Creates a load whose waves span the natural frequencies, in rad/s.
+    /// Creates a load whose waves cover the range of the natural frequencies, in rad/s.
     pub fn over(frequencies: &[f64]) -> Self {
         let moving = || frequencies.iter().copied().filter(|rate| *rate > 0.0);
         let lowest = BAND.0 * moving().reduce(f64::min).unwrap_or(1.0);
         let highest = BAND.1 * moving().reduce(f64::max).unwrap_or(1.0);
         let mut seed = SEED;
         let waves = (0..WAVES).map(|wave| {
-            // Steps of a linear congruential generator (Knuth's MMIX). The upper bits are the random ones.
+            // These are steps of a linear congruential generator (Knuth's MMIX). Only its upper bits are random enough.
             seed = seed
                 .wrapping_mul(6_364_136_223_846_793_005)
                 .wrapping_add(1_442_695_040_888_963_407);
@@ -45,7 +45,7 @@ impl Load {
         }
     }
 
-    /// Returns value and rate at the time t.
+    /// Returns the value and the rate of the load at the time t.
     fn at(&self, t: f64) -> [f64; 2] {
         self.waves
             .iter()
@@ -59,14 +59,14 @@ impl Load {
     }
 }
 
-/// State at the end of a step: displacements of masses, then the displacement, velocity and force of each contact.
+/// Results of a stepper at the end of a step: the motions of masses and contacts.
 #[derive(Clone, Debug, Default)]
 pub struct Answer {
     /// Displacement of each mass, in the order of the description.
     pub masses: Vec<f64>,
-    /// Displacement, velocity and friction force of each contact.
+    /// Displacement, velocity and friction force of each contact, in the order of the description.
     pub contacts: Vec<[f64; 3]>,
-    /// Number of events in the step.
+    /// Number of events of all contacts in the step.
     pub events: u64,
 }
 
@@ -76,7 +76,7 @@ enum Kind<'a> {
     Several(JoinedStepper<'a>),
 }
 
-/// A run of a stepper from rest.
+/// A run of a stepper that starts from rest.
 pub struct Run<'a> {
     kind: Kind<'a>,
     scene: &'a Scene,
@@ -87,7 +87,7 @@ pub struct Run<'a> {
 }
 
 impl<'a> Run<'a> {
-    /// Starts a run. `frictions` has the friction force of each contact.
+    /// Starts a run from rest. `frictions` contains the friction force of each contact.
     pub fn start(
         system: &'a System,
         load: &'a Load,
@@ -117,7 +117,7 @@ impl<'a> Run<'a> {
         Ok(run)
     }
 
-    /// Takes a step.
+    /// Advances the run by one step, and returns the results at its end.
     pub fn step(&mut self) -> Result<Answer, String> {
         self.steps += 1;
         let events = self.input(false)?;
@@ -149,8 +149,8 @@ impl<'a> Run<'a> {
         Ok(answer)
     }
 
-    /// Gives the stepper the input at the present time: before the first step, or for the next step. Returns the number
-    /// of events.
+    /// Gives the stepper the input at the present time. If `begins` is true, this is the input before the first step.
+    /// If not, the stepper advances by one step, and the function returns the number of events.
     fn input(&mut self, begins: bool) -> Result<u64, String> {
         let [value, rate] = self.load.at(f64::from(self.steps) * self.dt);
         let excited = match self.scene.excitation {

@@ -8,17 +8,17 @@ use frictiongen_codegen::StepFacts;
 use serde_json::{Value as Json, json};
 use std::io::Write;
 
-/// The numbers of two step tables.
+/// Comparison of the numbers in the step tables of two steppers.
 struct Tables<'f> {
-    /// Number of numbers.
+    /// Number of compared numbers in the tables.
     count: usize,
-    /// Number of numbers that differ.
+    /// Number of compared numbers that differ.
     differing: usize,
-    /// The number with the largest relative difference: its place and its values.
+    /// Number with the largest relative difference: its position in the tables, its old value and its new value.
     largest: Option<(&'f str, f64, f64)>,
 }
 
-/// Returns the difference of two numbers, relative to the larger one.
+/// Returns the difference of two numbers, divided by the larger one.
 fn relative(old: f64, new: f64) -> f64 {
     let size = old.abs().max(new.abs());
     if size == 0.0 {
@@ -27,7 +27,7 @@ fn relative(old: f64, new: f64) -> f64 {
     (new - old).abs() / size
 }
 
-/// Compares the numbers of two step tables. Returns the reason why the tables have no common numbers.
+/// Compares the numbers in the step tables of two steppers. Returns the reason if the tables cannot be compared.
 fn tables<'f>(old: &'f StepFacts, new: &'f StepFacts) -> Result<Option<Tables<'f>>, String> {
     let (before, after) = (&old.numbers, &new.numbers);
     if before.is_empty() && after.is_empty() {
@@ -56,7 +56,7 @@ fn tables<'f>(old: &'f StepFacts, new: &'f StepFacts) -> Result<Option<Tables<'f
     }))
 }
 
-/// Returns `old -> new`, or the number with the word "unchanged".
+/// Returns the text `old -> new`. If both numbers are equal, returns the number and the word "unchanged".
 fn counts(old: u64, new: u64) -> String {
     if old == new {
         format!("{old}, unchanged")
@@ -66,7 +66,7 @@ fn counts(old: u64, new: u64) -> String {
 }
 
 impl Steppers {
-    /// Writes the comparison as text.
+    /// Writes the comparison of two steppers as text.
     pub fn write(&self, out: &mut dyn Write) -> Result<(), Failure> {
         writeln!(out, "\nstepper")?;
         match self.declared {
@@ -140,7 +140,7 @@ impl Steppers {
         Ok(())
     }
 
-    /// Returns the comparison as JSON.
+    /// Returns the comparison of two steppers as JSON.
     pub fn json(&self) -> Json {
         let number = |value: f64| Cell::from(value).json();
         let facts = |facts: &StepFacts| {
@@ -183,7 +183,7 @@ impl Steppers {
         })
     }
 
-    /// Returns all reasons why something was not compared.
+    /// Returns all reasons why the command has not compared a part of the steppers.
     fn reasons(&self) -> Vec<String> {
         let mut reasons = self.left_out.clone();
         if let Some((old, new)) = &self.facts {

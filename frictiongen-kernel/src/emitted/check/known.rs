@@ -1,4 +1,4 @@
-//! Known answers of an emitted scene. The self-check compares them with the answers that the scene computes.
+//! Known results of an emitted scene. The self-check compares them with the results that the scene computes.
 
 use super::{Fault, Listed};
 use crate::Complex;
@@ -6,41 +6,42 @@ use crate::contact::regime::Limits;
 use crate::errors::NotContinuous;
 use crate::number::scalar::Float;
 
-/// Known answers of an emitted scene at one frequency ratio.
+/// Known results of an emitted scene at one frequency ratio.
 #[derive(Clone, Copy, Debug)]
 pub struct Known<S, const MASSES: usize, const FORCES: usize> {
     /// Frequency ratio r at which the known results are valid.
     pub r: S,
     /// Known values of the limits β_lim and β*_lim, in this order.
     pub limits: [S; 2],
-    /// The known motion at one friction ratio, if the scene provides motions.
+    /// Known motion at one friction ratio. `None` if the scene does not provide motions.
     pub motion: Option<KnownMotion<S, MASSES>>,
     /// Real and imaginary part of each known response while the contact is stuck. The displacements of the masses come
-    /// first, and the force that keeps the contact stuck follows. The list is empty if the scene does not provide stuck
+    /// first. The force that keeps the contact stuck comes last. The list is empty if the scene does not provide stuck
     /// responses.
     pub stuck: [[S; 2]; FORCES],
 }
 
-/// Known answers of an emitted scene at one friction ratio.
+/// Known results of an emitted scene at one friction ratio.
 #[derive(Clone, Copy, Debug)]
 pub struct KnownMotion<S, const MASSES: usize> {
     /// Friction ratio β at which the known results are valid.
     pub beta: S,
-    /// Reason why no continuous motion exists, or `None` if one exists.
+    /// Reason why no continuous motion exists at the friction ratio, or `None` if one exists.
     pub error: Option<NotContinuous>,
-    /// Amplitude and phase of the contact. Both are 0 if no continuous motion exists.
+    /// Known amplitude and phase of the contact. Both are 0 if no continuous motion exists.
     pub contact: [S; 2],
-    /// Displacement and velocity of each provided mass one radian after a maximum of the contact's motion.
+    /// Known displacement and velocity of each provided mass. The instant is one radian after a maximum of the
+    /// contact's motion.
     pub masses: [[S; 2]; MASSES],
 }
 
-/// Returns true if two numbers differ by at most `error`. Returns false for NaN.
+/// Returns true if two numbers differ by at most `error`. The result is false for NaN.
 fn is_near<S: Float>(own: S, known: S, error: S) -> bool {
     (own.to_f64() - known.to_f64()).abs() <= error.to_f64()
 }
 
-/// Compares two pairs of numbers. Their difference is divided by the sum of the absolute values of the known pair. A
-/// pair is a complex number, or a displacement and a velocity.
+/// Compares two pairs of numbers. A pair is a complex number, or a displacement and a velocity. The difference is
+/// divided by the sum of the absolute values in the known pair.
 fn compared<S: Float>(
     name: &'static str,
     own: [S; 2],
@@ -58,11 +59,11 @@ fn compared<S: Float>(
 }
 
 impl<S: Float, const MASSES: usize, const FORCES: usize> Known<S, MASSES, FORCES> {
-    /// Compares the computed β_lim and β*_lim with the known limits. Each limit may differ from the known limit by
-    /// `tolerance` times this limit.
+    /// Compares the computed β_lim and β*_lim with the known limits. Each limit may differ from its known value by at
+    /// most `tolerance` times this value.
     ///
     /// # Errors
-    /// [`Fault::Answer`] if a limit differs from the known limit by more than this.
+    /// [`Fault::Answer`] if a limit differs from its known value by more than this.
     pub fn limits(&self, own: Limits<S>, tolerance: S) -> Result<(), Fault> {
         let [continuous, sliding] = self.limits;
         if is_near(own.continuous, continuous, tolerance * continuous)
@@ -74,11 +75,11 @@ impl<S: Float, const MASSES: usize, const FORCES: usize> Known<S, MASSES, FORCES
         }
     }
 
-    /// Compares a computed response of the stuck chain with the known response. `place` is the index of the response in
-    /// [`stuck`](Self::stuck).
+    /// Compares a computed response with the known response while the contact is stuck. `place` is the index of the
+    /// response in [`stuck`](Self::stuck).
     ///
     /// # Errors
-    /// [`Fault::Answer`] if the response differs by more than `tolerance` of its size.
+    /// [`Fault::Answer`] if the response differs by more than `tolerance` times the size of the known response.
     pub fn stuck(
         &self,
         place: usize,
@@ -92,11 +93,11 @@ impl<S: Float, const MASSES: usize, const FORCES: usize> Known<S, MASSES, FORCES
 }
 
 impl<S: Float, const MASSES: usize> KnownMotion<S, MASSES> {
-    /// Returns the computed motion if the known answer also has a motion. Returns `None` if neither has a motion, for
-    /// the same reason in both.
+    /// Returns the computed motion if the known results also contain a motion. Returns `None` if neither contains a
+    /// motion, and the reasons are the same.
     ///
     /// # Errors
-    /// [`Fault::Answer`] if only one of the two answers has a motion, or if the reasons differ.
+    /// [`Fault::Answer`] if only one of the two contains a motion, or if the reasons differ.
     pub fn found<M>(&self, own: Result<M, NotContinuous>) -> Result<Option<M>, Fault> {
         match (own, self.error) {
             (Ok(motion), None) => Ok(Some(motion)),
@@ -108,8 +109,8 @@ impl<S: Float, const MASSES: usize> KnownMotion<S, MASSES> {
     /// Compares the computed amplitude and phase of the contact with the known ones.
     ///
     /// # Errors
-    /// [`Fault::Answer`] if the amplitude differs by more than `tolerance` of its value, or the phase by more than
-    /// `tolerance` rad.
+    /// [`Fault::Answer`] if the amplitude differs by more than `tolerance` times its known value, or the phase by more
+    /// than `tolerance` in rad.
     pub fn contact(&self, [size, lag]: [S; 2], tolerance: S) -> Result<(), Fault> {
         let [amplitude, phase] = self.contact;
         if is_near(size, amplitude, tolerance * amplitude) && is_near(lag, phase, tolerance) {
@@ -123,8 +124,8 @@ impl<S: Float, const MASSES: usize> KnownMotion<S, MASSES> {
     /// in [`masses`](Self::masses).
     ///
     /// # Errors
-    /// [`Fault::Answer`] with the name of the mass, if one of the two numbers differs by more than `tolerance` of their
-    /// size.
+    /// [`Fault::Answer`] with the name of the mass, if the displacement or the velocity differs by more than
+    /// `tolerance` times the size of both.
     pub fn mass(
         &self,
         place: usize,

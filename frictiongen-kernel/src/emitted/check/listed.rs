@@ -11,8 +11,8 @@ use crate::stepper::{
 };
 use crate::table::{Domain, Factor, HeldResponse, Piece, Quotient, Root, Table, Transfer};
 
-/// A constant of emitted code that can list its numbers. The generator lists the same numbers in a wider scalar, and
-/// computes the checksum from them.
+/// A constant of emitted code that can list its numbers. The generator lists the same numbers in a more precise number
+/// type, and computes the checksum from them.
 pub trait Listed<S> {
     /// Calls `see` with each number of the constant, in the order of the fields.
     fn list(&self, see: &mut impl FnMut(S));
@@ -30,7 +30,7 @@ macro_rules! numbers {
 
 numbers!(f32 f64 Dd);
 
-/// Lists a whole number as four words of 16 bits. Every scalar represents such a word exactly.
+/// Lists a whole number as four words of 16 bits. Every number type represents such a word exactly.
 fn list_words<S: Scalar>(number: u64, see: &mut impl FnMut(S)) {
     for word in number.to_le_bytes().as_chunks::<2>().0 {
         see(S::constant(f64::from(u16::from_le_bytes(*word))));

@@ -1,5 +1,5 @@
-//! Self-check of emitted code. It compares checksums of the emitted constants with known checksums, and computed
-//! answers with known answers.
+//! Self-check of emitted code. It compares the checksums of the emitted constants with known checksums, and computed
+//! results with known results.
 
 mod known;
 mod listed;
@@ -10,13 +10,15 @@ pub use listed::Listed;
 use crate::number::scalar::Float;
 use core::fmt;
 
-/// The first constant or answer that a self-check finds wrong.
+/// First constant or result that a self-check finds wrong.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 #[non_exhaustive]
 pub enum Fault {
-    /// The numbers of this constant, or of this group of constants, differ from the numbers that the generator wrote.
+    /// The numbers of a constant, or of a group of constants, differ from those that the generator wrote. The field is
+    /// the name of the constant or group.
     Numbers(&'static str),
-    /// The answer of this method, or the motion of the mass with this name, differs from the known answer.
+    /// A result differs from the known result. The field is the name of the method that computes it, or of the mass
+    /// that moves.
     Answer(&'static str),
 }
 
@@ -42,14 +44,15 @@ pub const MULTIPLIER: u32 = 0x9e37_79b1;
 /// Number of bits by which a step of the checksum rotates the sum.
 pub const TURN: u32 = 5;
 
-/// Adds a word of 32 bits to a checksum. For a fixed word, the step is a bijection of the sum. For a fixed sum, it is a
-/// bijection of the word. One changed word therefore always changes the result.
+/// Adds a word of 32 bits to a checksum. For a given word, different sums give different results. For a given sum,
+/// different words give different results. One changed word therefore always changes the checksum.
 #[must_use]
 pub const fn mixed(sum: u32, word: u32) -> u32 {
     (sum.rotate_left(TURN) ^ word).wrapping_mul(MULTIPLIER)
 }
 
-/// Adds a number to a checksum: first the low half of its bits in double precision, then the high half.
+/// Adds a number to a checksum. The function adds the low half of the number's bits in double precision first, and then
+/// the high half.
 #[must_use]
 #[allow(clippy::cast_possible_truncation, reason = "halves of the bits")]
 pub const fn with(sum: u32, number: f64) -> u32 {
@@ -57,7 +60,7 @@ pub const fn with(sum: u32, number: f64) -> u32 {
     mixed(mixed(sum, bits as u32), (bits >> u32::BITS) as u32)
 }
 
-/// Returns the checksum of all numbers of a constant.
+/// Returns the checksum of all numbers in a constant.
 #[must_use]
 pub fn sum<S: Float>(numbers: &(impl Listed<S> + ?Sized)) -> u32 {
     let mut sum = 0;
@@ -86,7 +89,7 @@ pub fn compare<S: Float>(
 mod tests {
     use super::{compare, mixed, sum, with};
 
-    /// Checks that a change of any bit of one word changes the checksum, whatever words follow.
+    /// Checks that a change of any bit in one word changes the checksum, whatever words come after it.
     #[test]
     fn one_changed_word_is_seen() {
         for bit in 0..u32::BITS {
@@ -109,8 +112,8 @@ mod tests {
         assert_ne!(sum::<f64>(&[0.0]), sum::<f64>(&[-0.0]));
     }
 
-    /// Checks that a number has the same checksum in `f32` and `f64`. A generator therefore computes checksums of `f32`
-    /// in `f64`.
+    /// Checks that a number has the same checksum in `f32` and in `f64`. A generator can therefore compute the
+    /// checksums of `f32` in `f64`.
     #[test]
     fn single_precision_has_the_sums_of_double() {
         let numbers = [1.5_f32, 0.1, 1e-40];

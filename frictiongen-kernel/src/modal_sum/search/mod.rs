@@ -64,9 +64,9 @@ const SAME_MAXIMUM: f64 = 0.05;
 /// Divisor of the modal sum in a search: 1 or sin τ.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Weight {
-    /// Divides by 1. The search finds the maximum of the sum, such as the amplitude of a motion.
+    /// The divisor is 1. The search finds the maximum of the sum, such as the amplitude of a motion.
     One,
-    /// Divides by sin τ. The search finds the maximum of sum/sin τ, such as the velocity constraint.
+    /// The divisor is sin τ. The search finds the maximum of sum/sin τ, such as the velocity constraint.
     Sine,
 }
 
@@ -79,7 +79,7 @@ pub struct SearchSettings<S> {
     pub both_signs: bool,
     /// End of the searched interval 0 < τ ≤ `end`. The end is π/2 for a sum that is odd about π/2, otherwise π.
     pub end: S,
-    /// Smallest value of interest. The search ignores smaller values.
+    /// Smallest value that the search looks for. It ignores smaller values.
     pub floor: S,
     /// Limit for τ → 0 of the function that the search maximises. The function is `start` plus the quotient of the
     /// modal sum and 1 or sin τ. The modal sum itself does not contain `start`.
@@ -118,7 +118,7 @@ pub struct Peak<S> {
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub enum Effort {
-    /// The search is complete: no larger value exists. The number counts the evaluations of the modal sum.
+    /// The search is complete: no larger value exists. The field is the number of evaluations of the modal sum.
     Bounded(u32),
     /// The search stopped at its [bound](most_evaluations). Its result is the largest value found, but a larger value
     /// may exist.

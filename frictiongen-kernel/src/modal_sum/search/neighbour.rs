@@ -12,7 +12,7 @@ use crate::number::scalar::Float;
 /// [`Motion::largest_near`](crate::response::motion::Motion::largest_near).
 #[derive(Clone, Copy, Debug, Default)]
 pub struct Neighbour<S> {
-    /// Up to three known positions. The latest one comes first.
+    /// Up to three known positions of largest values. The latest one comes first.
     known: [Option<KnownMaximum<S>>; 3],
 }
 

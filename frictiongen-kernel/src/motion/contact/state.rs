@@ -106,7 +106,7 @@ pub struct SegmentEnd<S> {
     /// Slope, at the event, of the function whose zero is the event. If the contact slides in the segment, it is z̄″
     /// just before the event. If the contact sticks, it is the slope of the contact force.
     pub slope: S,
-    /// Jump of the contact force at the event: the force before the event, minus the force after it.
+    /// Jump of the contact force at the event: the force before the event minus the force after it.
     pub jump: S,
     /// Number of steps of the search that found the end of the segment.
     pub steps: u32,
@@ -137,7 +137,8 @@ pub(crate) enum SegmentOutcome {
     Goes,
     /// The segment ends because the relative velocity of the contact reaches 0.
     Halts,
-    /// The force in the stuck contact reaches its bound, and the contact slides in this direction.
+    /// The segment ends because the force in the stuck contact reaches its bound. The contact then slides in the given
+    /// direction.
     Breaks(Contact),
     /// The segment has the length 0, because the contact cannot leave zero velocity.
     Holds,

@@ -130,7 +130,7 @@ fn now(row: &JoinedDrivenRow<'_>, contact: usize) -> Option<JoinedContactNow> {
     all.get(contact).copied()
 }
 
-/// Adds the columns with the relative displacement and velocity of a contact.
+/// Adds the columns with the relative displacement and velocity of a contact to a table.
 fn moves<'d>(columns: &mut Columns<'d, JoinedDrivenRow<'d>>, index: usize) {
     columns.converted(
         Head::of("displacement", PhysicalQuantity::Length),
@@ -142,7 +142,7 @@ fn moves<'d>(columns: &mut Columns<'d, JoinedDrivenRow<'d>>, index: usize) {
     );
 }
 
-/// Adds the columns with force, slip, energy and state of a contact.
+/// Adds the columns with the force, slip, energy and state of a contact to a table.
 fn pulls<'d>(columns: &mut Columns<'d, JoinedDrivenRow<'d>>, index: usize) {
     columns.converted(Head::of("force", PhysicalQuantity::Force), move |row| {
         Some(now(row, index)?.force)
@@ -156,7 +156,7 @@ fn pulls<'d>(columns: &mut Columns<'d, JoinedDrivenRow<'d>>, index: usize) {
     columns.flag("sticks", move |row| Some(now(row, index)?.is_sticking));
 }
 
-/// Adds the columns of a mass or of a combination of masses and base.
+/// Adds the columns of a mass or of a combination of masses and base to a table.
 fn of_mass<'d>(columns: &mut Columns<'d, JoinedDrivenRow<'d>>, part: &MovingPart, place: usize) {
     let read = move |row: &JoinedDrivenRow<'_>, which: usize| {
         let motion = row.driven.motions.get(place)?.get(which)?;

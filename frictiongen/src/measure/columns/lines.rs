@@ -21,7 +21,7 @@ pub struct QuantityLine {
     pub label: String,
     /// The value of the quantity, in the unit `unit`.
     pub value: Cell<'static>,
-    /// Lower and upper bound of the 95 % confidence interval of the value.
+    /// Lower and upper bound of the 95 % confidence interval of the quantity's value.
     pub interval: Option<(f64, f64)>,
     /// Unit of the quantity's value.
     pub unit: &'static str,
@@ -108,7 +108,7 @@ pub fn decay_lines(found: &FreeDecay) -> Vec<QuantityLine> {
     lines.all
 }
 
-/// Returns the result of a fit to `points` points of a sweep as lines.
+/// Returns the result of a fit to `points` points of a frequency sweep, as lines of a table.
 #[must_use]
 pub fn fit_lines(system: &System, found: &SweepFit, points: usize) -> Vec<QuantityLine> {
     let mut lines = QuantityLines::default();
@@ -169,7 +169,7 @@ fn described(lines: &mut QuantityLines, system: &System) {
     }
 }
 
-/// Returns the result of an identification of the friction force as lines.
+/// Returns the result of an identification of the friction force, as lines of a table.
 #[must_use]
 pub fn identify_lines(
     system: &System,

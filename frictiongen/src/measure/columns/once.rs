@@ -117,7 +117,7 @@ pub fn fit_values(system: &System, found: &SweepFit) -> Vec<Keyed> {
     ]
 }
 
-/// Returns the single values of a free vibration, with their keys.
+/// Returns the single values of a fit to a free vibration, with their keys.
 #[must_use]
 pub fn decay_values(found: &FreeDecay) -> Vec<Keyed> {
     let estimate = |found| SingleValue::Estimate(Some(found));

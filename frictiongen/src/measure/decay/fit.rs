@@ -154,7 +154,7 @@ impl<'s> DecayFit<'s> {
         Some(shape)
     }
 
-    /// Returns the computed minus the recorded displacements at all samples.
+    /// Returns the residuals of the fit: the computed minus the recorded displacement at each sample.
     fn residuals(&self, free: &[f64]) -> Option<DVector<f64>> {
         let count = self.window.len();
         let values = wave(&self.shape(free)?, self.from, count)?;

@@ -21,8 +21,8 @@ use fit::DecayFit;
 use std::f64::consts::PI;
 use swings::{Swings, noise};
 
-/// Upper bound on a decrease in a half cycle that counts as a rounding error, divided by the largest swing (distance
-/// from one extreme to the next).
+/// Largest decrease in a half cycle that is treated as a rounding error, divided by the largest swing (distance from
+/// one extreme to the next).
 const ROUNDING: f64 = 1e-9;
 
 /// Friction, damping and natural frequency found in a free vibration.
@@ -30,9 +30,10 @@ const ROUNDING: f64 = 1e-9;
 pub struct FreeDecay {
     /// Friction force F in the contact, in N.
     pub friction: Estimate,
-    /// F/k in m, half the distance between the two points about which the mass oscillates.
+    /// Friction force F divided by the stiffness k, in m. It is half the distance between the two points about which
+    /// the mass oscillates.
     pub length: Estimate,
-    /// Damping ratio ζ. Its interval is a single point if ζ was given.
+    /// Damping ratio ζ of the mass. Its interval is a single point if ζ was given.
     pub damping: Estimate,
     /// Undamped natural frequency of the vibrating mass, in Hz.
     pub hertz: Estimate,

@@ -20,7 +20,7 @@ pub(super) struct Swings {
     pub(super) ends: [(usize, f64); 2],
     /// Distance between the first two extremes of the vibration, in m.
     pub(super) largest: f64,
-    /// F/k by the linear decrement, m, where F is the friction force and k the stiffness.
+    /// Friction force F divided by the stiffness k, in m, computed from the linear decrement.
     pub(super) linear_decrement: f64,
 }
 

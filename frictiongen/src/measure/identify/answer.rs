@@ -13,7 +13,7 @@ pub struct Estimate {
     pub value: f64,
     /// Lower bound of the estimate's 95 % interval.
     pub from: f64,
-    /// Upper bound of the interval. It is infinite if every larger value fits as well.
+    /// Upper bound of the estimate's 95 % interval. It is infinite if every larger value fits as well.
     pub to: f64,
 }
 
@@ -34,9 +34,9 @@ pub enum Verdict {
     NotExplained,
     /// The measurement determines one friction force.
     Determined,
-    /// Several friction forces give this response; [`Identified::levels`] lists them.
+    /// Several friction forces give the measured response. [`Identified::levels`] lists them.
     SeveralLevels,
-    /// The contact is stuck. Any force above the lower bound of the interval gives this response.
+    /// The contact is stuck. Any friction force above the lower bound of the interval gives the measured response.
     Stuck,
     /// The measurement does not determine the friction force. Either the response hardly changes with friction at this
     /// frequency, as at an invariant point, or friction is too small to exceed the noise.
@@ -117,7 +117,7 @@ pub struct Identified {
     /// without degrees of freedom. If this number exceeds 1 by more than chance explains, the verdict is
     /// [`Verdict::NotExplained`], and the intervals are wider by the square root of this number.
     pub misfit: Option<f64>,
-    /// Degrees of freedom: number of data minus the number of unknowns that the data determine.
+    /// Degrees of freedom of the fit: the number of data minus the number of unknowns that the data determine.
     pub freedom: usize,
     /// Condition number of the fit: the largest factor by which a relative error of the data grows in a fitted value.
     pub condition: f64,

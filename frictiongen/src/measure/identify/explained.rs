@@ -9,17 +9,17 @@ use crate::study::System;
 use crate::study::units::polar;
 use std::f64::consts::PI;
 
-/// A measurement counts as not explained if the root mean square of the unexplained motion, divided by that of the
-/// measured motion, is at least this value.
+/// Smallest root mean square of the unexplained motion at which the scene does not explain a measurement, divided by
+/// that of the measured motion.
 const GROSS: f64 = 0.5;
-/// A measurement with a corrected unit counts as explained if the root mean square of the unexplained motion, divided
-/// by that of the measured motion, is at most this value.
+/// Largest root mean square of the unexplained motion at which a corrected unit explains the measurement, divided by
+/// that of the measured motion.
 const MENDED: f64 = 0.2;
 /// The unit of a measured motion may be wrong if the measured amplitude, divided by the largest amplitude that the
 /// scene has at any friction force, is less than this value.
 const TINY: f64 = 0.01;
-/// Measured phases count as not explained if the root mean square of the differences between measured and computed
-/// phases is at least this value, in rad (15°).
+/// Smallest root mean square of the differences between measured and computed phases at which the scene does not
+/// explain the phases, in rad (15°).
 const TURNED: f64 = PI / 12.0;
 
 impl IdentifyProblem<'_> {
@@ -37,7 +37,7 @@ impl IdentifyProblem<'_> {
                     Using::Complex => (measured - value).norm(),
                     _ => (measured.norm() - value.norm()).abs(),
                 };
-                // A difference between measured and computed motion that the noise can cause counts as explained.
+                // If the noise can cause the difference between measured and computed motion, the motion is explained.
                 let apart = (apart - 5.0 * datum.deviation / factor.abs()).max(0.0);
                 left += apart * apart;
                 all += size * size;
@@ -54,7 +54,7 @@ impl IdentifyProblem<'_> {
         ))
     }
 
-    /// Fails if the scene does not explain the measurement at the friction force `friction`, in N.
+    /// Returns an error if the scene with the friction force `friction`, in N, does not explain the measurement.
     pub(super) fn explains(&self, friction: f64) -> Result<(), MeasureError> {
         if self.using == Using::PhaseAlone {
             return self.turns_alike(friction);
@@ -132,7 +132,7 @@ impl IdentifyProblem<'_> {
                 // A motion of zero amplitude has no phase, so that it explains no measured phase.
                 let (size, lag) = polar(value * datum.value.conj());
                 let apart = if 0.0 < size { lag.abs() } else { PI };
-                // A difference of phases that the noise can cause counts as explained.
+                // If the noise can cause the difference of two phases, the phase is explained.
                 let noise = 5.0 * datum.deviation / datum.value.norm();
                 let apart = (apart - noise).max(0.0);
                 squares += apart * apart;

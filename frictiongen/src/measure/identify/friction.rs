@@ -31,7 +31,7 @@ pub(super) struct IdentifyProblem<'a> {
     pub(super) using: Using,
     /// Range of the friction forces in the scan, in N.
     pub(super) range: (f64, f64),
-    /// True if every friction force above the range gives the same response.
+    /// True if every friction force above the range of the scan gives the same response.
     pub(super) stuck_beyond: bool,
 }
 
@@ -141,7 +141,7 @@ impl<'a> IdentifyProblem<'a> {
         sums.sum::<Option<f64>>().unwrap_or(f64::INFINITY)
     }
 
-    /// Finds the friction force, without other unknowns, with its interval.
+    /// Finds the friction force and its interval. The fit has no other unknowns.
     pub(super) fn friction(&self) -> Result<Alone, MeasureError> {
         let weighed = self.weighed(self.system, None)?;
         let data: usize = weighed.iter().map(Weighed::len).sum();
@@ -285,7 +285,7 @@ impl<'a> IdentifyProblem<'a> {
 
 /// Result of the search for the friction force alone.
 pub(super) struct Alone {
-    /// Friction forces in ascending order, each with its sum of squares.
+    /// Friction forces that fit the measurement, in ascending order, each with its sum of squares.
     pub(super) levels: Vec<(Estimate, f64)>,
     misfit: Option<f64>,
     freedom: usize,
@@ -298,7 +298,7 @@ impl Alone {
             .ok_or(MeasureError::NoFit)
     }
 
-    /// Fails if the best friction force does not explain the measurement.
+    /// Returns an error if the best friction force does not explain the measurement.
     pub(super) fn checked(&self, problem: &IdentifyProblem<'_>) -> Result<(), MeasureError> {
         problem.explains(self.best()?.value)
     }

@@ -188,7 +188,7 @@ impl<'s> Along<'s> {
         })
     }
 
-    /// Returns the derivatives of the motions that [`answer`] returns, or `None` if no derivative exists.
+    /// Returns the derivatives of the computed motions that [`answer`] returns, or `None` if no derivative exists.
     pub(super) fn slopes(&self, seen: &Observation, friction: f64) -> Option<Vec<Complex<f64>>> {
         let number = |value: f64, own: bool| -> Sensitive {
             let value = Dd::from(value);

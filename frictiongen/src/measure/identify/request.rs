@@ -6,9 +6,9 @@ use crate::study::{System, sensitivity::Quantity};
 /// An unknown that the call fits together with the friction force.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum Unknown {
-    /// Ratio μ of static to kinetic friction. Only motions with stops depend on it.
+    /// The unknown is the ratio μ of static to kinetic friction. Only motions with stops depend on it.
     Stiction,
-    /// A common factor on all natural frequencies. The masses keep their values.
+    /// The unknown is a common factor on all natural frequencies. The masses keep their values.
     Frequencies,
     /// The unknown is one damping ratio for all modes.
     Damping,
@@ -38,7 +38,7 @@ impl Unknown {
 pub struct IdentifyRequest {
     /// The quantities of each motion that the fit compares.
     pub using: Using,
-    /// The unknowns that the call fits together with the friction force.
+    /// Unknowns that the identification fits together with the friction force.
     pub unknowns: Vec<Unknown>,
     /// Range of the friction forces for the scan, in N. `None` selects the range up to the force at which the contact
     /// is stuck at every frequency.

@@ -17,14 +17,14 @@ const BEFORE: f64 = 0.02;
 /// Smallest slope of a signal just before a flat interval, divided by the largest slope in a cycle, for which the
 /// channel can be clipped.
 const STEEP: f64 = 0.1;
-/// Smallest quotient of two slopes for which a channel counts as clipped. The first slope is that over the interval
-/// [`BEFORE`] just before a flat interval. The second slope is that over twice this interval. Before a stop of the
-/// contact the quotient is 0.5, because the motion is then a parabola. Before clipping it is nearly 1. For a sinusoid
-/// clipped at 0.99 of its amplitude it is 0.75.
+/// Smallest quotient of two slopes at which a channel is clipped. The first slope is that over the interval [`BEFORE`]
+/// just before a flat interval. The second slope is that over twice this interval. Before a stop of the contact the
+/// quotient is 0.5, because the motion is then a parabola. Before clipping it is nearly 1. For a sinusoid clipped at
+/// 0.99 of its amplitude it is 0.75.
 const STRAIGHT: f64 = 0.7;
 /// Largest acceleration a next to a flat interval that rounding of the samples can explain, divided by ω²A, for a
 /// sinusoid of amplitude A. With this acceleration, the signal approaches the flat interval on a parabola. At the
-/// distance g of the next rounded value, its slope is √(2ag/A). Only a larger slope counts as clipping.
+/// distance g of the next rounded value, its slope is √(2ag/A). Only a larger slope is a sign of clipping.
 const HARD: f64 = 10.0;
 
 /// Fails unless the channels are a usable recording: enough finite samples, no constant channel and no clipped channel.
@@ -106,8 +106,8 @@ fn clipped(values: &[f64], extreme: f64, middle: f64) -> Option<f64> {
         .windows(2)
         .filter(|pair| matches!(pair, [a, b] if (*a < middle) != (*b < middle)))
         .count();
-    // A cycle has two crossings of the mean. Noise adds crossings. The cycle then seems shorter, and fewer channels
-    // count as clipped.
+    // A cycle has two crossings of the mean. Noise adds crossings, so that the cycle seems shorter. The code then finds
+    // fewer clipped channels.
     let cycle = 2.0 * values.len() as f64 / crossings.max(1) as f64;
     let reach = ((BEFORE * cycle).ceil() as usize).max(2);
     let largest = (extreme - middle).abs() * 2.0 * PI / cycle;

@@ -2,8 +2,8 @@
 
 use crate::measure::MeasureError;
 
-/// Largest difference of two time steps that count as equal, divided by the mean step. The rounding of a clock with six
-/// digits causes such differences.
+/// Largest difference at which two time steps are treated as equal, divided by the mean time step. The rounding of a
+/// clock with six digits causes differences of this size.
 const EVEN: f64 = 1e-2;
 
 /// Returns the sampling rate, in samples per second, of samples at the given times in s. Fails if the times are not

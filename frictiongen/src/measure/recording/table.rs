@@ -28,7 +28,7 @@ pub(crate) struct CsvTable {
     pub(crate) names: Vec<String>,
     /// Line number of each row in the file, counted from 1.
     pub(crate) lines: Vec<usize>,
-    /// The cells of each row. An empty cell is `None`.
+    /// Cells of each row of the file. An empty cell is `None`.
     pub(crate) rows: Vec<Vec<Option<f64>>>,
 }
 

@@ -13,7 +13,7 @@ use std::fmt::Write as _;
 const TIME_RESPONSE: i64 = 1;
 /// Abscissa type 17 of a data set 58: time.
 const TIME: i64 = 17;
-/// Largest relative difference of two time steps that count as equal. The file contains six digits of each time.
+/// Largest relative difference at which two time steps are treated as equal. The file contains six digits of each time.
 const SAME: f64 = 2e-5;
 
 /// One data set 58 of a file. It contains one channel.
@@ -69,7 +69,7 @@ impl Recording {
     ///
     /// The response entity of a data set is the name of its channel. Without an entity, the first line of the data set
     /// is the name. The unit is the label of the ordinate, or the unit that `request` gives for the column of this
-    /// name. The type code of the ordinate alone does not count as a unit.
+    /// name. The type code of the ordinate alone does not give a unit.
     ///
     /// # Errors
     /// [`MeasureError`] for everything that [`new`](Self::new) rejects, and for a data set that is not in this form.

@@ -16,7 +16,7 @@ pub struct Columns<'a, R> {
 }
 
 impl<'a, R: TableRow + 'a> Columns<'a, R> {
-    /// Returns a list without columns, for numbers in the units of `measure`.
+    /// Creates an empty list of columns. Their numbers will be in the units of `measure`.
     #[must_use]
     pub fn new(measure: &Measure) -> Self {
         Self {

@@ -21,7 +21,7 @@ pub enum Cell<'a> {
     Word(Cow<'a, str>),
     /// The cell contains true or false.
     Flag(bool),
-    /// A list of complex numbers (real and imaginary part), or of intervals (start and length).
+    /// The cell contains a list of complex numbers (real and imaginary part), or of intervals (start and length).
     Pairs(Vec<[f64; 2]>),
     /// The row has no value in this column.
     Missing,

@@ -15,7 +15,7 @@ pub enum ColumnKind<'a> {
     Given(&'a [f64]),
     /// The column contains counts.
     Count,
-    /// Words. The value is the number of characters of the longest usual word.
+    /// The column contains words. The field is the number of characters of the longest usual word.
     Word(usize),
     /// The cells of the column are true or false.
     Flag,
@@ -32,7 +32,7 @@ pub enum ColumnAxis {
     Frequency,
     /// The values of the column depend on the friction alone.
     Friction,
-    /// The values depend on the whole row, that is on frequency and friction.
+    /// The values of the column depend on the whole row, that is on frequency and friction.
     Row,
 }
 
@@ -43,7 +43,7 @@ pub enum Shown {
     Everywhere,
     /// CSV, JSON and Python contain the column. Printed tables do not.
     Files,
-    /// JSON files and Python, for values that do not fit into a cell of a printed table.
+    /// JSON and Python contain the column. Its values do not fit into a cell of a printed table.
     Objects,
     /// Only JSON contains the column.
     Json,
@@ -133,7 +133,7 @@ type Moves<'a, TableRow> = Box<dyn Fn(&TableRow) -> Option<&Sensed> + 'a>;
 pub struct Column<'a, TableRow> {
     /// Name of the contact or mass whose motion the column describes. `None` for the whole row.
     pub part: Option<String>,
-    /// Order of the harmonic. `None` for a column that belongs to no harmonic.
+    /// Order of the harmonic to which the column belongs. `None` for a column that belongs to no harmonic.
     pub order: Option<u32>,
     /// Lines of the heading, without the name of the contact or mass.
     pub title: Vec<String>,

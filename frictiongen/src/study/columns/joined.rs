@@ -16,7 +16,7 @@ pub struct JoinedRow {
     pub frequency: Frequency,
     /// The common friction of all contacts, as friction ratio β and, under a load, as force in N.
     pub friction: FrictionSetting,
-    /// Regime: continuous, stick-slip or stuck. The text is empty if there is no steady state.
+    /// Regime of the steady state: continuous, stick-slip or stuck. If there is no steady state, the text is empty.
     pub regime: &'static str,
     /// Stability of the steady state: stable or marginal. If there is no steady state, the text is the reason.
     pub state: &'static str,

@@ -11,27 +11,27 @@ use std::f64::consts::TAU;
 /// Physical quantity of a number in a table. It determines the unit of the number.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum PhysicalQuantity {
-    /// A ratio without a unit, or a number whose unit is in another column.
+    /// The number is a ratio without a unit, or its unit is in another column.
     One,
-    /// A displacement, in m under a load. Without a load, it is divided by P/k₁ (by Y for base motion).
+    /// The number is a displacement. It is in m under a load, and otherwise divided by P/k₁ (by Y for base motion).
     Length,
-    /// A velocity, in m/s under a load, otherwise dx̄/dτ.
+    /// The number is a velocity. It is in m/s under a load, and otherwise dx̄/dτ.
     Velocity,
-    /// An acceleration, in m/s² under a load, otherwise d²x̄/dτ².
+    /// The number is an acceleration. It is in m/s² under a load, and otherwise d²x̄/dτ².
     Acceleration,
-    /// A phase, in degrees under a load and otherwise in rad.
+    /// The number is a phase. It is in degrees under a load, and otherwise in rad.
     Angle,
-    /// A force, in N under a load. Without a load, it is divided by P (by k₁Y for base motion).
+    /// The number is a force. It is in N under a load, and otherwise divided by P (by k₁Y for base motion).
     Force,
     /// Mean power in W under a load. Without a load, the work in a cycle, divided by P²/k₁ (by k₁Y² for base motion).
     Power,
     /// Energy of a cycle, in J under a load. Without a load, the energy is divided by P²/k₁ (by k₁Y² for base motion).
     Energy,
-    /// A frequency, in Hz.
+    /// The number is a frequency in Hz.
     Hertz,
-    /// An angular frequency, in rad/s.
+    /// The number is an angular frequency in rad/s.
     AngularFrequency,
-    /// A time, in s.
+    /// The number is a time in s.
     Time,
 }
 

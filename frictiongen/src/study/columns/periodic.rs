@@ -36,7 +36,7 @@ impl TableRow for PeriodicRow {}
 impl TableRow for PeriodicSample<'_> {}
 
 impl PeriodicRow {
-    /// Returns the smallest and the largest value of a motion over the period. With `turned` the motion counts with the
+    /// Returns the smallest and the largest value of a motion over the period. If `turned` is true, the motion has the
     /// opposite sign.
     fn extremes(&self, part: usize, turned: bool) -> Option<[f64; 2]> {
         let [least, most] = self.state.tracks().get(part)?.extremes();
@@ -57,8 +57,8 @@ impl PeriodicRow {
             .collect()
     }
 
-    /// Returns the displacement of a motion, or the force of a spring, at each sample. With `turned` the values have
-    /// the opposite sign.
+    /// Returns the displacement of a motion, or the force of a spring, at each sample. If `turned` is true, the values
+    /// have the opposite sign.
     #[must_use]
     pub fn values(&self, part: usize, turned: bool) -> Vec<f64> {
         let values = self.state.tracks().get(part).map(|track| &track.values);

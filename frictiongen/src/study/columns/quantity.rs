@@ -79,8 +79,8 @@ pub fn base_load(text: &str) -> Result<Load, String> {
     }
 }
 
-/// Returns the bound that a text sets on a quantity, in SI units. Examples are `5mm`, `2 m/s2` and `12 kN`. A number
-/// without a unit counts as SI.
+/// Returns the bound that a text sets on a quantity, in SI units. Examples of the text are `5mm`, `2 m/s2` and `12 kN`.
+/// A number without a unit is in the SI unit.
 ///
 /// # Errors
 /// The reason in words. A message prints it after the text.

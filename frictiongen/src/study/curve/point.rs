@@ -16,14 +16,14 @@ pub struct CurvePoint {
     pub stops: usize,
     /// Number of cycles of the excitation after which the motion repeats.
     pub period: u32,
-    /// True if the motion repeats. Otherwise the values of this point belong to the last 64 computed cycles.
+    /// True if the motion repeats. If false, the values of this point belong to the last 64 computed cycles.
     pub settled: bool,
     /// True if the steady state belongs to a continuum of steady states.
     pub marginal: bool,
     /// True if the motion from rest ends in this state. False if the motion from rest does not settle, and this state
     /// is another steady state.
     pub from_rest: bool,
-    /// The offset of the contact's relative motion, (max + min)/2, divided by P/k₁ (by Y for base motion).
+    /// Offset (max z̄ + min z̄)/2 of the contact's relative motion, divided by P/k₁ (by Y for base motion).
     pub offset: f64,
     /// The motions that the request lists, in the order of the request.
     pub movements: Vec<Movement>,
@@ -36,7 +36,7 @@ pub struct CurvePoint {
 /// The motion of the contact or of a mass at one point of a curve.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Movement {
-    /// Amplitude and phase: the largest |x̄|, and the lag of this maximum.
+    /// Amplitude and phase of the motion: the largest |x̄|, and the lag of this maximum in rad.
     pub swing: Swing,
     /// Centred amplitude, half the distance between the least and the largest x̄, where x̄ = x/(P/k₁) (x/Y for base
     /// motion).
@@ -44,7 +44,7 @@ pub struct Movement {
     /// Lag of the fundamental component behind the excitation, in rad, in (−π, π]. `None` if the contact or mass does
     /// not move.
     pub fundamental_phase: Option<f64>,
-    /// The largest |dx̄/dτ| and the largest |d²x̄/dτ²|, if they were requested.
+    /// Largest |dx̄/dτ| and largest |d²x̄/dτ²| of the motion, if the request contains them.
     pub rates: Option<(f64, f64)>,
     /// Equivalent viscous damping ratio of the contact. It is present for the motion of the contact and for spring
     /// forces, if the request contains rates.

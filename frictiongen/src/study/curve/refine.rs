@@ -16,14 +16,14 @@ use crate::study::work::work;
 use crate::{Error, OutOfDomain, Regime};
 use rayon::prelude::*;
 
-/// Smallest relative distance of neighbouring points. At this distance the refinement stops. If the values of the two
-/// points still differ, the difference counts as a jump.
+/// Smallest relative distance of neighbouring points of a curve. At this distance the refinement stops. If the values
+/// of the two points still differ, the code treats the difference as a jump.
 pub(super) const NARROW: f64 = 1e-7;
 /// Smallest relative distance of neighbouring points where amplitudes scatter. Amplitudes scatter if motions do not
 /// settle, or if motions from rest end in different steady states at neighbouring points.
 pub(super) const NARROW_SCATTERED: f64 = 1e-3;
-/// Largest number of open intervals between two frequency ratios of the first grid. A motion with more open intervals
-/// counts as scattered.
+/// Largest number of open intervals between two frequency ratios of the first grid at which a curve is not scattered.
+/// An interval is open if a straight line does not represent the curve in it.
 const MOST_BENT: usize = 32;
 /// Smallest relative width of an interval in which the search locates a change in the contact's pattern of stops.
 pub(super) const NARROW_PATTERN: f64 = 1e-4;
@@ -33,7 +33,7 @@ const NARROW_GAP: f64 = 1e-7;
 const SMALL: f64 = 1e-3;
 /// Number of less important frequency ratios that the code computes before it compares the work with its bound.
 const AT_ONCE: usize = 16;
-/// Largest amplitude of a motion that counts as rounding, divided by the amplitude of another motion.
+/// Largest amplitude of a motion that is treated as a rounding error, divided by the amplitude of another motion.
 const ROUNDING: f64 = 1e-6;
 
 /// An interval between two neighbouring nodes of the curve, which the refinement may halve.

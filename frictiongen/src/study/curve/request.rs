@@ -10,12 +10,14 @@ const WORK: usize = 200_000;
 /// The initial state of the motion at each point of a curve.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
 pub enum CurveStart {
-    /// Rest: every mass at x = 0 without velocity, with the excitation at its maximum.
+    /// Each point starts from rest: every mass is at x = 0 without velocity, and the excitation is at its maximum.
     #[default]
     Rest,
-    /// The steady state of the previous point, as the frequency increases. The first point starts from rest.
+    /// Each point starts from the steady state of the previous point, while the frequency increases. The first point
+    /// starts from rest.
     Up,
-    /// The steady state of the previous point, as the frequency decreases. The first point starts from rest.
+    /// Each point starts from the steady state of the previous point, while the frequency decreases. The first point
+    /// starts from rest.
     Down,
 }
 
@@ -105,7 +107,7 @@ impl CurveRequest {
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[non_exhaustive]
 pub enum CurveError {
-    /// The range of frequency ratios r has no width, or its bounds are not positive and finite.
+    /// The requested range of frequency ratios r has no width, or its bounds are not positive and finite.
     Range,
     /// The tolerance of the curve is not between 10⁻⁹ and 1.
     Accuracy,

@@ -5,7 +5,7 @@ use crate::Regime;
 use crate::study::response::Swing;
 use std::f64::consts::PI;
 
-/// The criteria by which a curve counts as straight.
+/// Criteria by which the code decides whether straight lines represent a curve.
 #[derive(Clone, Debug)]
 pub(super) struct Straight {
     /// The largest permitted deviation of a straight line from the curve, divided by the value of the curve.

@@ -13,8 +13,7 @@ use crate::study::settled::Carried;
 use crate::study::work::work;
 use crate::{Error, OutOfDomain};
 
-/// Largest number of jumps between two frequency ratios of the sweep's first grid. A motion with more jumps counts as
-/// scattered.
+/// Largest number of jumps between two frequency ratios of the sweep's first grid at which the motion is not scattered.
 const MOST_JUMPS: u32 = 4;
 
 /// A point of a sweep, with the state from which the next point starts.

@@ -87,26 +87,26 @@ impl<T> ChainNumbers<T> {
 /// The function of frequency whose zeros the search finds. Index k denotes the requested mass.
 #[derive(Clone, Copy, Debug)]
 pub(super) enum Target<T> {
-    /// V_k, the complex amplitude of mass k without friction.
+    /// The function is V_k, the complex amplitude of mass k without friction.
     Free,
-    /// V, the complex amplitude of the contact without friction.
+    /// The function is V, the complex amplitude of the contact without friction.
     FreeContact,
-    /// H_k, the response of mass k to a harmonic force in the contact.
+    /// The function is H_k, the response of mass k to a harmonic force in the contact.
     Receptance,
-    /// U_k, the slope at the reversal of mass k's response to a square wave of friction (6.9).
+    /// The function is U_k, the slope at the reversal of mass k's response to a square wave of friction (6.9).
     Quadrature,
-    /// V U_k − 2 V_k U for mass k. It is zero where friction does not change the monoharmonic estimate of the amplitude
-    /// (6.10). V is the motion without friction, and U the response to a square wave of friction.
+    /// The function is V U_k − 2 V_k U for mass k. It is zero where friction does not change the monoharmonic estimate
+    /// of the amplitude (6.10). V is the motion without friction, and U the response to a square wave of friction.
     Estimate,
-    /// V_k U + (2/π) H_k V for mass k, or U + (2/π) H for the contact. It is zero where friction does not change the
-    /// amplitude of the fundamental. V, H and U are the responses to the load, to a harmonic contact force and to a
-    /// square wave of friction.
+    /// The function is V_k U + (2/π) H_k V for mass k, or U + (2/π) H for the contact. It is zero where friction does
+    /// not change the amplitude of the fundamental component. V, H and U are the responses to the load, to a harmonic
+    /// contact force and to a square wave of friction.
     Fundamental,
-    /// V − βμH, or |V|² − (βμ)²|H|² with damping (6.13). V is the contact's motion without friction, and H its
-    /// receptance. For an elastic contact, H + ρ replaces H. The function is zero where β*_lim equals β.
+    /// The function is V − βμH, or |V|² − (βμ)²|H|² with damping (6.13). V is the contact's motion without friction,
+    /// and H its receptance. For an elastic contact, H + ρ replaces H. The function is zero where β*_lim equals β.
     Sliding(T),
-    /// V² − β²(U² + (μm*/r²)²) for an undamped chain. It is zero where the upper bound on β_lim without a search equals
-    /// β.
+    /// The function is V² − β²(U² + (μm*/r²)²) for an undamped chain. It is zero where the upper bound on β_lim without
+    /// a search equals β.
     Continuous(T),
 }
 
@@ -316,7 +316,7 @@ impl ChainNumbers<Interval> {
     }
 }
 
-/// Largest relative distance of two poles of different modes that count as one pole.
+/// Largest relative distance at which two poles of different modes are treated as one pole.
 const SAME: f64 = 4e-15;
 
 impl Target<Dd> {

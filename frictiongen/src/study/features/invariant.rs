@@ -12,11 +12,11 @@ use frictiongen_kernel::number::dd::Dd;
 /// The quantity of a motion that does not depend on friction at an invariant point.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum InvariantQuantity {
-    /// The amplitude. For the contact's motion the invariant point is exact (6.9). For another mass it follows from the
-    /// monoharmonic estimate (5.50, 6.10).
+    /// At the invariant point the amplitude does not depend on friction. For the contact's motion the point is exact
+    /// (6.9). For another mass it follows from the monoharmonic estimate of the amplitude (5.50, 6.10).
     Amplitude,
-    /// The fundamental component, for which the invariant point is exact. Its amplitude is the frequency-based
-    /// transmissibility (4.4).
+    /// At the invariant point the fundamental component does not depend on friction. The point is exact. The amplitude
+    /// of the fundamental component is the frequency-based transmissibility (4.4).
     Fundamental,
 }
 
@@ -24,16 +24,17 @@ pub enum InvariantQuantity {
 /// harmonic force in the contact) and U (response to a square wave of friction). Index k denotes a mass.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum Condition {
-    /// U = 0 for the contact, or U_k = 0 for mass k: the response to a square wave of friction has no slope at the
-    /// reversal (6.9).
+    /// The condition is U = 0 for the contact, or U_k = 0 for mass k. The response to a square wave of friction then
+    /// has no slope at the reversal (6.9).
     Quadrature,
-    /// V U_k = 2 V_k U for mass k, from the monoharmonic estimate (6.10). V is the motion without friction, and U the
-    /// response to a square wave of friction. Without index they belong to the contact.
+    /// The condition is V U_k = 2 V_k U for mass k, from the monoharmonic estimate of the amplitude (6.10). V is the
+    /// motion without friction, and U the response to a square wave of friction. Without an index they belong to the
+    /// contact.
     Estimate,
-    /// H_k = 0: mass k does not respond to a harmonic force in the contact.
+    /// The condition is H_k = 0: mass k does not respond to a harmonic force in the contact.
     Receptance,
-    /// V_k U = −(2/π) H_k V for mass k, or U = −(2/π) H for the contact. V, H and U are the responses to the load, to a
-    /// harmonic contact force and to a square wave of friction.
+    /// The condition is V_k U = −(2/π) H_k V for mass k, or U = −(2/π) H for the contact. V, H and U are the responses
+    /// to the load, to a harmonic contact force and to a square wave of friction.
     Balance,
 }
 
@@ -49,8 +50,8 @@ pub struct InvariantPoint {
     /// True if the phase of the motion does not depend on friction either. The phase of the contact's motion at U = 0
     /// is 0 or π.
     pub phase_too: bool,
-    /// The amplitude |V_k| of the motion at the point. It is in m under a load, otherwise divided by P/k₁ (by Y for
-    /// base motion).
+    /// Amplitude |V_k| of the motion at the invariant point. It is in m under a load, and otherwise divided by P/k₁ (by
+    /// Y for base motion).
     pub amplitude: f64,
     /// β_lim at the invariant point, in N under a load. The motion does not depend on friction up to this value.
     pub continuous_limit: f64,
@@ -66,9 +67,9 @@ pub enum Edge {
     Range,
     /// Here is an invariant point, where friction does not change the motion.
     Invariant,
-    /// A pole of the response without friction, or of the response to a square wave of friction.
+    /// Here is a pole of the response without friction, or of the response to a square wave of friction.
     Pole,
-    /// V = 0: without friction the contact does not move. With any friction the contact stops.
+    /// Here V is 0: without friction the contact does not move, and with any friction it stops.
     Still,
 }
 
@@ -94,10 +95,10 @@ pub struct Antiresonance {
     pub frequency: Sensed,
 }
 
-/// Upper bound on β_lim for a contact that counts as unable to slide. Its motion V without friction is then zero except
-/// for rounding.
+/// Largest β_lim at which the contact is treated as unable to slide. Its motion V without friction is then zero apart
+/// from rounding.
 const STILL: f64 = 1e-10;
-/// Largest relative distance of two points of different conditions that count as one point.
+/// Largest relative distance at which two points of different conditions are treated as one point.
 const SAME: f64 = 1e-13;
 
 fn targets(measured: InvariantQuantity, is_contact: bool) -> &'static [(Condition, Target<Dd>)] {

@@ -20,10 +20,10 @@ pub(super) const MOST_POLES: usize = 20_000;
 const MOST_INTERVALS: usize = 20 * MOST_POLES;
 /// Largest relative distance at which a zero and a pole of the function cancel. The search then finds neither of them.
 const CANCELLED: f64 = 1e-13;
-/// Largest distance of two zeros that count as one point at which the function touches 0. The distance is divided by y,
-/// or by the distance from a pole.
+/// Largest distance at which two zeros are treated as one point where the function touches 0. The distance is divided
+/// by y, or by the distance from a pole.
 const TOUCH: f64 = 1e-9;
-/// Largest relative distance of two points that count as one point at which the function touches 0.
+/// Largest relative distance at which two points are treated as one point where the function touches 0.
 const ONE_TOUCH: f64 = 1e-6;
 /// Position at which the search divides an interval, as a fraction of its width. It is not the middle, because the
 /// middle is often a special point of a symmetric scene.

@@ -29,8 +29,9 @@ pub use sliding::{HeldResonance, SlidingRange};
 /// Completeness of a list of features: proven complete, or found from samples.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum Certainty {
-    /// The list contains every feature in the range, found by a closed form or by interval arithmetic. Two features
-    /// with a relative distance below 1e-9 may count as one. A feature within 1e-13 of a pole does not appear.
+    /// The list contains every feature in the range, found by a closed form or by interval arithmetic. If the relative
+    /// distance of two features is below 1e-9, the list may contain one feature instead of two. A feature within 1e-13
+    /// of a pole does not appear.
     Proven,
     /// The search samples the range in `steps` steps of equal length in 1/r, and refines each change between two
     /// samples. It finds every interval that is longer than one step.

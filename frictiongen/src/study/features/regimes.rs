@@ -13,9 +13,10 @@ use crate::Regime;
 pub enum RegimeEnd {
     /// The requested range of frequencies ends here.
     Range,
-    /// The limit of continuous motion β_lim equals the friction at this frequency, in Hz under a load.
+    /// At this end the limit of continuous motion β_lim equals the friction. The field is the frequency, in Hz under a
+    /// load.
     Continuous(Sensed),
-    /// The limit of sliding β*_lim equals the friction at this frequency, in Hz under a load.
+    /// At this end the limit of sliding β*_lim equals the friction. The field is the frequency, in Hz under a load.
     Sliding(Sensed),
 }
 

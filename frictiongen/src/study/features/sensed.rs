@@ -54,7 +54,7 @@ impl Sensed {
     }
 }
 
-/// Largest change p·dX/dp, divided by X, that counts as 0. In numbers of 30 digits, rounding causes changes of this
+/// Largest change p·dX/dp that is treated as 0, divided by X. In numbers of 30 digits, rounding causes changes of this
 /// size.
 const NOTHING: f64 = 1e-18;
 

@@ -94,8 +94,8 @@ impl Features<'_> {
     }
 
     /// Returns β*_lim on a resonance of the chain with its contact stuck. Without damping, the receptance H at this
-    /// frequency is zero except for rounding. The limit counts as infinite if it grows as the inverse of the distance
-    /// from the resonance.
+    /// frequency is zero apart from rounding. If the limit grows as the inverse of the distance from the resonance, the
+    /// result is infinite.
     fn held_limit(&self, held: &HeldResonance) -> f64 {
         let limit = self.sliding_limit(held.r);
         if held.damping_ratio > 0.0 || !held.new {

@@ -8,8 +8,8 @@ use crate::study::{System, simulation::SystemSimulation};
 use frictiongen_kernel::simulation::Event;
 use std::f64::consts::TAU;
 
-/// Largest distance in τ between an instant and a sample that count as the same instant. It is a few rounding units of
-/// a phase.
+/// Largest distance in rad of the excitation (τ) between an instant and a sample at which they are treated as the same
+/// instant. It is a few rounding units of a phase.
 const NEAR: f64 = 16.0 * f64::EPSILON;
 
 impl System {

@@ -19,7 +19,7 @@ pub struct Spectrum {
 /// One component of a motion in its spectrum.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct SpectralLine {
-    /// Order n: the frequency divided by the frequency of the excitation.
+    /// Order n of the component: its frequency divided by the frequency of the excitation.
     pub order: f64,
     /// Complex amplitude X in Re(X e^{inτ}), divided by P/k₁ (by Y for base motion). The phase τ is 0 at a maximum of
     /// the excitation. The component of order 0 is the mean.

@@ -27,7 +27,7 @@ pub struct JoinedOptimum {
     pub r: f64,
     /// Number of steady states that the search has computed.
     pub evaluations: usize,
-    /// False if the watching function stopped the search. The result is then the best one until the stop.
+    /// False if the caller stopped the search through its function. The result is then the best one until the stop.
     pub is_complete: bool,
 }
 
@@ -95,7 +95,7 @@ pub(super) enum BandAccuracy {
     Roughly,
     /// The search evaluates every frequency of the grid.
     OnGrid,
-    /// Evaluates every frequency of the grid, and searches between them.
+    /// The search evaluates every frequency of the grid, and searches between them.
     Refined,
 }
 

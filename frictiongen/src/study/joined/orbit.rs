@@ -33,7 +33,8 @@ impl ContactOrbit<'_> {
         self.cycle.stops
     }
 
-    /// Returns the number of changes of the sliding direction without a stop, in a period.
+    /// Returns the number of reversals of the contact in a period. A reversal is a change of the sliding direction
+    /// without a stop.
     #[must_use]
     pub fn reversals(&self) -> usize {
         self.cycle.reversals
@@ -52,7 +53,7 @@ impl ContactOrbit<'_> {
         self.cycle.slip / self.units.length
     }
 
-    /// Returns the largest absolute relative displacement of the contact's two sides.
+    /// Returns the largest absolute relative displacement of the contact's two sides in a period.
     #[must_use]
     pub fn displacement(&self) -> f64 {
         self.cycle.displacement / self.units.length

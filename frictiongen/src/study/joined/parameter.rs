@@ -12,11 +12,12 @@ pub enum JoinedParameter {
     Quantity(Quantity),
     /// The damping coefficient of a dashpot. The number is the index of the dashpot.
     Dashpot(usize),
-    /// The share of a contact: its friction force divided by the common friction.
+    /// The share of a contact: its friction force divided by the common friction. The number is the index of the
+    /// contact.
     Share(usize),
     /// The stiffness of an elastic contact. The number is the index of the contact.
     ContactStiffness(usize),
-    /// Ratio μ of the static to the kinetic friction force of a contact.
+    /// Ratio μ of the static to the kinetic friction force of a contact. The number is the index of the contact.
     Stiction(usize),
     /// The common friction. It is the force F under a load, and otherwise β.
     Friction,

@@ -7,7 +7,7 @@ use super::orbit::JoinedOrbit;
 /// Factors on the states of linear responses. Each state multiplied by each factor is one more initial state of the
 /// search.
 const FACTORS: [f64; 3] = [1.0, -1.0, 3.0];
-/// Largest relative difference of the amplitudes of two steady states that count as the same.
+/// Largest relative difference of the amplitudes at which two steady states are treated as the same.
 const SAME: f64 = 1e-6;
 
 impl<'a> JoinedAt<'a> {
@@ -43,7 +43,7 @@ impl<'a> JoinedAt<'a> {
     }
 }
 
-/// Returns true if two steady states are the same. Two marginal states of one continuum count as the same.
+/// Returns true if two steady states are the same. The code treats two marginal states of one continuum as the same.
 fn same(one: &JoinedOrbit<'_>, other: &JoinedOrbit<'_>) -> bool {
     let (a, b) = (one.centred_amplitudes(), other.centred_amplitudes());
     let size = a

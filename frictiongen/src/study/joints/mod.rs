@@ -49,7 +49,7 @@ pub const MAX_MASSES: usize = 64;
 pub struct Joint {
     /// The two nodes between which the contact acts.
     pub ends: (Node, Node),
-    /// Kinetic friction force F. For a rigid contact it may vary in time, and must then stay positive.
+    /// Kinetic friction force F of the contact. For a rigid contact it may vary in time, and must then stay positive.
     pub level: Wave,
     /// Ratio μ of the static to the kinetic friction force, at least 1.
     pub stiction: f64,
@@ -81,7 +81,7 @@ pub struct Chain {
 /// Reason why the solver returns no result for a chain.
 #[derive(Clone, Debug, PartialEq)]
 pub enum JointError {
-    /// There is no mass, or there are more masses or contacts than the solver supports.
+    /// The chain has no mass, or has more masses or contacts than the solver supports.
     Size,
     /// A number of the chain is not finite, or has an invalid sign. The field names the number.
     Number(&'static str),

@@ -69,7 +69,7 @@ fn numbered(masses: usize, joint: &Joint) -> Result<Contact<f64>, JointError> {
     })
 }
 
-/// Fails if rigid contacts form a closed loop. Wall and base count as one node.
+/// Returns an error if rigid contacts form a closed loop. For this check the wall and the base are one node.
 fn check_redundant(model: &Model) -> Result<(), JointError> {
     let ground = |node: usize| node.min(model.wall());
     let mut tree: Vec<(usize, usize, usize)> = Vec::new();
@@ -88,7 +88,7 @@ fn check_redundant(model: &Model) -> Result<(), JointError> {
     Ok(())
 }
 
-/// Returns the numbers of two nodes, beginning with the node that counts as positive.
+/// Returns the numbers of two nodes. The node whose displacement has a positive sign comes first.
 fn ends(
     masses: usize,
     (from, to): (Node, Node),

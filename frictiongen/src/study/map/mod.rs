@@ -50,7 +50,7 @@ pub struct MapPoint {
     /// True if the motion from rest ends in this state. False if the motion from rest does not settle, and this state
     /// is another steady state.
     pub from_rest: bool,
-    /// The offset of the contact's relative motion, (max + min)/2, divided by P/k₁ (by Y for base motion).
+    /// Offset (max z̄ + min z̄)/2 of the contact's relative motion, divided by P/k₁ (by Y for base motion).
     pub offset: f64,
     /// The requested amplitudes, in the order of the request, divided by P/k₁ (by Y for base motion).
     pub amplitudes: Vec<f64>,

@@ -6,13 +6,14 @@ use crate::study::parameter::Parameter;
 /// The reason why no other friction gives a smaller largest amplitude.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum OptimumKind {
-    /// Two peaks have the same height. More friction raises one peak, and less friction raises the other.
+    /// The largest amplitude is that of two peaks of the same height. More friction raises one peak, and less friction
+    /// raises the other.
     EqualPeaks,
     /// The largest amplitude is that of one peak, which is at its own minimum with respect to friction.
     SinglePeak,
-    /// Any friction increases the largest amplitude. The best friction is 0.
+    /// The best friction is 0, because any friction increases the largest amplitude.
     NoFriction,
-    /// The stuck contact has the smallest amplitude. More friction does not change it.
+    /// The amplitude is smallest while the contact is stuck. More friction does not change it.
     Stuck,
     /// The requested quantity is 0, so that the result is trivial. Either the contact is stuck over the whole band, or
     /// the quantity is the contact force and there is no friction.

@@ -13,8 +13,8 @@ const MOST_LOOKED_INTO: usize = 6;
 /// Smallest amplitude that the search expects within an interval of the scan, divided by the smaller amplitude at the
 /// two points of the interval.
 const SHARE: f64 = 0.7;
-/// Largest relative difference of two amplitudes that count as equal. If a more precise evaluation of the band exceeds
-/// the earlier amplitude by more than this fraction, it has found a higher peak.
+/// Largest relative difference at which two amplitudes are treated as equal. If a more precise evaluation of the band
+/// exceeds the earlier amplitude by more than this fraction, it has found a higher peak.
 pub(super) const HOLDS: f64 = 1e-9;
 
 /// A friction ratio that may be the best, with its largest amplitude over the band.

@@ -10,7 +10,7 @@ use super::scan::{Scanned, slope, with_slope};
 const MOST_FOLLOWED: usize = 6;
 /// Largest number of steps of the search towards one minimum.
 const STEPS: usize = 40;
-/// Largest relative difference of the heights of two peaks that count as equally high.
+/// Largest relative difference of the heights at which two peaks are treated as equally high.
 const EQUAL: f64 = 2e-13;
 
 /// Returns the friction ratio at which the tangents of two points of the scan meet, and the amplitude at this friction

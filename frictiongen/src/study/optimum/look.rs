@@ -13,8 +13,8 @@ pub(super) const PLACE: f64 = 2e-9;
 /// Expected change of the amplitude with friction, in a first look. If the friction ratio changes by at most the first
 /// factor, the search expects the amplitude to change by at most the second factor.
 const FIRST: [f64; 2] = [1.5, 2.0];
-/// Expected change of the amplitude with friction, in a whole look. The two numbers have the meaning of those in
-/// `FIRST`.
+/// Expected change of the amplitude with friction, in a whole look. If the friction ratio changes by at most the first
+/// factor, the search expects the amplitude to change by at most the second factor.
 const WHOLE: [f64; 2] = [1.1, 4.0];
 /// Factor on the expected amplitude if every friction ratio with a known amplitude is too far away. The first factor of
 /// `FIRST` or `WHOLE` defines how far this is.
@@ -32,9 +32,10 @@ pub(in crate::study) struct BandPeak {
 /// Precision of an evaluation of the amplitude over a band.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Closely {
-    /// Sufficient for a comparison of friction ratios. The look computes motions in time at only some frequencies.
+    /// The evaluation is sufficient for a comparison of friction ratios. It computes motions in time at only some
+    /// frequencies.
     First,
-    /// The look evaluates all frequencies of the band, and finds each maximum to rounding.
+    /// The evaluation covers all frequencies of the band, and finds each maximum to rounding.
     Whole,
 }
 

@@ -34,7 +34,7 @@ const NEIGHBOUR: f64 = 2e-3;
 /// Smallest amplitude that the search treats as infinite.
 pub(super) const POLE: f64 = 1e9;
 
-/// Largest relative difference of two amplitudes that count as equal.
+/// Largest relative difference at which two amplitudes are treated as equal.
 const SAME: f64 = 1e-9;
 
 /// A band of frequencies, with all known amplitudes in the band.

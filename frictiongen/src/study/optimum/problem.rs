@@ -19,7 +19,7 @@ use crate::study::units::{Load, angular_frequency};
 const WORK_OF_A_REPORT: usize = 60_000;
 /// Excesses (amplitude − best amplitude)/best amplitude for which the result has an interval of friction.
 const EXCESSES: [f64; 3] = [0.01, 0.05, 0.1];
-/// Largest relative difference from the largest peak at which a peak counts as equally high.
+/// Largest relative difference from the largest peak at which a peak is treated as equally high.
 const EQUAL: f64 = 1e-9;
 
 /// A request for the best friction after all checks, with the system and the band of frequencies.

@@ -8,7 +8,7 @@ use crate::study::units::{Load, LoadError};
 /// A band of frequencies, given as frequency ratios or in Hz.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum FrequencyBand {
-    /// Lowest and highest frequency ratio r, with m₁ and k₁ of the description.
+    /// The band is given by its lowest and its highest frequency ratio r, with m₁ and k₁ of the description.
     Ratio(f64, f64),
     /// The band is given by its lowest and its highest frequency in Hz.
     Hertz(f64, f64),

@@ -25,8 +25,8 @@ const FAR_ABOVE: f64 = 2.0;
 /// Additional friction ratios of the scan, slightly above the friction ratio that bounds the amplitude at all
 /// resonances. Each number is the relative distance from that friction ratio.
 const BOUNDED: [f64; 8] = [1e-3, 0.01, 0.03, 0.06, 0.1, 0.2, 0.35, 0.5];
-/// Largest relative change of a smooth amplitude, divided by the relative change of friction. A larger change counts as
-/// a jump.
+/// Largest relative change of a smooth amplitude, divided by the relative change of friction. The code treats a larger
+/// change as a jump.
 const STEEPEST: f64 = 50.0;
 /// Number of rounds in which the search halves intervals of the scan that may hide a minimum.
 const CLOSER: usize = 5;

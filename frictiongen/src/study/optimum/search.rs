@@ -35,13 +35,13 @@ const HIGHEST_TOLERANCE: f64 = 1.12;
 /// The kind of a minimum over friction of the largest amplitude.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum MinimumKind {
-    /// Two peaks have equal height. With more friction one of them falls and the other rises.
+    /// At this minimum two peaks have equal height. With more friction one of them falls and the other rises.
     Crossing,
-    /// One peak is at its own minimum over friction, or at a jump of its height.
+    /// At this minimum one peak is at its own minimum over friction, or at a jump of its height.
     Smooth,
     /// The largest amplitude is smallest at zero friction.
     Without,
-    /// The contact is stuck at the frequency of the peak, or over the whole band.
+    /// At this minimum the contact is stuck at the frequency of the peak, or over the whole band.
     Held,
 }
 

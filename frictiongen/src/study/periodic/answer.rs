@@ -7,8 +7,8 @@ use crate::{Complex, Of};
 use frictiongen_kernel::motion::Contact;
 use frictiongen_kernel::stepper::Work;
 
-/// Largest distance of a Floquet multiplier from the unit circle at which the multiplier counts as lying on it. The
-/// differences that give the multipliers have rounding errors.
+/// Largest distance of a Floquet multiplier from the unit circle at which the multiplier is treated as lying on the
+/// circle. The code computes the multipliers from differences, which have rounding errors.
 const ON_CIRCLE: f64 = 1e-7;
 
 /// Steady state under a periodic load, over one of its periods, in the units of the scene.

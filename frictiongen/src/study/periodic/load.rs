@@ -14,9 +14,9 @@ const MOST_STEPS: usize = 65_536;
 /// Largest angle by which the fastest mode advances in a step, in rad. It limits the error of the cubics that give the
 /// largest displacements between steps.
 const ANGLE: f64 = 0.1;
-/// Largest relative difference between the last and the first sample of a table that count as equal.
+/// Largest relative difference at which the last and the first sample of a table are treated as equal.
 const SAME: f64 = 1e-9;
-/// Largest mean of the base's acceleration or velocity that counts as rounding in the table, divided by the largest
+/// Largest mean of the base's acceleration or velocity that is treated as rounding in the table, divided by the largest
 /// value in the table.
 const MEAN: f64 = 1e-6;
 /// Number of iterations that compute the spline through displacements. Each iteration divides the error by more than 2.

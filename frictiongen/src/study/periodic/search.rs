@@ -14,12 +14,12 @@ const WARM: usize = 8;
 const ATTEMPTS: usize = 9;
 /// Largest period of the motion, in periods of the load.
 const MOST_PERIODS: usize = 64;
-/// Largest distance from a state at which the motion counts as nearly returned, divided by its largest distance from
-/// that state. The search then tries this number of periods.
+/// Largest distance from an earlier state at which the motion has nearly returned to it, divided by the largest
+/// distance from that state. The search then tries this number of periods.
 const NEARLY: f64 = 0.02;
 /// Largest number of steps of Newton's method in one attempt.
 const NEWTON: usize = 14;
-/// Largest relative difference of two states one period apart that count as equal.
+/// Largest relative difference at which two states one period apart are treated as equal.
 const SAME: f64 = 1e-13;
 /// Largest relative difference after a period at which Newton's method may end, if a step no longer reduces the
 /// difference.
@@ -29,18 +29,18 @@ const ENOUGH: f64 = 1e-11;
 const STEP: f64 = 1e-5;
 /// Largest singular value of a neutral direction. A deviation along a neutral direction is the same after a period.
 const RANK: f64 = 1e-7;
-/// Largest distance of a Floquet multiplier from the unit circle at which the multiplier counts as lying on it. The
-/// differences that give the multipliers have rounding errors.
+/// Largest distance of a Floquet multiplier from the unit circle at which the multiplier is treated as lying on the
+/// circle. The code computes the multipliers from differences, which have rounding errors.
 const ON_CIRCLE: f64 = 1e-7;
 /// Fraction to which the motion's distance from a steady state must fall. The test of the steady state ends when the
 /// multipliers predict this.
 const DECAY: f64 = 0.1;
 /// Largest number of periods of the load over which the search tests a steady state.
 const MOST_CONFIRMED: usize = 512;
-/// Largest distance of the motion from a steady state that counts as reached, divided by the size of the motion.
+/// Largest distance from a steady state at which the motion has reached it, divided by the size of the motion.
 const REACHED: f64 = 1e-7;
-/// Largest distance of the motion from a steady state in a continuum that counts as reached. In a continuum, the
-/// initial state decides in which steady state the motion ends.
+/// Largest distance from a steady state in a continuum at which the motion has reached it, divided by the size of the
+/// motion. In a continuum, the initial state decides in which steady state the motion ends.
 const SETTLED: f64 = 1e-10;
 
 /// Returns the steady state in which the motion from rest ends.

@@ -19,7 +19,7 @@ use crate::number::scalar::Float;
 /// Upper bound on the rate at which the friction law changes the motion, divided by the rate of the fastest mode.
 pub const MAX_STEEPNESS: u32 = 4096;
 
-/// Length below which a piece of motion counts as having no length, in rounding units.
+/// Length below which a piece of motion is treated as having no length, in rounding units.
 const STILL: f64 = 64.0;
 
 impl<S: Float, K: ContactChain<S>> MotionSetting<'_, S, K> {
@@ -32,7 +32,7 @@ impl<S: Float, K: ContactChain<S>> MotionSetting<'_, S, K> {
         })
     }
 
-    /// Fails if the friction law is too steep for the power series.
+    /// Returns an error if the friction law is too steep for the power series.
     pub(crate) fn check_lines(
         &self,
         modes: &[Part<S>],
@@ -47,7 +47,7 @@ impl<S: Float, K: ContactChain<S>> MotionSetting<'_, S, K> {
         }
     }
 
-    /// Returns the length in τ of the longest piece in which a power series is valid.
+    /// Returns the length, in rad of the excitation (τ), of the longest piece in which a power series is valid.
     fn stretch(&self, modes: &[Part<S>], line: &KineticLine<S>) -> S {
         let steep = self.acceleration(self.law().level() * line.slope.abs());
         S::constant(1.0) / (self.turning(modes) + steep)

@@ -10,7 +10,7 @@ pub struct KineticLine<S> {
     pub slope: S,
     /// Sliding speed at which this line of the friction law starts.
     pub low: S,
-    /// The speed at the end of the line, or `None` for the last line.
+    /// Sliding speed at which this line of the friction law ends, or `None` for the last line.
     pub high: Option<S>,
 }
 
@@ -55,7 +55,7 @@ fn between<S: Float>(points: &[[S; 2]], place: usize) -> KineticLine<S> {
     }
 }
 
-/// Returns the index of the straight line of the law that contains a speed.
+/// Returns the index of the straight line of the friction law that contains a sliding speed.
 pub(crate) fn place<S: Float>(points: &[[S; 2]], speed: S) -> usize {
     points.iter().take_while(|[v, _]| *v <= speed).count()
 }

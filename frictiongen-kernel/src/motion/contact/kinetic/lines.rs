@@ -7,13 +7,13 @@ use crate::number::scalar::Float;
 
 /// Trait of a kinetic friction law: Coulomb's law, or straight lines that give the force as a function of the speed.
 pub trait KineticLaw<'a, S>: Copy {
-    /// Returns the lines of the law, or `None` if the kinetic friction is constant.
+    /// Returns the straight lines of the friction law, or `None` if the kinetic friction is constant.
     fn lines(&self) -> Option<&Lines<'a, S>>;
     /// Returns the lines of the law as a mutable reference, or `None` if the kinetic friction is constant.
     fn lines_mut(&mut self) -> Option<&mut Lines<'a, S>>;
 }
 
-/// One kinetic friction force at every speed: Coulomb's law.
+/// Friction law with one kinetic friction force at every speed: Coulomb's law.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Constant;
 
@@ -38,7 +38,7 @@ pub struct Lines<'a, S> {
     points: &'a [[S; 2]],
     /// Velocity, in the scene's units, that corresponds to dz̄/dτ = 1.
     unit: S,
-    /// Index of the straight line of the law that contains the speed.
+    /// Index of the straight line of the friction law that contains the present speed.
     place: usize,
     /// The line crossing with which the piece ends that the last search has found.
     next: LineCrossing,

@@ -48,7 +48,7 @@ impl<S: Float> ContactChain<S> for Chain<S> {
         }
     }
 
-    /// Returns the relative displacement z̄ at which the contact sticks.
+    /// Returns the relative displacement z̄ at which the rigid contact sticks.
     fn stuck_place(
         setting: &MotionSetting<'_, S>,
         modes: &[Part<S>],

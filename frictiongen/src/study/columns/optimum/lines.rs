@@ -15,7 +15,7 @@ pub struct OptimumLine {
     pub list: Option<&'static str>,
     /// Number of the entry in its list, counted from 1. `None` for a value outside the lists.
     pub row: Option<usize>,
-    /// Key of the value for programs, unique in its entry of the list.
+    /// Key of the line's value for programs. It is unique in its entry of the list.
     pub key: String,
     /// Name of the line's value, in words for people.
     pub label: String,

@@ -120,7 +120,7 @@ fn a_free_vibration_does_not_lengthen_the_period() {
 }
 
 /// Checks a chain with an elastic contact that slides once, and then only reaches its friction force once in every
-/// cycle. The contact must count as sticking.
+/// cycle. In the result the contact must stick.
 #[test]
 fn a_contact_that_only_reaches_its_limit_sticks() {
     let text = "struct Chain {
@@ -141,8 +141,8 @@ fn a_contact_that_only_reaches_its_limit_sticks() {
     ));
 }
 
-/// A step of Newton's method changes the state of this chain while the elastic contact slides. The relative velocity then
-/// has the opposite sign of the force.
+/// A step of Newton's method changes the state of this chain while the elastic contact slides. The relative velocity
+/// then has the opposite sign of the force.
 #[test]
 fn a_contact_with_the_opposite_velocity_sticks() {
     let text = "struct Chain {

@@ -5,10 +5,11 @@ use super::super::{Motion, State, steady_state};
 use super::{Chain, Random, random_chain};
 use std::f64::consts::TAU;
 
-/// Largest number of cycles of the motion from rest.
+/// Largest number of cycles for which the tests follow the motion from rest.
 const CYCLES: usize = 4000;
 
-/// Returns the largest differences of displacements, of velocities over ω, and of forces over their friction force.
+/// Returns the largest differences between two states: of displacements, of velocities divided by ω, and of forces
+/// divided by their friction force.
 fn away(chain: &Chain, omega: f64, (a, b): (&State, &State)) -> (f64, f64) {
     let most = |a: &[f64], b: &[f64]| {
         let differences = a.iter().zip(b).map(|(a, b)| (a - b).abs());
@@ -23,7 +24,7 @@ fn away(chain: &Chain, omega: f64, (a, b): (&State, &State)) -> (f64, f64) {
     (motion, forces.fold(0.0, f64::max))
 }
 
-/// Follows the motion from rest until it repeats. Returns `None` if it does not.
+/// Follows the motion from rest until it repeats. Returns `None` if it does not repeat.
 fn settled(chain: &Chain, omega: f64) -> Option<State> {
     let mut motion = Motion::from_rest(chain).expect("a chain");
     let mut quiet = 0;
@@ -48,8 +49,8 @@ fn settled(chain: &Chain, omega: f64) -> Option<State> {
     None
 }
 
-/// Compares a number of random scenes. Returns the largest difference and the number of scenes with a contact that never
-/// slides, although another one does.
+/// Compares the steady states of a number of random scenes. Returns the largest difference, and the number of scenes in
+/// which one contact never slides although another one does.
 fn compare(count: usize) -> (f64, usize) {
     let mut random = Random::new(461);
     let (mut worst, mut mixed, mut compared) = (0.0_f64, 0, 0);
@@ -76,7 +77,8 @@ fn compare(count: usize) -> (f64, usize) {
             .fold(0.0_f64, |m, x| m.max(*x));
         let (motion, forces) = away(&chain, omega, (&steady.state, &expected));
         let differs = (motion / size).max(forces);
-        // The motion from rest has stopped within 1e-13 of a cycle from the next. A multiplier of 0.999 makes this 1e-10.
+        // Successive cycles of the motion from rest differ by less than 1e-13. With a multiplier of 0.999, the distance
+        // from the steady state is then 1e-10.
         assert!(differs < 1e-9, "scene {compared}: {differs:.1e}");
         worst = worst.max(differs);
         let marginal = steady.marginal.len();
@@ -93,7 +95,7 @@ fn steady_states_are_those_that_the_motion_from_rest_reaches() {
     assert!(mixed > 0);
 }
 
-/// Repeats the test above with more scenes.
+/// Repeats the test above with more random scenes.
 #[test]
 #[ignore = "half a minute"]
 fn steady_states_are_those_that_the_motion_from_rest_reaches_long() {

@@ -14,8 +14,8 @@ use crate::study::units::{Load, angular_frequency};
 use frictiongen_model::scene::Excitation;
 use std::sync::atomic::{AtomicUsize, Ordering};
 
-/// Largest relative slope, with respect to a variable, of a peak that counts as stationary. The minimum of a steeper
-/// peak has no derivative.
+/// Largest relative slope of a peak, with respect to a variable, at which the peak is treated as stationary. The
+/// minimum of a steeper peak has no derivative.
 const STATIONARY: f64 = 1e-4;
 /// Step of a finite difference with respect to the number, divided by the number's value.
 const DIFFERENCE: f64 = 1e-5;
