@@ -56,7 +56,7 @@ pub struct ContactSides {
 pub enum Excitation {
     /// A force P cos ωt on the mass with this index.
     Force(usize),
-    /// A motion Y cos ωt of the base.
+    /// A motion Y cos ωt of the base, with the amplitude Y.
     Base,
 }
 
@@ -127,7 +127,7 @@ pub enum Provide {
 #[derive(Clone, Copy, Debug, PartialEq, Default)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub enum Accuracy {
-    /// Exact formulas, without tables.
+    /// The limits, motions and responses come from exact formulas, without tables.
     #[default]
     Exact,
     /// Tables whose relative error is at most this number in the scene's `range`.

@@ -43,7 +43,7 @@ impl core::error::Error for Diagnostics {}
 /// Position of a token in a description.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct TokenPosition {
-    /// The line, counted from 1.
+    /// The line of the error, counted from 1.
     pub line: usize,
     /// The column, counted in characters from 1.
     pub column: usize,
@@ -72,7 +72,7 @@ pub struct Problems {
 }
 
 impl Problems {
-    /// Adds an error to the list.
+    /// Adds an error at a position to the list of errors.
     pub fn report(&mut self, place: TokenPosition, message: impl Into<String>) -> Reported {
         self.list.push(Problem {
             place,

@@ -36,7 +36,7 @@ pub struct NamedContact {
     pub name: String,
     /// The two sides of the contact.
     pub sides: ContactSides,
-    /// The law of the contact.
+    /// The friction law of the contact: its stiffness, μ and share.
     pub law: JointLaw,
 }
 
@@ -60,7 +60,7 @@ pub struct Damper {
 pub struct Joints {
     /// The contacts of the field `contacts`. The list is empty if the scene has the field `contact`.
     pub contacts: Vec<NamedContact>,
-    /// The dashpots.
+    /// The dashpots of the scene.
     pub dampers: Vec<Damper>,
 }
 

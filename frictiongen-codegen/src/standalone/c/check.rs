@@ -64,7 +64,7 @@ pub(super) fn declared<S: Float>(source: &Source<'_, S>, name: &str) -> String {
     )
 }
 
-/// Writes the self-check.
+/// Writes the self-check in C.
 pub(super) fn source<S: Float>(source: &Source<'_, S>, formulas: &Formulas, name: &str) -> String {
     let (_, known) = known_answers(source);
     let mut text = sums(source, formulas);

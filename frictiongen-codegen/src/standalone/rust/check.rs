@@ -89,7 +89,7 @@ pub(super) fn test() -> String {
         .to_owned()
 }
 
-/// Writes the self-check.
+/// Writes the self-check in Rust.
 pub(super) fn source<S: Float>(source: &Source<'_, S>, formulas: &Formulas) -> String {
     let (_, known) = known_answers(source);
     let mut text = faults(source, !known.is_empty());
@@ -153,7 +153,7 @@ fn faults<S: Float>(source: &Source<'_, S>, knows: bool) -> String {
     text
 }
 
-/// Writes the checksum.
+/// Writes the function for checksums in Rust.
 fn sums(numbers: NumberFormat) -> String {
     let NumberFormat { real, single, .. } = numbers;
     let (turn, multiplier) = (checksum::TURN, checksum::MULTIPLIER);
@@ -243,7 +243,7 @@ fn ratios(numbers: NumberFormat) -> String {
     )
 }
 
-/// The comparison of both limits.
+/// Function of the Rust file that compares both limits with the known ones.
 const LIMITS: &str = "fn checked_limits(known: &Known) -> Result<(), Fault> {\n    \
      let [r, continuous, sliding] = known.head;\n    \
      match limits(r) {\n        \
