@@ -2,7 +2,7 @@
 
 use super::{ContactSides, Node, Scene};
 
-/// Friction law of one of several contacts.
+/// Friction law of a contact of the field `contacts`.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[doc(hidden)]
@@ -27,7 +27,7 @@ impl Default for JointLaw {
     }
 }
 
-/// One of several contacts, with its name.
+/// A contact of the field `contacts`, with its name.
 #[derive(Clone, Debug, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[doc(hidden)]
