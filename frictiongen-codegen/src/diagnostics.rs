@@ -53,7 +53,7 @@ pub struct Partial {
     pub attributes: TokenStream,
     /// The lines of the doc comments before the struct.
     pub documentation: Vec<String>,
-    /// The visibility of the struct.
+    /// The visibility of the described struct, such as `pub`.
     pub visibility: TokenStream,
     /// The name of the struct; `None` if it is not usable.
     pub name: Option<Ident>,
@@ -63,7 +63,7 @@ pub struct Partial {
     pub mass_names: Vec<Ident>,
     /// The scalar type of the scene.
     pub precision: Precision,
-    /// True if the base is excited.
+    /// True if the excitation is a motion of the base.
     pub on_base: bool,
     /// The masses that the stepper may load, as indices into `mass_names`.
     pub forces: Vec<usize>,

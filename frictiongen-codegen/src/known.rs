@@ -35,16 +35,16 @@ const WRAPS: f64 = 3.0;
 pub struct AnswersRequest {
     /// Precision in which r and β are given.
     pub precision: Precision,
-    /// Range of frequency ratios.
+    /// Range of the frequency ratios r of the answers.
     pub r: (f64, f64),
-    /// Range of friction ratios.
+    /// Range of the friction ratios β of the answers.
     pub beta: (f64, f64),
     /// Allowed relative error of an answer of the emitted code.
     pub tolerance: f64,
     /// Largest relative error that may be allowed. It is needed if a part of the range would otherwise have no
     /// answer.
     pub widest: f64,
-    /// True if the answers contain the motion.
+    /// True if the request includes the continuous motion at a friction ratio.
     pub motion: bool,
     /// True if the answers contain the responses while the contact is stuck.
     pub stuck: bool,
@@ -57,18 +57,18 @@ pub enum MotionKind {
     Continuous,
     /// The contact alternately sticks and slides.
     StickSlip,
-    /// The contact is stuck.
+    /// The contact is stuck all the time.
     Stuck,
 }
 
 /// Known answers at one frequency ratio.
 #[derive(Clone, Debug)]
 pub struct KnownAnswers {
-    /// Frequency ratio.
+    /// The frequency ratio r of the answers.
     pub r: f64,
-    /// β_lim.
+    /// β_lim, the limit of continuous motion.
     pub continuous: f64,
-    /// β*_lim.
+    /// β*_lim, the limit of sliding.
     pub sliding: f64,
     /// The motion at one friction ratio, if the question includes it.
     pub motion: Option<MotionAnswers>,
@@ -90,9 +90,9 @@ impl KnownAnswers {
 /// Known answers at one friction ratio.
 #[derive(Clone, Debug)]
 pub struct MotionAnswers {
-    /// Friction ratio.
+    /// The friction ratio β of the answers.
     pub beta: f64,
-    /// Kind of the motion.
+    /// Kind of the motion at this friction ratio.
     pub outcome: MotionKind,
     /// Amplitude and phase of the contact. Both are 0 if the contact does not slide all the time.
     pub contact: [f64; 2],

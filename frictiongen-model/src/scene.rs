@@ -56,7 +56,7 @@ pub struct ContactSides {
 pub enum Excitation {
     /// A force P cos ωt on the mass with this index.
     Force(usize),
-    /// A motion Y cos ωt of the base.
+    /// A motion Y cos ωt of the base, with the amplitude Y.
     Base,
 }
 
@@ -111,7 +111,7 @@ pub enum Provide {
     /// The exact continuous motion of the contact and of masses. `None` selects every mass, a list selects the masses
     /// with these indices.
     Motion(Option<Vec<usize>>),
-    /// The response while the contact is stuck.
+    /// The responses of all masses while the contact is stuck.
     Stuck,
     /// The steady state in any regime: continuous, stick-slip or stuck.
     Orbit,
@@ -127,7 +127,7 @@ pub enum Provide {
 #[derive(Clone, Copy, Debug, PartialEq, Default)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub enum Accuracy {
-    /// Exact formulas, without tables.
+    /// The limits, motions and responses come from exact formulas, without tables.
     #[default]
     Exact,
     /// Tables whose relative error is at most this number in the scene's `range`.
@@ -172,9 +172,9 @@ pub enum Proving {
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct Range {
-    /// Smallest and largest frequency ratio r.
+    /// Smallest and largest frequency ratio r of the range.
     pub r: (f64, f64),
-    /// Smallest and largest friction ratio β.
+    /// Smallest and largest friction ratio β of the range.
     pub beta: (f64, f64),
 }
 
@@ -250,7 +250,7 @@ pub struct StepperOptions {
     /// The fixed step in the scene's unit of time (s in SI), or `None` if the step is known only at run time. If the
     /// step is known, the tables for it are constants of the emitted code.
     pub step: Option<f64>,
-    /// Course of the input between two samples.
+    /// Course of the stepper's input between two samples.
     pub input: StepInput,
     /// Indices of masses on which a force may act in addition to the excitation.
     pub forces: Vec<usize>,

@@ -88,9 +88,9 @@ pub struct PanelFrame {
     pub left: f64,
     /// Vertical position of the upper edge of the frame, counted downwards.
     pub top: f64,
-    /// Width of the frame.
+    /// Width of the panel's frame.
     pub width: f64,
-    /// Height of the frame.
+    /// Height of the panel's frame.
     pub height: f64,
     /// Values at the left and right edges of the frame. [`Axis::scale`] of the panel's axis gives the scale between
     /// them.
@@ -104,9 +104,9 @@ pub struct PanelFrame {
 pub struct Panel {
     /// Title above the panel.
     pub title: Label,
-    /// Horizontal axis.
+    /// Horizontal axis of the panel.
     pub x: Axis,
-    /// Vertical axis.
+    /// Vertical axis of the panel.
     pub y: Axis,
     /// Layers of the panel, from the bottom to the top. The grid is drawn above regions and maps, and under all other
     /// layers.
@@ -170,11 +170,11 @@ pub struct Key {
 /// The sample that is drawn before the text of a legend entry.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum LegendSample {
-    /// A short line.
+    /// A short line, drawn in this colour and stroke.
     Line(Colour, Stroke),
-    /// A marker.
+    /// A marker of this colour and shape.
     Marker(Colour, Marker),
-    /// A filled patch.
+    /// A patch, filled with this colour.
     Fill(Fill),
 }
 

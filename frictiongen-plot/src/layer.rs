@@ -75,7 +75,7 @@ pub struct Markers {
     pub colour: Colour,
     /// Shape of the markers.
     pub marker: Marker,
-    /// Positions of the markers.
+    /// Positions of the markers, in data units.
     pub points: Vec<Point>,
 }
 
@@ -191,7 +191,7 @@ pub enum Cells {
     },
     /// Each cell has a value. A cell without a finite value stays empty.
     Values {
-        /// The axis of the colour bar.
+        /// The axis of the colour bar, which shows the values of the colours.
         bar: Axis,
         /// The value of each cell.
         cells: Vec<f64>,

@@ -7,7 +7,7 @@ use std::fmt;
 pub enum Colour {
     /// Black, for limits and everything that is not a series.
     Black,
-    /// Grey, for comparison.
+    /// Grey, for curves that serve for comparison.
     Grey,
     /// Colour of the series with this index. The colours repeat after [`Colour::SERIES`] series.
     Series(usize),
@@ -45,7 +45,7 @@ pub(crate) const SOFT: Rgb = Rgb(0x55, 0x55, 0x55);
 pub(crate) const GRID: Rgb = Rgb(0xe4, 0xe4, 0xe4);
 /// Colour of the frames of panels.
 pub(crate) const FRAME: Rgb = Rgb(0x66, 0x66, 0x66);
-/// Colour of the page.
+/// Colour of the page, and of grid lines over areas.
 pub(crate) const PAPER: Rgb = Rgb(0xff, 0xff, 0xff);
 
 /// Colours of curves, in the order of [`Colour::Series`].

@@ -16,7 +16,7 @@ pub enum End {
 /// A spring or a dashpot between two elements of a sketch.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Spring {
-    /// The two elements, in any order.
+    /// The two elements that the spring joins, in any order.
     pub between: (End, End),
     /// Label next to the spring.
     pub label: Label,
@@ -25,7 +25,7 @@ pub struct Spring {
 /// The friction contact of a sketch, between two elements.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct SketchContact {
-    /// The two elements, in any order.
+    /// The two elements that rub on each other, in any order.
     pub between: (End, End),
     /// Label next to the contact.
     pub label: Label,
@@ -34,17 +34,17 @@ pub struct SketchContact {
 /// The excitation in a sketch: none, a force on a mass, or the motion of the base.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub enum Excitation {
-    /// No excitation.
+    /// The sketch shows no excitation.
     #[default]
     None,
-    /// A force on a mass.
+    /// A force on a mass, drawn as an arrow.
     Force {
         /// Index of the loaded mass, from 0.
         mass: usize,
         /// Label next to the arrow of the force.
         label: Label,
     },
-    /// The motion of the base.
+    /// The motion of the base, drawn as an arrow.
     Base {
         /// Label next to the arrow of the base's motion.
         label: Label,

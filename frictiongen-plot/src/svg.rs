@@ -25,7 +25,7 @@ pub(crate) struct CellGrid {
 }
 
 impl CellGrid {
-    /// Grid whose unit is a pixel.
+    /// A grid whose cells are pixels.
     pub(crate) const PIXELS: Self = Self {
         origin: (0.0, 0.0),
         cell: (1.0, 1.0),

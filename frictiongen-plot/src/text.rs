@@ -120,7 +120,7 @@ fn bar(letter: char, face: Face) -> (f64, f64, f64) {
 }
 
 impl Canvas {
-    /// Draws a line of text.
+    /// Draws a label as a line of text at a position.
     pub(crate) fn text(&mut self, label: &Label, (x, y): Point, style: TextStyle) {
         if label.is_empty() || !x.is_finite() || !y.is_finite() {
             return;

@@ -103,7 +103,7 @@ pub(crate) struct ModeStage<const N: usize> {
     pub oscillator: IntervalMode,
     /// x = √λ/r, the natural frequency of the mode divided by the excitation frequency.
     pub x: IntervalSeries<N>,
-    /// r/√λ, the inverse of `x`.
+    /// r/√λ, the inverse of `x`: the excitation frequency divided by the natural frequency of the mode.
     pub slow: IntervalSeries<N>,
     /// κc(1 + g), the coefficient of the free displacement p in the velocity constraint.
     pub free: IntervalSeries<N>,
@@ -115,7 +115,7 @@ pub(crate) struct ModeStage<const N: usize> {
 #[derive(Clone, Debug)]
 pub(crate) struct ChainStage<const N: usize> {
     pub modes: Vec<ModeStage<N>>,
-    /// 1/r.
+    /// 1/r, the inverse of the frequency ratio.
     pub inverse: IntervalSeries<N>,
     /// κ, the product of cosines by which the functions are multiplied. `None` if no cosine is small, so that κ is 1.
     pub kappa: Option<IntervalSeries<N>>,

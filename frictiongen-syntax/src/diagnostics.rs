@@ -43,9 +43,9 @@ impl core::error::Error for Diagnostics {}
 /// Position of a token in a description.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct TokenPosition {
-    /// The line, counted from 1.
+    /// The line of the token, counted from 1.
     pub line: usize,
-    /// The column, counted in characters from 1.
+    /// The column at which the token begins, counted in characters from 1.
     pub column: usize,
     /// Index of the token in the list that the caller passed, or `None` if the description is a text.
     pub token: Option<usize>,
@@ -72,7 +72,7 @@ pub struct Problems {
 }
 
 impl Problems {
-    /// Adds an error to the list.
+    /// Adds an error at a position to the list of errors.
     pub fn report(&mut self, place: TokenPosition, message: impl Into<String>) -> Reported {
         self.list.push(Problem {
             place,

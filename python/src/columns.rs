@@ -152,31 +152,31 @@ impl<'py> NamedArrays<'py> {
         Ok(())
     }
 
-    /// Adds an array of numbers.
+    /// Adds an array of numbers under a name.
     pub fn numbers(&mut self, name: impl AsRef<str>, values: Vec<f64>) -> PyResult<()> {
         let array = PyArray1::from_vec(self.dict.py(), values).into_any();
         self.put(name.as_ref(), array)
     }
 
-    /// Adds an array of whole numbers.
+    /// Adds an array of whole numbers under a name.
     pub fn counts(&mut self, name: impl AsRef<str>, values: Vec<i64>) -> PyResult<()> {
         let array = PyArray1::from_vec(self.dict.py(), values).into_any();
         self.put(name.as_ref(), array)
     }
 
-    /// Adds an array of flags.
+    /// Adds an array of truth values under a name.
     pub fn flags(&mut self, name: impl AsRef<str>, values: Vec<bool>) -> PyResult<()> {
         let array = PyArray1::from_vec(self.dict.py(), values).into_any();
         self.put(name.as_ref(), array)
     }
 
-    /// Adds an array of complex numbers.
+    /// Adds an array of complex numbers under a name.
     pub fn complex(&mut self, name: impl AsRef<str>, values: Vec<Complex64>) -> PyResult<()> {
         let array = PyArray1::from_vec(self.dict.py(), values).into_any();
         self.put(name.as_ref(), array)
     }
 
-    /// Adds an array of words.
+    /// Adds an array of words under a name.
     pub fn words(&mut self, name: impl AsRef<str>, words: Words) -> PyResult<()> {
         let py = self.dict.py();
         let numpy = py.import("numpy")?;
@@ -188,7 +188,7 @@ impl<'py> NamedArrays<'py> {
         self.put(name.as_ref(), known.get_item(places)?)
     }
 
-    /// Adds any other object unchanged.
+    /// Adds any other object unchanged under a name.
     pub fn other(&mut self, name: &str, value: impl IntoPyObject<'py>) -> PyResult<()> {
         self.dict.set_item(name, value)
     }
@@ -206,7 +206,7 @@ impl<'py> NamedArrays<'py> {
         self.dict.set_item(name, array)
     }
 
-    /// Returns all arrays.
+    /// Returns the Python dictionary of all added arrays, by their names.
     pub fn done(self) -> Bound<'py, PyDict> {
         self.dict
     }

@@ -55,11 +55,11 @@ impl RunStart {
     }
 }
 
-/// Options of a run over time.
+/// Options of a run of the stepper over time.
 pub struct Course {
-    /// Time between two samples, s.
+    /// Time between two samples of the run, in s.
     pub dt: f64,
-    /// Number of samples.
+    /// Number of samples of the run.
     pub samples: usize,
     /// The contact and masses whose motion the run returns.
     pub parts: Vec<MovingPart>,

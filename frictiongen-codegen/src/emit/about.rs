@@ -11,7 +11,7 @@ use proc_macro2::{Ident, TokenStream};
 /// Smallest number of masses for which the documentation does not list the methods of single masses by name.
 const MANY_MASSES: usize = 9;
 
-/// Emits the scene's type.
+/// Emits the type of the scene, with its documentation.
 pub(super) fn scene_type(emission: &Emission<'_>) -> TokenStream {
     scene_struct(emission.description, lines(emission))
 }

@@ -4,7 +4,7 @@ use super::emission::Emission;
 use super::names::TypeNames;
 use proc_macro2::TokenStream;
 
-/// Emits the type of the stepper.
+/// Emits the type of the stepper of a declared step.
 pub(super) fn types(emission: &Emission<'_>, literals: &TokenStream) -> TokenStream {
     let Emission {
         description,

@@ -20,7 +20,7 @@ pub(super) struct DynamicsConstants {
     pub held: usize,
     /// Number of oscillators: the modes of the chain, plus the modes of the chain with its contact stuck.
     pub parts: usize,
-    /// Checksum of the constants.
+    /// Checksum of the constants of the motion in time.
     pub sum: u32,
 }
 
@@ -171,7 +171,7 @@ fn held(emission: &Emission<'_>, mode: &HeldMode<f64>, first: bool) -> TokenStre
     code!(HeldMode { #fields })
 }
 
-/// Returns a count as a literal.
+/// Returns a whole number as a literal of the emitted code.
 pub(super) fn count(value: usize) -> Literal {
     Literal::usize_unsuffixed(value)
 }

@@ -291,7 +291,7 @@ pub(super) fn sum_of_rounded(numbers: &impl Listed<Dd>, precision: Precision) ->
 /// Code that one file of this folder emits.
 #[derive(Default)]
 pub(super) struct EmittedCode {
-    /// Types in the user's module.
+    /// The emitted types, which are in the user's module.
     pub types: TokenStream,
     /// Items in the single `impl` of the scene's type.
     pub associated: TokenStream,

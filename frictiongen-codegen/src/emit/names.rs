@@ -104,7 +104,7 @@ const IMPORTED: [&str; 96] = [
     "Transfer",
 ];
 
-/// Names of the emitted types.
+/// Names of the types that are emitted for a scene.
 pub(super) struct TypeNames {
     pub name: Ident,
     pub at: Ident,

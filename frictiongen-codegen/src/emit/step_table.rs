@@ -16,7 +16,7 @@ use frictiongen_model::stepping::StepperSettings;
 use frictiongen_model::transient::Transient;
 use proc_macro2::{Literal, TokenStream};
 
-/// Array sizes of a step table.
+/// Lengths of the arrays of a stepper's tables.
 pub(super) struct Sizes {
     pub coefficients: usize,
     pub modes: usize,

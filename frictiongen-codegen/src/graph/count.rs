@@ -3,7 +3,7 @@
 use super::{Binary, Graph, Id, Operand, Operation, Unary};
 use std::collections::BTreeMap;
 
-/// Number of operations of each kind.
+/// Number of operations of each kind in a formula.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub struct OperationCount(BTreeMap<&'static str, usize>);
 

@@ -8,9 +8,9 @@ use std::ops::{Add, Div, Mul, Neg, Sub};
 /// A number that is known when the code is emitted, or a value that the emitted code computes.
 #[derive(Clone, Copy)]
 pub enum Expr<'g> {
-    /// A known number.
+    /// A number that is known when the code is emitted.
     Number(f64),
-    /// A recorded operation.
+    /// A value that the emitted code computes: an operation of the graph.
     Node(&'g Graph, Id),
 }
 
@@ -19,7 +19,7 @@ pub enum Expr<'g> {
 pub enum EmittedCondition<'g> {
     /// A result that is known when the code is emitted.
     Known(bool),
-    /// A recorded comparison.
+    /// A comparison in the emitted code: an operation of the graph.
     Node(&'g Graph, Id),
 }
 

@@ -24,7 +24,7 @@ pub struct Id(pub(crate) usize);
 /// An operand of an operation: a recorded operation or a number.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum Operand {
-    /// A recorded operation.
+    /// The result of an operation of the graph, by its index.
     Node(Id),
     /// A number, stored as the bits of an `f64`.
     Number(u64),
@@ -66,16 +66,16 @@ pub enum Binary {
     Hypot,
 }
 
-/// A recorded operation.
+/// An operation of the graph: which operation it is, and its operands.
 #[derive(Clone, Debug, PartialEq, Eq, Hash)]
 pub enum Operation {
     /// An external value, with the Rust expression that names it.
     Input(String),
     /// A constant of the scene, with the Rust expression that names it and the bits of its value.
     Constant(String, u64),
-    /// An operation on one number.
+    /// An operation on one number, with its operand.
     Unary(Unary, Operand),
-    /// An operation on two numbers.
+    /// An operation on two numbers, with its operands.
     Binary(Binary, Operand, Operand),
     /// The pair (sin πh, cos πh), where h is the operand.
     SinCosPi(Operand),
@@ -83,9 +83,9 @@ pub enum Operation {
     SinCosPiMinus(Operand, Operand),
     /// One result of an operation that returns a pair. The second field selects the first or the second result.
     Part(Id, bool),
-    /// The comparison a < b.
+    /// The comparison a < b of two operands.
     Less(Operand, Operand),
-    /// The comparison a = 0.
+    /// The comparison a = 0 of an operand.
     IsZero(Operand),
     /// The value `yes` if the condition is true, otherwise `no`. The fields are the condition, `yes` and `no`.
     Select(Id, Operand, Operand),

@@ -32,9 +32,9 @@ pub struct Description {
     pub attributes: TokenStream,
     /// The lines of the doc comments before the struct.
     pub documentation: Vec<String>,
-    /// The visibility of the struct.
+    /// The visibility of the described struct, such as `pub`.
     pub visibility: TokenStream,
-    /// The name of the struct.
+    /// The name of the described struct.
     pub name: Ident,
     /// Path of the facade crate. It is `::frictiongen` unless the description has another path.
     pub facade: TokenStream,

@@ -54,7 +54,7 @@ impl ConstantForm {
     }
 }
 
-/// A named constant.
+/// A constant of a file: its name, its form and its numbers.
 pub(super) struct NamedConstant {
     name: String,
     form: ConstantForm,
@@ -103,7 +103,7 @@ impl FileConstants {
         self.list.iter().any(|constant| constant.form == form)
     }
 
-    /// Returns all numbers, in order.
+    /// Returns all numbers of the constants, in the order of the constants.
     pub fn values(&self) -> impl Iterator<Item = f64> {
         self.list
             .iter()

@@ -11,7 +11,7 @@ pub(super) struct Formulas {
     pub numbers: NumberFormat,
     /// The constants that the formulas name.
     pub constants: FileConstants,
-    /// The expression for β*_lim.
+    /// The expression for β*_lim, the limit of sliding.
     pub sliding: String,
     /// Expression for |V|, or for V of an undamped chain. `None` if V is not a product.
     pub excitation: Option<String>,

@@ -33,7 +33,7 @@ use frictiongen_model::table::{Evidence, FINEST_PROVEN, MOST_SHARE, Proof, Proof
 /// A scene with its tables and with their origin.
 #[derive(Clone, Copy, Debug)]
 pub struct Source<'a, S> {
-    /// The scene.
+    /// The scene whose tables the file contains.
     pub scene: &'a Scene,
     /// The tables of the scene.
     pub tables: &'a Tables<S>,
@@ -41,7 +41,7 @@ pub struct Source<'a, S> {
     pub origin: Origin<'a>,
 }
 
-/// A target language.
+/// The language of the written file.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 enum Language {
     C,
@@ -52,9 +52,9 @@ enum Language {
 #[derive(Clone, Copy)]
 struct NumberFormat {
     language: Language,
-    /// True if numbers are `f32`.
+    /// True if the numbers of the file are `f32`.
     single: bool,
-    /// The type of numbers.
+    /// The type of numbers in the language of the file.
     real: &'static str,
 }
 
@@ -210,7 +210,7 @@ const COLUMNS: [(&str, &str); 5] = [
     ("abs_v", "|V|"),
 ];
 
-/// The meaning of U, G and V.
+/// The meaning of U, G and V, for the comments of the file.
 const RESPONSES: &str = "V is the response of the contact to the load.  U is the velocity of the contact and G its displacement, from friction, at a reversal.";
 
 /// Returns the names and meanings of the polynomials that the tables have.

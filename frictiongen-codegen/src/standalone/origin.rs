@@ -12,7 +12,7 @@ pub const NOTICE: &str = "generated: change the description, not this file";
 pub struct Origin<'a> {
     /// The description as it was written.
     pub description: &'a str,
-    /// The command with its options.
+    /// The command that wrote the file, with its options.
     pub command: &'a str,
 }
 

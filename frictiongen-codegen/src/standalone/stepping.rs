@@ -11,17 +11,17 @@ use frictiongen_model::transient::Transient;
 pub struct StepperShape {
     /// Number of coefficients of an input's polynomial over a step.
     pub coefficients: usize,
-    /// Number of modes of the chain.
+    /// Number of modes of the chain in the tables.
     pub modes: usize,
     /// Number of modes of the chain with its contact stuck.
     pub held: usize,
-    /// Number of inputs of the tables.
+    /// Number of inputs that the tables have.
     pub inputs: usize,
-    /// True if the base moves.
+    /// True if the input is a motion of the base.
     pub on_base: bool,
     /// Indices of the masses on which the stepper accepts a force, in the order of the input's fields.
     pub forces: Vec<usize>,
-    /// True for an elastic contact.
+    /// True if the contact is elastic.
     pub elastic: bool,
 }
 

@@ -6,7 +6,7 @@ use frictiongen_kernel::Float;
 use frictiongen_model::scene::Scene;
 use frictiongen_model::table::{Held, HeldForm};
 
-/// An expression in r.
+/// An expression in r of the written file.
 pub(super) enum Expression {
     /// An expression with a real value.
     Real(String),
@@ -14,7 +14,7 @@ pub(super) enum Expression {
     Complex(String),
 }
 
-/// A named function of r.
+/// A function of r in the written file: its name and its expression.
 pub(super) struct FunctionOfR {
     pub name: String,
     pub value: Expression,

@@ -14,7 +14,7 @@ pub struct UnitConstants {
     pub spring: String,
     /// m₁, the first mass, in kg if masses are in kg.
     pub m1: f64,
-    /// Name of the first mass.
+    /// Name of the first mass of the scene.
     pub mass: String,
     /// √(k₁/m₁), the divisor of angular frequencies, in rad/s.
     pub reference: f64,

@@ -57,9 +57,9 @@ impl Arithmetic for Interval {
 /// Bounds on a function and on its slope, over an interval of the variable.
 #[derive(Clone, Copy, Debug)]
 pub struct Jet {
-    /// Bounds of the function.
+    /// Bounds of the value of the function.
     pub value: Interval,
-    /// Bounds of the slope.
+    /// Bounds of the slope of the function.
     pub slope: Interval,
 }
 

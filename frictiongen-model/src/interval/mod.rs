@@ -32,7 +32,7 @@ pub const TINY: f64 = 1e-290;
 const EXPONENTIAL: f64 = 5e-16;
 
 impl Interval {
-    /// The interval of all numbers.
+    /// The interval that contains all numbers.
     pub const ALL: Self = Self {
         low: f64::NEG_INFINITY,
         high: f64::INFINITY,

@@ -9,7 +9,7 @@ use frictiongen_kernel::number::dd::Dd;
 pub struct RandomNumbers(pub u64);
 
 impl RandomNumbers {
-    /// Returns a number from 0 to 1.
+    /// Returns a random number from 0 to 1.
     pub fn unit(&mut self) -> f64 {
         random(&mut self.0)
     }
@@ -35,7 +35,7 @@ impl RandomNumbers {
         }
     }
 
-    /// Returns a number in an interval, often one of the two bounds.
+    /// Returns a random number of an interval, which is often one of its two bounds.
     pub fn within(&mut self, interval: Interval) -> f64 {
         match (4.0 * self.unit()) as u32 {
             0 => interval.low,

@@ -2,7 +2,7 @@
 
 use super::{ContactSides, Node, Scene};
 
-/// Friction law of one of several contacts.
+/// Friction law of a contact of the field `contacts`.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[doc(hidden)]
@@ -27,7 +27,7 @@ impl Default for JointLaw {
     }
 }
 
-/// One of several contacts, with its name.
+/// A contact of the field `contacts`, with its name.
 #[derive(Clone, Debug, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[doc(hidden)]
@@ -36,7 +36,7 @@ pub struct NamedContact {
     pub name: String,
     /// The two sides of the contact.
     pub sides: ContactSides,
-    /// The law of the contact.
+    /// The friction law of the contact: its stiffness, μ and share.
     pub law: JointLaw,
 }
 
@@ -60,7 +60,7 @@ pub struct Damper {
 pub struct Joints {
     /// The contacts of the field `contacts`. The list is empty if the scene has the field `contact`.
     pub contacts: Vec<NamedContact>,
-    /// The dashpots.
+    /// The dashpots of the scene.
     pub dampers: Vec<Damper>,
 }
 

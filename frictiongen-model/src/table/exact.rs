@@ -22,7 +22,7 @@ const CANCELS: f64 = 1e-2;
 /// For an undamped chain arg V is 0, and a contains the factor sgn V, so that a is smooth across a resonance.
 #[derive(Clone, Copy, Debug)]
 pub struct ExactValues {
-    /// β_lim.
+    /// β_lim, the limit of continuous motion.
     pub limit: f64,
     quadrature: f64,
     displacement: f64,

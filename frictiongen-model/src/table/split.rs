@@ -8,7 +8,7 @@ use frictiongen_kernel::number::dd::Dd;
 /// A zero r₀ of β_lim, as the sum of a double and a remainder.
 #[derive(Clone, Copy, Debug)]
 pub struct LimitZero {
-    /// The zero as a double.
+    /// The position of the zero as a double.
     pub at: f64,
     /// The remainder: the exact zero minus the double `at`.
     pub rest: f64,

@@ -80,7 +80,7 @@ impl Zero {
 /// Zeros and poles of V and H, the responses of the contact to the load and to a force in the contact.
 #[derive(Clone, Debug)]
 pub struct Zeros {
-    /// True if any mode is damped.
+    /// True if any mode of the chain is damped.
     pub damped: bool,
     /// Zeros of V that are not zeros of H. V and H are the responses of the contact to the load and to a contact force.
     pub excitation: Vec<Zero>,

@@ -36,7 +36,7 @@ pub struct Drawn<'a> {
     pub curve: &'a Curve,
     /// Name of the curve in the legend, such as the friction ratio.
     pub name: Label,
-    /// Colour of the curve.
+    /// Colour of the curve in the figure.
     pub colour: Colour,
 }
 

@@ -22,7 +22,7 @@ pub struct ContactTrack {
 /// A motion over time in a scene with several contacts, in the units of the axes.
 #[derive(Clone, Debug)]
 pub struct JoinedMotion {
-    /// Time of each sample.
+    /// Time of each sample, in the unit of the time axis.
     pub times: Vec<f64>,
     /// Label of the time axis.
     pub time_label: Label,
@@ -34,7 +34,7 @@ pub struct JoinedMotion {
     pub masses: Vec<(String, Vec<f64>)>,
     /// Forces of springs, each with its name.
     pub springs: Vec<(String, Vec<f64>)>,
-    /// The contacts.
+    /// The motion of each contact.
     pub contacts: Vec<ContactTrack>,
 }
 

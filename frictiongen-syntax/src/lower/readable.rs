@@ -14,7 +14,7 @@ pub struct Readable<'s> {
     pub mass_names: Vec<&'s Name>,
     /// The scalar type of the scene.
     pub precision: Precision,
-    /// True if the base is excited.
+    /// True if the excitation is a motion of the base.
     pub on_base: bool,
     /// Masses on which the stepper may apply a force. The entries are indices into `mass_names`.
     pub forces: Vec<usize>,

@@ -14,14 +14,14 @@ pub enum Attribute {
     Doc {
         /// The text of the comment.
         text: String,
-        /// The position of the comment.
+        /// The position of the doc comment.
         place: TokenPosition,
     },
     /// An attribute. The parser checks only its name and its outer form.
     Other {
         /// The group in square brackets.
         group: Token,
-        /// The position of the `#`.
+        /// The position of the attribute's `#`.
         place: TokenPosition,
     },
 }
@@ -37,11 +37,11 @@ pub enum Visibility {
     Restricted {
         /// The position of `pub`.
         place: TokenPosition,
-        /// The position of the bracket.
+        /// The position of the bracket after `pub`.
         bracket: TokenPosition,
         /// True if `in` is written.
         is_in: bool,
-        /// The path.
+        /// The path in the brackets after `pub`.
         path: RustPath,
     },
 }

@@ -22,11 +22,11 @@ pub struct Token {
 pub enum TokenKind {
     /// A word, which may be a keyword. A raw identifier has its `r#`.
     Word(String),
-    /// A number as written.
+    /// A number, as written in the description.
     Number(String),
     /// A string, a character or a byte.
     Quoted {
-        /// The token as written.
+        /// The string, character or byte, as written in the description.
         text: String,
         /// The value, if the token is a string in a text. If the caller passes tokens, the caller's own list has the
         /// value.
@@ -34,9 +34,9 @@ pub enum TokenKind {
     },
     /// A single character of punctuation.
     Punct(char),
-    /// A bracketed group.
+    /// Tokens in brackets.
     Group {
-        /// The brackets of the group.
+        /// The kind of the group's brackets.
         bracket: Delimiter,
         /// The tokens between the brackets.
         tokens: Vec<Token>,
@@ -52,11 +52,11 @@ pub enum TokenKind {
 /// The kinds of brackets.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Delimiter {
-    /// `( … )`
+    /// Round brackets, `( … )`.
     Parenthesis,
-    /// `[ … ]`
+    /// Square brackets, `[ … ]`.
     Bracket,
-    /// `{ … }`
+    /// Braces, `{ … }`.
     Brace,
 }
 

@@ -46,7 +46,7 @@ pub fn survives(given: f64, computed: f64) -> bool {
 pub struct FrequencyValues {
     given: GivenNumbers,
     unit: Unit,
-    /// Frequency ratios r.
+    /// The frequencies as frequency ratios r.
     pub r: Vec<f64>,
 }
 

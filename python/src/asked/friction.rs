@@ -17,7 +17,7 @@ pub type FrictionKeywords<'py> = (Option<Bound<'py, PyAny>>, Option<Bound<'py, P
 pub struct FrictionValues {
     given: GivenNumbers,
     argument: &'static str,
-    /// Friction ratios β.
+    /// The frictions as friction ratios β.
     pub beta: Vec<f64>,
     all: Vec<FrictionSetting>,
 }

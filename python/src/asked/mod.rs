@@ -34,7 +34,7 @@ const MOST_NUMBERS: usize = 100_000_000;
 /// Largest order of a harmonic for which the caller may ask.
 pub const MOST_HARMONICS: u32 = 9999;
 
-/// An optional Python argument.
+/// A Python argument that the caller may leave out.
 pub type Optional<'py> = Option<Bound<'py, PyAny>>;
 
 /// Returns the settings with which the library builds its tables. The number of decimals is missing, because only

@@ -128,7 +128,7 @@ pub fn one(argument: &str, given: &Bound<'_, PyAny>) -> PyResult<f64> {
     }
 }
 
-/// Reads one whole number.
+/// Reads one whole number from a Python argument.
 pub fn whole(
     argument: &str,
     given: &Bound<'_, PyAny>,

@@ -44,7 +44,7 @@ fn fault(name: &str, of: &str) -> String {
     constant(name, &format!("FAULT_{of}"))
 }
 
-/// Writes the declaration for the header.
+/// Writes the declaration of the self-check for the header file.
 pub(super) fn declared<S: Float>(source: &Source<'_, S>, name: &str) -> String {
     let faults = faults(source);
     let values = faults.iter().enumerate().map(|(number, (of, about))| {
@@ -64,7 +64,7 @@ pub(super) fn declared<S: Float>(source: &Source<'_, S>, name: &str) -> String {
     )
 }
 
-/// Writes the self-check.
+/// Writes the self-check in C.
 pub(super) fn source<S: Float>(source: &Source<'_, S>, formulas: &Formulas, name: &str) -> String {
     let (_, known) = known_answers(source);
     let mut text = sums(source, formulas);
@@ -188,7 +188,7 @@ fn answers<S: Float>(source: &Source<'_, S>, numbers: NumberFormat, name: &str) 
     text
 }
 
-/// Writes the checksums of all numbers.
+/// Writes the comparison of the checksums of all numbers in C.
 fn sums<S: Float>(source: &Source<'_, S>, formulas: &Formulas) -> String {
     let NumberFormat { real, single, .. } = formulas.numbers;
     let (left, right) = (checksum::TURN, u32::BITS - checksum::TURN);
@@ -256,7 +256,7 @@ fn sums<S: Float>(source: &Source<'_, S>, formulas: &Formulas) -> String {
     )
 }
 
-/// Writes the comparison of two numbers.
+/// Writes the C function that compares two numbers.
 fn near(numbers: NumberFormat) -> String {
     let (NumberFormat { real, .. }, letter) = (numbers, numbers.letter());
     format!(

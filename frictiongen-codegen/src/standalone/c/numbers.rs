@@ -90,7 +90,7 @@ fn pieces<S: Float>(source: &Source<'_, S>, numbers: NumberFormat) -> String {
     )
 }
 
-/// Writes the known answers.
+/// Writes the known answers of the self-check in C.
 fn known<S: Float>(source: &Source<'_, S>, numbers: NumberFormat, name: &str) -> String {
     let (tolerance, all) = known_answers(source);
     if all.is_empty() {
@@ -136,7 +136,7 @@ fn known<S: Float>(source: &Source<'_, S>, numbers: NumberFormat, name: &str) ->
     )
 }
 
-/// Writes the checksums.
+/// Writes the checksums of the tables' numbers in C.
 fn checksums<S: Float>(source: &Source<'_, S>, formulas: &Formulas) -> String {
     let numbers = formulas.numbers;
     let (_, known) = known_answers(source);

@@ -89,7 +89,7 @@ pub(super) fn test() -> String {
         .to_owned()
 }
 
-/// Writes the self-check.
+/// Writes the self-check in Rust.
 pub(super) fn source<S: Float>(source: &Source<'_, S>, formulas: &Formulas) -> String {
     let (_, known) = known_answers(source);
     let mut text = faults(source, !known.is_empty());
@@ -121,7 +121,7 @@ pub(super) fn source<S: Float>(source: &Source<'_, S>, formulas: &Formulas) -> S
     text
 }
 
-/// Writes the types of the self-check.
+/// Writes the types that the self-check in Rust uses.
 fn faults<S: Float>(source: &Source<'_, S>, knows: bool) -> String {
     let NumberFormat { real, .. } = NumberFormat::of::<S>(Language::Rust);
     let moves = source.tables.moves();
@@ -153,7 +153,7 @@ fn faults<S: Float>(source: &Source<'_, S>, knows: bool) -> String {
     text
 }
 
-/// Writes the checksum.
+/// Writes the function for checksums in Rust.
 fn sums(numbers: NumberFormat) -> String {
     let NumberFormat { real, single, .. } = numbers;
     let (turn, multiplier) = (checksum::TURN, checksum::MULTIPLIER);
@@ -180,7 +180,7 @@ fn sums(numbers: NumberFormat) -> String {
     )
 }
 
-/// Writes the comparison of all checksums.
+/// Writes the comparison of the checksums of all numbers in Rust.
 fn checked_numbers<S: Float>(source: &Source<'_, S>, formulas: &Formulas, knows: bool) -> String {
     let NumberFormat { real, .. } = formulas.numbers;
     let tables = source.tables;
@@ -243,7 +243,7 @@ fn ratios(numbers: NumberFormat) -> String {
     )
 }
 
-/// The comparison of both limits.
+/// Function of the Rust file that compares both limits with the known ones.
 const LIMITS: &str = "fn checked_limits(known: &Known) -> Result<(), Fault> {\n    \
      let [r, continuous, sliding] = known.head;\n    \
      match limits(r) {\n        \
@@ -251,7 +251,7 @@ const LIMITS: &str = "fn checked_limits(known: &Known) -> Result<(), Fault> {\n 
      && is_near(held, sliding, numbers::TOLERANCE * sliding) => Ok(()),\n        \
      _ => Err(Fault::Answer(\"limits\")),\n    }\n}\n\n";
 
-/// The comparison of the contact's motion.
+/// Function of the Rust file that compares the contact's motion with the known one.
 const CONTACT: &str = "fn checked_contact(known: &Known) -> Result<(), Fault> {\n    \
      let ([r, ..], [beta, amplitude, phase]) = (known.head, known.motion);\n    \
      let is_right = match (contact(r, beta), known.error) {\n        \
@@ -261,7 +261,7 @@ const CONTACT: &str = "fn checked_contact(known: &Known) -> Result<(), Fault> {\
      _ => false,\n    };\n    \
      if is_right { Ok(()) } else { Err(Fault::Answer(\"contact\")) }\n}\n\n";
 
-/// Writes the comparison of the stuck responses.
+/// Writes the Rust function that compares the stuck responses with the known ones.
 fn stuck<S: Float>(source: &Source<'_, S>) -> String {
     let masses = source.scene.masses.iter();
     let names = masses.map(|mass| format!("stuck_{}", mass.name));

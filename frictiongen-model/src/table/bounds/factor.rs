@@ -78,9 +78,9 @@ pub(in crate::table) fn unit<S: Float>() -> (f64, f64) {
 pub(super) struct FactorBounds {
     /// Largest relative error of the computed factor.
     pub error: f64,
-    /// Lower bound on the factor.
+    /// Lower bound on the modulus of the factor.
     pub least: f64,
-    /// Upper bound on the factor.
+    /// Upper bound on the modulus of the factor.
     pub most: f64,
 }
 
