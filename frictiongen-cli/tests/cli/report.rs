@@ -387,7 +387,7 @@ fn several_contacts_have_a_page() {
         assert_eq!(at["slides_first"], "brace");
     }
     let points = data["points"].as_array().unwrap();
-    assert_eq!(points.len(), 3 * 48);
+    assert_eq!(points.len(), 3 * 40);
     let point = &points[60];
     let [r, beta] = ["r", "beta"].map(|name| point[name].to_string());
     let csv = output(PAIR, &["orbit", "--r", &r, "--beta", &beta, "--csv"]);

@@ -21,9 +21,9 @@ use serde_json::{Value as Json, json};
 /// Number of frequencies of the closed forms.
 const CLOSED: usize = 401;
 /// Number of frequencies of the curves of steady states.
-const CURVE: usize = 48;
+const CURVE: usize = 40;
 /// Numbers of frequencies and of frictions of the map.
-const MAP: (usize, usize) = (28, 12);
+const MAP: (usize, usize) = (24, 10);
 /// Default frictions, as fractions of the median of the friction from which no contact slides.
 const FRACTIONS: [f64; 3] = [0.1, 0.3, 0.7];
 /// Largest number of frictions on a page. Colours for more frictions would be hard to distinguish.
