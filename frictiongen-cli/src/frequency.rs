@@ -7,6 +7,8 @@ use crate::measure::Measure;
 use crate::number::survives;
 use frictiongen::System;
 use frictiongen::study::columns::{Frequency, FrequencyUnit as Unit};
+#[cfg(feature = "report")]
+use frictiongen::study::units;
 
 /// Number of frequencies in a range that the user gives without a step.
 const SPREAD: u32 = 200;
@@ -155,6 +157,28 @@ impl Frequencies {
             unit,
             quantity,
         })
+    }
+
+    /// Returns evenly spaced frequencies over a range, with both ends. They are in Hz if the range is in Hz or rad/s.
+    #[cfg(feature = "report")]
+    pub fn evenly(system: &System, band: &Band, count: usize) -> Self {
+        let unit = match band.is_physical() {
+            true => Unit::Hertz,
+            false => Unit::Ratio,
+        };
+        let steps = count.max(2) - 1;
+        let given = (0..=steps).map(|step| {
+            let r = band.from + (band.to - band.from) * step as f64 / steps as f64;
+            match unit {
+                Unit::Hertz => units::hertz(system.angular_frequency(r)),
+                _ => r,
+            }
+        });
+        Self {
+            given: given.collect(),
+            unit,
+            quantity: quantity(unit, true),
+        }
     }
 
     /// Fails if the frequency ratio r of a frequency is out of the range of `f64`.

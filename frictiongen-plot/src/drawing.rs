@@ -5,7 +5,7 @@ use crate::label::Label;
 use crate::layer::Anchor;
 use crate::palette::{INK, Rgb};
 use crate::pen::{Pen, TEXT};
-use crate::plan::{Above, HATCH, HEIGHT, PAD, Plan, WIDTH};
+use crate::plan::{Above, Element, HATCH, HEIGHT, PAD, Plan, WIDTH};
 use crate::sketch::{End, Excitation, Sketch, SketchContact};
 use crate::svg::Canvas;
 
@@ -136,12 +136,21 @@ impl Plan<'_> {
         let half = 0.5 * self.pitch.1;
         pen.line(&[(from, y), (middle - half, y)], INK, 1.2);
         pen.line(&[(middle + half, y), (to, y)], INK, 1.2);
-        if above.dashpot {
-            pen.dashpot(middle - half, middle + half, y);
-        } else {
-            pen.spring(middle - half, middle + half, y);
+        let (from, to) = (middle - half, middle + half);
+        match above.element {
+            Element::Spring => pen.spring(from, to, y),
+            Element::Dashpot => pen.dashpot(from, to, y),
+            Element::Slider { is_elastic: false } => pen.slider(from, to, y, FRICTION),
+            Element::Slider { is_elastic: true } => {
+                pen.spring(from, middle, y);
+                pen.slider(middle, to, y, FRICTION);
+            }
         }
-        pen.text(above.label, (middle, y - 11.0), Anchor::Middle, INK);
+        let colour = match above.element {
+            Element::Slider { .. } => FRICTION,
+            _ => INK,
+        };
+        pen.text(above.label, (middle, y - 11.0), Anchor::Middle, colour);
     }
 
     fn friction(&self, pen: &mut Pen<'_>, contact: &SketchContact, row: f64) {

@@ -54,5 +54,5 @@ pub use layer::{Across, Anchor, Cells, Guide, Layer, Line, Markers, Note, Raster
 pub use palette::{Colour, Fill};
 #[cfg(feature = "png")]
 pub use png::PlotError;
-pub use sketch::{End, Excitation, Sketch, SketchContact, Spring};
+pub use sketch::{End, Excitation, Sketch, SketchContact, Slider, Spring};
 pub use stroke::{Marker, Stroke};

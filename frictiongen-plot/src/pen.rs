@@ -84,6 +84,22 @@ impl<'c> Pen<'c> {
         self.line(&[(middle, y), (to, y)], INK, 1.2);
     }
 
+    /// Draws a friction contact: a pad between two plates that are open to the left.
+    pub(crate) fn slider(&mut self, from: f64, to: f64, y: f64, colour: Rgb) {
+        let middle = 0.5 * (from + to);
+        let (left, right) = (middle - 8.0, middle + 8.0);
+        self.line(&[(from, y), (left, y)], INK, 1.2);
+        self.rect((left, y - 5.0, 11.0, 10.0), colour, None);
+        let plates = [
+            (left - 2.0, y - 6.0),
+            (right, y - 6.0),
+            (right, y + 6.0),
+            (left - 2.0, y + 6.0),
+        ];
+        self.line(&plates, INK, 1.2);
+        self.line(&[(right, y), (to, y)], INK, 1.2);
+    }
+
     /// Draws a line with short oblique strokes on one side, as for a wall. `side` is the direction towards the
     /// strokes.
     pub(crate) fn hatched(&mut self, from: Point, to: Point, side: Point) {

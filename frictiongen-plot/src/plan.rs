@@ -20,7 +20,18 @@ pub(crate) const HATCH: f64 = 7.0;
 /// Height of the pad between a mass and the surface on which it slides, in pixels.
 pub(crate) const PAD: f64 = 7.0;
 
-/// A spring or a dashpot that a sketch shows above the row of masses.
+/// Kind of an element that is drawn above the row of masses.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Element {
+    Spring,
+    Dashpot,
+    /// A friction contact, with a spring in series if the contact is elastic.
+    Slider {
+        is_elastic: bool,
+    },
+}
+
+/// A spring, a dashpot or a contact that a sketch shows above the row of masses.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Above<'a> {
     /// Element of the row at the left end of the spring. The base has the index 0, the masses follow from 1, and the
@@ -32,7 +43,7 @@ pub(crate) struct Above<'a> {
     /// Level of the spring above the row of masses, counted from 0.
     pub lane: usize,
     pub label: &'a Label,
-    pub dashpot: bool,
+    pub element: Element,
 }
 
 /// Positions of the elements of a sketch, relative to its upper left corner.
@@ -42,7 +53,7 @@ pub(crate) struct Plan<'a> {
     /// Springs between neighbouring elements of the row. The number before a spring is the index of the element at
     /// its left end.
     pub direct: Vec<(usize, &'a Spring)>,
-    /// Springs and dashpots above the row of masses.
+    /// Springs, dashpots and contacts above the row of masses.
     pub above: Vec<Above<'a>>,
     pub contact: Option<&'a SketchContact>,
     pub base: bool,
@@ -91,7 +102,7 @@ impl<'a> Plan<'a> {
             lanes: 0,
             pitch: if valued { pitch(sketch) } else { (WIDTH, GAP) },
         };
-        let mut far: Vec<(usize, usize, &Label, bool)> = Vec::new();
+        let mut far: Vec<(usize, usize, &Label, Element)> = Vec::new();
         for spring in &sketch.springs {
             let Some((low, high)) = stations(spring.between) else {
                 continue;
@@ -101,22 +112,28 @@ impl<'a> Plan<'a> {
             if high == low + 1 && plan.direct.iter().all(|(gap, _)| *gap != low) {
                 plan.direct.push((low, spring));
             } else {
-                far.push((low, high, &spring.label, false));
+                far.push((low, high, &spring.label, Element::Spring));
             }
         }
-        for dashpot in &sketch.dashpots {
-            let Some((low, high)) = stations(dashpot.between) else {
+        let dashpots = sketch.dashpots.iter();
+        let dashpots = dashpots.map(|one| (one.between, &one.label, Element::Dashpot));
+        let sliders = sketch.sliders.iter().map(|one| {
+            let is_elastic = one.is_elastic;
+            (one.between, &one.label, Element::Slider { is_elastic })
+        });
+        for (between, label, element) in dashpots.chain(sliders) {
+            let Some((low, high)) = stations(between) else {
                 continue;
             };
             plan.base |= low == 0;
             plan.wall |= high == count + 1;
-            far.push((low, high, &dashpot.label, true));
+            far.push((low, high, label, element));
         }
         if let Some(contact) = plan.contact {
             plan.base |= [contact.between.0, contact.between.1].contains(&End::Base);
         }
         far.sort_by_key(|(low, high, ..)| (high - low, *low));
-        for (low, high, label, dashpot) in far {
+        for (low, high, label, element) in far {
             // Longer springs are placed at a higher level, so that springs rarely cross each other's vertical ends.
             let taken = plan
                 .above
@@ -130,7 +147,7 @@ impl<'a> Plan<'a> {
                 high,
                 lane,
                 label,
-                dashpot,
+                element,
             });
         }
         let (wide, _) = plan.size();
@@ -232,6 +249,8 @@ fn pitch(sketch: &Sketch) -> (f64, f64) {
         labels.map(|label| label.width(TEXT)).fold(0.0, f64::max)
     };
     let mass = widest(&mut sketch.masses.iter().chain(&sketch.values));
-    let gap = widest(&mut sketch.springs.iter().map(|spring| &spring.label));
+    let springs = sketch.springs.iter().map(|spring| &spring.label);
+    let sliders = sketch.sliders.iter().map(|slider| &slider.label);
+    let gap = widest(&mut springs.chain(sliders));
     (f64::max(WIDTH, mass + 12.0), f64::max(GAP, gap + 14.0))
 }

@@ -31,6 +31,17 @@ pub struct SketchContact {
     pub label: Label,
 }
 
+/// One of several friction contacts, which a sketch draws above the row of masses.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Slider {
+    /// The two elements, in any order.
+    pub between: (End, End),
+    /// Label above the contact.
+    pub label: Label,
+    /// True if a spring is in series with the contact.
+    pub is_elastic: bool,
+}
+
 /// The excitation in a sketch: none, a force on a mass, or the motion of the base.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub enum Excitation {
@@ -65,6 +76,7 @@ pub enum Excitation {
 ///         Spring { between: (End::Mass(0), End::Mass(1)), label: "*k*_2".into() },
 ///     ],
 ///     dashpots: Vec::new(),
+///     sliders: Vec::new(),
 ///     contact: Some(SketchContact { between: (End::Mass(1), End::Wall), label: "*F*".into() }),
 ///     excitation: Excitation::Base { label: "*y*(*t*)".into() },
 /// };
@@ -81,7 +93,10 @@ pub struct Sketch {
     pub springs: Vec<Spring>,
     /// Dashpots parallel to the springs.
     pub dashpots: Vec<Spring>,
-    /// The friction contact. `None` for a system without contact.
+    /// The contacts of a system with several of them.
+    pub sliders: Vec<Slider>,
+    /// The friction contact of a system with a single one, below the row of masses. `None` for a system without
+    /// contact, or with several contacts.
     pub contact: Option<SketchContact>,
     /// The excitation: none, a force on a mass, or the motion of the base.
     pub excitation: Excitation,
@@ -97,7 +112,7 @@ impl Sketch {
 
 #[cfg(test)]
 mod tests {
-    use super::{End, Excitation, Sketch, SketchContact, Spring};
+    use super::{End, Excitation, Sketch, SketchContact, Slider, Spring};
     use crate::drawing::ALONE;
 
     fn chain(count: usize) -> Sketch {
@@ -115,6 +130,7 @@ mod tests {
                 })
                 .collect(),
             dashpots: Vec::new(),
+            sliders: Vec::new(),
             contact: None,
             excitation: Excitation::None,
         }
@@ -184,6 +200,32 @@ mod tests {
         let (same, higher) = sketch.size(ALONE).unwrap();
         assert!(same == width && height < higher);
         assert!(sketch.svg().unwrap().contains(">c</tspan>"));
+    }
+
+    #[test]
+    fn several_contacts_stand_above() {
+        let mut sketch = chain(2);
+        let (width, height) = sketch.size(ALONE).unwrap();
+        for (index, is_elastic) in [true, false].into_iter().enumerate() {
+            sketch.sliders.push(Slider {
+                between: (End::Mass(0), End::Mass(1)),
+                label: format!("slider {index}").into(),
+                is_elastic,
+            });
+            let (same, higher) = sketch.size(ALONE).unwrap();
+            // Two contacts between the same masses are at different levels.
+            assert!(same == width && height + 34.0 * index as f64 < higher);
+        }
+        sketch.sliders.push(Slider {
+            between: (End::Mass(1), End::Wall),
+            label: "pads".into(),
+            is_elastic: false,
+        });
+        assert!(width < sketch.size(ALONE).unwrap().0);
+        let svg = sketch.svg().unwrap();
+        for label in ["slider 0", "slider 1", "pads"] {
+            assert!(svg.contains(&format!(">{label}<")), "{label}: {svg}");
+        }
     }
 
     #[test]

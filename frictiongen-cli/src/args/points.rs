@@ -4,6 +4,7 @@ use super::shared::{
     FileArgument, FormatArguments, FrequencyArguments, LoadArguments, PointArguments,
 };
 use clap::Args;
+use std::path::PathBuf;
 
 /// Arguments of `frictiongen limits`.
 #[derive(Debug, Args)]
@@ -60,4 +61,8 @@ pub struct OrbitArguments {
     /// Arguments for the format of the output.
     #[command(flatten)]
     pub format: FormatArguments,
+    /// Write to this file; the file extension sets the format: .csv, .json, .svg; .png with the feature png. A picture
+    /// shows one period
+    #[arg(short, long, value_name = "OUT")]
+    pub output: Option<PathBuf>,
 }

@@ -21,6 +21,11 @@ Defaults, which the page also states:
   best       the friction with the smallest peak of each mass, as `frictiongen optimum` finds it. If the
              chain has more than four masses, the page has it for the two masses that move farthest with
              the contact stuck
+With several contacts or dashpots the page shows a drawing, the responses without friction and with all
+contacts stuck, amplitudes and stuck fractions at several frictions, the regime map, a hysteresis loop of
+each contact, and the contact that slides first. Its default frictions are 0.1, 0.3 and 0.7 times the
+median of the friction from which no contact slides. This page has no script.
+
 Without --base or --force, the page uses the non-dimensional groups r and beta.
 
 ";

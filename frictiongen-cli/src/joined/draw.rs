@@ -10,11 +10,11 @@ use crate::progress::Progress;
 use frictiongen::Regime;
 use frictiongen::study::columns::{Frequency, FrictionSetting, JoinedRow};
 use frictiongen::study::joined::JoinedHistory;
-use frictiongen_plot::Label;
 use frictiongen_plot::desk::{
     ContactTrack, JoinedCells, JoinedClasses, JoinedCurve, JoinedMotion, Scales,
     joined_curve_figure, joined_map_figure, joined_motion_figure,
 };
+use frictiongen_plot::{Figure, Label};
 use std::io::Write;
 
 /// Number of frequencies at which the picture evaluates the limit of the stuck state.
@@ -33,10 +33,20 @@ pub enum Picture {
 /// Draws a motion of a scene with several contacts over time.
 pub fn motion(
     question: &Question<'_>,
-    (history, frequency): (&JoinedHistory, Frequency),
+    motion: (&JoinedHistory, Frequency),
     caption: &str,
     (form, out): (OutputFormat, &mut dyn Write),
 ) -> Result<(), Failure> {
+    let figure = motion_figure(question, motion, caption);
+    picture::write(figure, question.system, form, out)
+}
+
+/// Returns the figure of a motion over time.
+pub fn motion_figure(
+    question: &Question<'_>,
+    (history, frequency): (&JoinedHistory, Frequency),
+    caption: &str,
+) -> Figure {
     let mut scales = picture::scales(question.system, false, &question.measure);
     let in_seconds = question.frequencies.are_physical() || question.measure.scale().is_some();
     if in_seconds {
@@ -45,7 +55,14 @@ pub fn motion(
     let taus = history.taus.iter();
     let names = question.joined.contact_names().into_iter().enumerate();
     let contacts = names.map(|(index, name)| {
-        let states = || history.contacts.iter().filter_map(|all| all.get(index));
+        let sign = match question.measure.scale() {
+            Some(_) => question.joined.sign(index),
+            None => 1.0,
+        };
+        let states = || {
+            let states = history.contacts.iter().filter_map(|all| all.get(index));
+            states.map(|now| now.signed(sign))
+        };
         ContactTrack {
             name,
             displacement: states()
@@ -72,8 +89,7 @@ pub fn motion(
     };
     let title = Label::verbatim(&question.system.scene().name);
     let figure = joined_motion_figure(title, &motion);
-    let figure = picture::under_load(figure, &question.measure, caption);
-    picture::write_alone(&figure, form, out)
+    picture::under_load(figure, &question.measure, caption)
 }
 
 /// Computes steady states over frequency and friction, and draws them as curves or as a map.
@@ -90,6 +106,18 @@ pub fn steady(
             Picture::Curve(..) => "a picture of a curve needs two frequencies",
         }));
     }
+    let rows = rows(question)?;
+    let figure = steady_figure(question, picture, &rows)?;
+    picture::write(figure, question.system, form, out)
+}
+
+/// Steady states at one friction for all frequencies.
+pub type Line = (FrictionSetting, Vec<JoinedRow>);
+
+/// Computes the steady states of a picture.
+pub fn rows(question: &Question<'_>) -> Result<Vec<Line>, Failure> {
+    let frequencies: Vec<Frequency> = question.frequencies.all(question.system).collect();
+    let frictions: Vec<FrictionSetting> = question.frictions.all().collect();
     interrupt::watch();
     let table = question.table();
     let mut progress = Progress::new(frequencies.len() * frictions.len(), "points");
@@ -107,14 +135,24 @@ pub fn steady(
         }
         rows.push((*friction, line));
     }
-    drop(progress);
+    Ok(rows)
+}
+
+/// Returns the picture of steady states.
+pub fn steady_figure(
+    question: &Question<'_>,
+    picture: Picture,
+    rows: &[Line],
+) -> Result<Figure, Failure> {
+    let frequencies: Vec<Frequency> = question.frequencies.all(question.system).collect();
+    let frictions: Vec<FrictionSetting> = question.frictions.all().collect();
     let physical = question.frequencies.are_physical();
     let scales = picture::scales(question.system, physical, &question.measure);
     let title = Label::verbatim(&question.system.scene().name);
     let figure = match picture {
         Picture::Curve(frequency, amplitude) => {
             let scales = scales.with_log(frequency, amplitude);
-            let (titles, curves) = curves(question, &rows, &scales);
+            let (titles, curves) = curves(question, rows, &scales);
             joined_curve_figure(title, &titles, &curves, &scales)
         }
         Picture::Map(shade) => {
@@ -129,20 +167,19 @@ pub fn steady(
                     .collect(),
             );
             let (across, up): (Vec<f64>, Vec<f64>) = axes;
-            let cells = cells(question, &rows, shade, &scales);
+            let cells = cells(question, rows, shade, &scales);
             let limit = limit(question, (&frequencies, &up), &scales)?;
             joined_map_figure(title, (&across, &up), &cells, limit, &scales)
         }
     };
-    let figure = picture::under_load(figure, &question.measure, "");
-    picture::write_alone(&figure, form, out)
+    Ok(picture::under_load(figure, &question.measure, ""))
 }
 
 /// Returns the panels of the picture, and the curves in them: the amplitude of each mass, and the stuck fraction of
 /// each contact.
 fn curves(
     question: &Question<'_>,
-    rows: &[(FrictionSetting, Vec<JoinedRow>)],
+    rows: &[Line],
     scales: &Scales,
 ) -> (Vec<(Label, Label)>, Vec<JoinedCurve>) {
     let names = question.table().parts();
@@ -184,7 +221,7 @@ fn curves(
 /// Returns the cells of a map, row by row from the lowest friction to the highest.
 fn cells(
     question: &Question<'_>,
-    rows: &[(FrictionSetting, Vec<JoinedRow>)],
+    rows: &[Line],
     shade: ShadeArgument,
     scales: &Scales,
 ) -> JoinedCells {

@@ -4,6 +4,8 @@
 #[cfg(feature = "pictures")]
 mod draw;
 mod optimum;
+#[cfg(feature = "report")]
+mod page;
 mod report;
 mod sensitivity;
 mod time;
@@ -28,6 +30,8 @@ use std::io::Write;
 #[cfg(feature = "pictures")]
 pub use draw::Picture;
 pub use optimum::optimum;
+#[cfg(feature = "report")]
+pub use page::write as write_page;
 pub use time::OfTime;
 
 /// Fails if the user gives one of these options. They are not available for several contacts.
@@ -73,6 +77,14 @@ impl Question<'_> {
             joined: self.joined,
             masses: &self.masses,
         }
+    }
+
+    /// Returns the names of the masses that the user requests.
+    #[cfg(feature = "report")]
+    fn names(&self) -> Vec<String> {
+        let names = self.masses.iter();
+        let names = names.filter_map(|index| self.system.scene().masses.get(*index));
+        names.map(|mass| mass.name.clone()).collect()
     }
 
     fn summary(&self) -> Summary {

@@ -33,10 +33,11 @@ impl Asked<'_> {
         out: &mut dyn Write,
     ) -> Result<(), Failure> {
         self.question(scene, |question| {
-            let (history, frequency) = history(question, time)?;
+            let draws = matches!(form, OutputFormat::Svg | OutputFormat::Png);
+            let (history, frequency) = history(question, time, draws)?;
             let omega = frequency.omega;
             #[cfg(feature = "pictures")]
-            if matches!(form, OutputFormat::Svg | OutputFormat::Png) {
+            if draws {
                 let caption = caption(question, time, frequency)?;
                 let motion = (&history, frequency);
                 return super::draw::motion(question, motion, &caption, (form, out));
@@ -85,21 +86,21 @@ fn caption(
     Ok(format!("{frequency}; {friction}; {kind}"))
 }
 
-/// Returns the motion over time, and the frequency of the load.
+/// Returns the motion and its frequency. With `draws`, the motion has additional samples at the events.
 fn history(
     question: &Question<'_>,
     time: &OfTime<'_>,
+    draws: bool,
 ) -> Result<(JoinedHistory, Frequency), Failure> {
     let frequency = question.frequencies.only(question.system)?;
     let friction = question.frictions.only()?;
     let friction = friction.at(&question.measure, frequency).beta;
     let at = question.table().at(frequency).map_err(Failure::new)?;
     let asked = &time.asked;
-    let history = if asked.steady {
+    let (mut run, skip, cycles) = if asked.steady {
         let orbit = at.orbit(friction).map_err(Failure::new)?;
         let cycles = u32::try_from(orbit.period()).unwrap_or(u32::MAX);
-        let mut run = orbit.simulation().map_err(Failure::new)?;
-        run.history(0, cycles, asked.samples)
+        (orbit.simulation().map_err(Failure::new)?, 0, cycles)
     } else {
         let run = match time.from {
             None => at.simulation(friction),
@@ -109,8 +110,11 @@ fn history(
                 at.simulation_from(friction, (&x, &v))
             }
         };
-        let mut run = run.map_err(Failure::new)?;
-        run.history(asked.skip, asked.cycles, asked.samples)
+        (run.map_err(Failure::new)?, asked.skip, asked.cycles)
+    };
+    let history = match draws {
+        true => run.path(skip, cycles, asked.samples),
+        false => run.history(skip, cycles, asked.samples),
     };
     Ok((history.map_err(Failure::new)?, frequency))
 }

@@ -4,6 +4,9 @@ mod report;
 
 use crate::args::OrbitArguments;
 use crate::asked;
+#[cfg(feature = "pictures")]
+use crate::asked::without_rates;
+use crate::destination::{Destination, OutputFormat};
 use crate::failure::Failure;
 use crate::frequency::Frequencies;
 use crate::friction::Frictions;
@@ -12,6 +15,8 @@ use crate::joined;
 use crate::measure;
 use crate::output;
 use crate::summary::Summary;
+#[cfg(feature = "pictures")]
+use crate::time;
 use frictiongen::System;
 use frictiongen_codegen::SizeLimits;
 use report::OrbitReport;
@@ -19,6 +24,19 @@ use std::io::Write;
 
 /// Runs `frictiongen orbit`.
 pub fn run(arguments: &OrbitArguments, out: &mut dyn Write) -> Result<(), Failure> {
+    let destination = Destination::of(
+        arguments.output.as_deref(),
+        arguments.point.file.path(),
+        &arguments.format,
+        true,
+    )?;
+    let form = destination.form;
+    let draws = matches!(form, OutputFormat::Svg | OutputFormat::Png);
+    if draws && (arguments.states || arguments.harmonics.is_some()) {
+        return Err(Failure::new(
+            "a picture of `orbit` shows one period of one steady state; leave --states and --harmonics out, or write .csv",
+        ));
+    }
     let frequencies = Frequencies::parse(&arguments.point.frequency, true)?;
     let frictions = Frictions::parse(&arguments.point.friction, Some(&frequencies))?;
     let orders = match asked::harmonics(arguments.harmonics.as_deref())? {
@@ -29,12 +47,18 @@ pub fn run(arguments: &OrbitArguments, out: &mut dyn Write) -> Result<(), Failur
     if description.scene.is_joined() {
         joined::refused(&[(!orders.is_empty(), "--harmonics")])?;
         let asked = joined::Asked::of(&arguments.point, frequencies, frictions, &arguments.of);
-        return asked.write(
-            description.scene,
-            arguments.states,
-            arguments.format.checked()?,
-            out,
-        );
+        return destination.write(out, |out| {
+            #[cfg(feature = "pictures")]
+            if draws {
+                let period = joined::OfTime {
+                    asked: time::asked::TimeRequest::PERIOD,
+                    from: None,
+                    events: false,
+                };
+                return asked.time(description.scene, &period, form, out);
+            }
+            asked.write(description.scene, arguments.states, form, out)
+        });
     }
     let system = System::try_from(description.scene).map_err(Failure::new)?;
     let parts = asked::contact_and(&system, &arguments.of)?;
@@ -42,6 +66,14 @@ pub fn run(arguments: &OrbitArguments, out: &mut dyn Write) -> Result<(), Failur
     let measure = measure::of(&arguments.point.load, &system)?;
     let frequencies = frequencies.under(&measure);
     let frictions = frictions.under(&measure)?;
+    #[cfg(feature = "pictures")]
+    if draws {
+        without_rates(&parts)?;
+        let grids = (&frequencies, &frictions);
+        let draw =
+            |out: &mut dyn Write| time::draw_period((&system, measure), grids, parts, (form, out));
+        return destination.write(out, draw);
+    }
     let summary = Summary::of(&system, frequencies.are_physical(), measure);
     let report = OrbitReport {
         grids: Grids {
@@ -54,5 +86,5 @@ pub fn run(arguments: &OrbitArguments, out: &mut dyn Write) -> Result<(), Failur
         orders,
         states: arguments.states,
     };
-    output::write(&report, &summary, arguments.format.checked()?, out)
+    destination.write(out, |out| output::write(&report, &summary, form, out))
 }

@@ -20,7 +20,7 @@ use frictiongen::{Of, System};
 #[cfg(feature = "pictures")]
 use frictiongen_plot::{
     Label,
-    desk::{ContactTrack, JoinedMotion, joined_motion_figure},
+    desk::{ContactTrack, JoinedMotion, joined_motion_figure, sketch_under_record},
 };
 use serde_json::{Value as Json, json};
 use std::io::Write;
@@ -93,7 +93,8 @@ impl<'s> DriveRequest<'s> {
             let figure = joined_motion_figure(title, &report.drawn());
             let (what, energy) = report.energy();
             let caption = Label::verbatim(&format!("{what} {energy}"));
-            return picture::write_alone(&figure.with_caption(caption), form, out);
+            let sketch = sketch_under_record(self.system.scene());
+            return picture::write_with(figure.with_caption(caption), sketch, form, out);
         }
         let summary = Summary::of(self.system, true, Measure::groups(self.system));
         output::write(&&report, &summary, form, out)

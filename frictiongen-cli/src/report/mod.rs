@@ -13,17 +13,19 @@ mod plot;
 mod response;
 mod scene;
 mod summary;
-mod words;
+pub mod words;
 
 use crate::args::ReportArguments;
 use crate::failure::Failure;
 use crate::file;
 use crate::interrupt;
+use crate::joined;
 use crate::play;
 use asked::ReportRequest;
 use frictiongen::System;
 use frictiongen_codegen::{SizeLimits, parse_text};
 use page::ReportPage;
+pub use page::within_script;
 use std::io::Write;
 
 /// Runs `frictiongen report`.
@@ -44,6 +46,10 @@ pub fn run(arguments: &ReportArguments, out: &mut dyn Write) -> Result<(), Failu
         Failure::Lines(lines.map(|line| format!("{name}:{line}")).collect())
     })?;
     let documentation = description.documentation();
+    if description.scene.is_joined() {
+        let about = (name.as_str(), documentation.as_str());
+        return joined::write_page(arguments, description.scene, about, out);
+    }
     let system = System::try_from(description.scene).map_err(Failure::new)?;
     let mut asked = ReportRequest::of(arguments, system)?;
     interrupt::watch();

@@ -158,7 +158,7 @@ fn limits_of_the_page() -> Markup {
 }
 
 /// Returns JSON data for a script element. The result contains no text that would end the element or begin a comment.
-fn within_script(data: &Json) -> String {
+pub fn within_script(data: &Json) -> String {
     data.to_string()
         .replace('&', "\\u0026")
         .replace('<', "\\u003c")

@@ -27,6 +27,16 @@ pub struct TimeRequest {
 }
 
 impl TimeRequest {
+    /// One period of the steady state, in samples that a picture needs.
+    #[cfg(feature = "pictures")]
+    pub const PERIOD: Self = Self {
+        cycles: 1,
+        skip: 0,
+        samples: 200,
+        steady: true,
+        spectrum: false,
+    };
+
     /// Reads the options of `frictiongen time`.
     pub fn parse(arguments: &TimeArguments) -> Result<Self, Failure> {
         let number = |option, text: &Option<String>, least, default| match text {

@@ -9,6 +9,8 @@ mod samples;
 mod spectrum;
 
 use crate::args::TimeArguments;
+#[cfg(feature = "pictures")]
+use crate::asked::MovingPart;
 use crate::asked::{parts, without_rates};
 use crate::destination::Destination;
 #[cfg(feature = "pictures")]
@@ -29,6 +31,27 @@ use motion::RunMotion;
 use samples::{EventsReport, SamplesReport};
 use spectrum::{SpectrumReport, spectra};
 use std::io::Write;
+
+/// Draws one period of a steady state of a scene with a single contact.
+#[cfg(feature = "pictures")]
+pub fn draw_period(
+    (system, measure): (&System, measure::Measure),
+    (frequencies, frictions): (&Frequencies, &Frictions),
+    parts: Vec<MovingPart>,
+    (form, out): (OutputFormat, &mut dyn Write),
+) -> Result<(), Failure> {
+    let course = RunSettings {
+        system,
+        unit: frequencies.unit(),
+        frequency: frequencies.only(system)?,
+        friction: frictions.only()?,
+        measure,
+        parts,
+        in_seconds: frequencies.are_physical() || measure.scale().is_some(),
+    };
+    let motion = RunMotion::of(course, &TimeRequest::PERIOD, None)?;
+    draw::draw(system, &motion, false, form, out)
+}
 
 /// Runs `frictiongen time`.
 pub fn run(arguments: &TimeArguments, out: &mut dyn Write) -> Result<(), Failure> {

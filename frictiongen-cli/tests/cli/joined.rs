@@ -319,6 +319,60 @@ fn pictures_of_several_contacts() {
     assert!(told.contains("needs two frequencies"), "{told}");
 }
 
+/// With a load, the displacement of a contact `a - b` has the same sign in `contacts` as in `contact`, in both orders.
+#[test]
+fn signs_are_those_of_a_single_contact() {
+    for ends in ["upper - lower", "lower - upper"] {
+        let scene = |contact: String| {
+            format!(
+                "struct Frame {{ masses: {{ lower: 2.0, upper: 1.5 }}, excitation: base, damping: modal(0.01), {contact},
+                springs: {{ base - lower: 1500.0, lower - upper: 1200.0 }} }}"
+            )
+        };
+        for load in ["--base 2e-3 --friction 0.6", "--beta 0.2"] {
+            let line = format!("time --hz 3 {load} --cycles 2 --samples 20 --csv");
+            let one = output(&scene(format!("contact: {ends}")), &split(&line));
+            let several = scene(format!("contacts: {{ pads: {ends} }}"));
+            let several = output(&several, &split(&line));
+            let unit = if load.contains("base") { "_m" } else { "" };
+            let single = column(&one, &format!("contact.displacement{unit}"));
+            let pads = column(&several, &format!("pads.displacement{unit}"));
+            let most = pads.iter().fold(0.0_f64, |most, x| most.max(x.abs()));
+            for (a, b) in single.iter().zip(&pads) {
+                assert!((a - b).abs() < 1e-9 * most, "{ends} {load}: {a} {b}");
+            }
+            assert!(most > 0.0, "{ends}");
+        }
+    }
+}
+
+/// `orbit -o` writes the table, or draws one period with a sketch of the scene.
+#[test]
+fn orbits_in_files() {
+    let orbit = picture("orbit --r 0.6 --beta 0.3", "orbit");
+    let motion = picture("time --r 0.6 --beta 0.3 --steady", "period");
+    assert_eq!(orbit, motion);
+    // The text of the load is only in the sketch.
+    assert!(orbit.contains("Y cos ωt"), "{orbit}");
+    let told = failure(
+        FRAME,
+        &split("orbit --r 0.6 --beta 0.3 --states -o orbit.svg"),
+    );
+    assert!(told.contains("one period of one steady state"), "{told}");
+    let told = failure(FRAME, &split("orbit --r 0.6,0.7 --beta 0.3 -o orbit.svg"));
+    assert!(told.contains("--r"), "{told}");
+    let file = std::env::temp_dir().join(format!("frictiongen-orbit-{}.csv", std::process::id()));
+    let path = file.to_str().expect("a path");
+    let line = split("orbit --r 0.6 --beta 0.3");
+    output(FRAME, &[line.as_slice(), &["-o", path]].concat());
+    let written = std::fs::read_to_string(&file).expect("a file");
+    std::fs::remove_file(&file).expect("a file");
+    assert_eq!(
+        written,
+        output(FRAME, &[line.as_slice(), &["--csv"]].concat())
+    );
+}
+
 /// The best share of one contact. A description with this share has the same largest amplitude.
 #[test]
 fn the_best_share_of_a_contact() {

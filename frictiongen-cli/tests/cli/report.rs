@@ -341,3 +341,69 @@ fn bad_options_are_refused() {
     }
     assert!(failure("struct", &["report"])[0].starts_with("<stdin>:1"));
 }
+
+/// A block with two elastic contacts and a dashpot.
+const PAIR: &str = "/// A block on two dampers.
+struct Pair {
+    masses: { block: 1.0 }, springs: { base - block: 100.0 },
+    contacts: { brace: base - block { stiffness: 200.0 }, pads: block - wall { share: 0.6, stiffness: 100.0 } },
+    dampers: { block - wall: 0.4 }, damping: modal(0.01), excitation: block,
+}";
+
+/// Checks the page of a scene with several contacts: its sections, the friction from which no contact slides against its
+/// formula, and amplitudes against `orbit`.
+#[test]
+fn several_contacts_have_a_page() {
+    let page = output(PAIR, &["report", "--r", "0.6:1.9"]);
+    for text in [
+        "<!DOCTYPE html>",
+        "A block on two dampers.",
+        "<caption>Contacts</caption>",
+        "<caption>Dashpots</caption>",
+        "id=\"closed\"",
+        "all contacts stuck",
+        "id=\"map\"",
+        "brace: hysteresis loop, area = energy",
+        "pads: hysteresis loop, area = energy",
+        "The first contact that slides",
+        "2 contacts between 1 mass, from r = 0.6 to r = 1.9.",
+    ] {
+        assert!(page.contains(text), "{text}: {page}");
+    }
+    assert!(!page.contains("NaN"));
+    // The page has data, and no script that a browser would run.
+    assert_eq!(page.matches("<script").count(), 1);
+    let (_, data) = page.split_once("type=\"application/json\">").unwrap();
+    let data = json(data.split_once("</script>").unwrap().0);
+    let number = |value: &Value| value.as_f64().unwrap();
+    let stuck = data["stuck"].as_array().unwrap();
+    assert_eq!(stuck.len(), 401);
+    for at in stuck {
+        // Dashpot and modal damping add up to 0.6 N s/m. With r, the angular frequency is 10 r.
+        let r = number(&at["r"]);
+        let limit = 200.0 / f64::hypot(400.0 - 100.0 * r * r, 6.0 * r);
+        let found = number(&at["stuck_from_beta"]);
+        assert!((found / limit - 1.0).abs() < 1e-12, "{r}: {found} {limit}");
+        assert_eq!(at["slides_first"], "brace");
+    }
+    let points = data["points"].as_array().unwrap();
+    assert_eq!(points.len(), 3 * 40);
+    let point = &points[60];
+    let [r, beta] = ["r", "beta"].map(|name| point[name].to_string());
+    let csv = output(PAIR, &["orbit", "--r", &r, "--beta", &beta, "--csv"]);
+    for (name, cell) in [
+        ("block.amplitude", &point["amplitude"]["block"]),
+        ("pads.stuck_fraction", &point["stuck_fraction"]["pads"]),
+    ] {
+        let expected = crate::common::column(&csv, name)[0];
+        assert!(
+            (number(cell) - expected).abs() < 1e-12,
+            "{name}: {cell} {expected}"
+        );
+    }
+    let told = failure(PAIR, &["report", "--r", "0.6:0.1:1.9"]);
+    assert!(told[0].contains("without a step"), "{told:?}");
+    let free = "struct Free { masses: { a: 1, b: 1 }, contacts: { c: a - b }, excitation: a }";
+    let told = failure(free, &["report", "--force", "1"]);
+    assert!(told[0].contains("has no resonance"), "{told:?}");
+}

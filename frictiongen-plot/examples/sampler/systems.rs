@@ -55,6 +55,7 @@ pub fn two_masses() -> Sketch {
             },
         ],
         dashpots: Vec::new(),
+        sliders: Vec::new(),
         contact: Some(SketchContact {
             between: (End::Mass(0), End::Wall),
             label: "*F*".into(),
@@ -85,6 +86,7 @@ pub fn base_driven() -> Sketch {
             },
         ],
         dashpots: Vec::new(),
+        sliders: Vec::new(),
         contact: Some(SketchContact {
             between: (End::Mass(1), End::Base),
             label: "*F*".into(),

@@ -1,6 +1,6 @@
 //! Sketches of a scene.
 
-use crate::{End, Excitation, Label, Sketch, SketchContact, Spring};
+use crate::{End, Excitation, Label, Sketch, SketchContact, Slider, Spring};
 use frictiongen::study::scene::{self, Node, Scene};
 
 /// Returns the sketch of a scene whose excitation is a recording. The sketch shows *y*(*t*) or *f*(*t*) instead of a
@@ -47,12 +47,29 @@ pub fn sketch(scene: &Scene, own_names: bool) -> Sketch {
                 Label::from(format!("*k*_{}", index + 1))
             },
         });
+    let dampers = scene.joints.dampers.iter().enumerate();
+    let dashpots = dampers.map(|(index, damper)| Spring {
+        between: (end(damper.from), end(damper.to)),
+        label: if scene.joints.dampers.len() == 1 {
+            "*c*".into()
+        } else {
+            Label::from(format!("*c*_{}", index + 1))
+        },
+    });
+    let is_joined = scene.is_joined();
+    let contacts = scene.named_contacts().into_iter().filter(|_| is_joined);
+    let sliders = contacts.map(|contact| Slider {
+        between: (end(contact.sides.from), end(contact.sides.to)),
+        label: Label::verbatim(&contact.name),
+        is_elastic: contact.law.stiffness.is_some(),
+    });
     Sketch {
         masses: masses.collect(),
         values: Vec::new(),
         springs: springs.collect(),
-        dashpots: Vec::new(),
-        contact: Some(SketchContact {
+        dashpots: dashpots.collect(),
+        sliders: sliders.collect(),
+        contact: (!is_joined).then(|| SketchContact {
             between: (end(scene.contact.from), end(scene.contact.to)),
             label: "*F*".into(),
         }),

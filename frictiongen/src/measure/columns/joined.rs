@@ -25,6 +25,8 @@ pub struct JoinedDriven {
     pub motions: Vec<[Vec<f64>; 2]>,
     /// For each sample, the motion and force of every contact.
     pub contacts: Vec<Vec<JoinedContactNow>>,
+    /// Sign of each contact, as in [`Joined::sign`].
+    signs: Vec<f64>,
     events: Vec<usize>,
 }
 
@@ -67,7 +69,14 @@ impl JoinedDriven {
             displacement.push(x);
             velocity.push(v);
         }
-        self.contacts.push(stepper.contacts());
+        let contacts = stepper.contacts();
+        if self.signs.is_empty() {
+            let signs = (0..contacts.len()).map(|contact| stepper.joined().sign(contact));
+            self.signs = signs.collect();
+        }
+        let contacts = contacts.into_iter().zip(&self.signs);
+        let contacts = contacts.map(|(now, sign)| now.signed(*sign));
+        self.contacts.push(contacts.collect());
         self.events.push(events);
         self.time.push(stepper.time());
     }

@@ -58,8 +58,13 @@ impl<'a> JoinedTable<'a> {
         columns.number("tau", tau);
         for (index, name) in self.joined.contact_names().iter().enumerate() {
             columns.begin_part(name);
+            let sign = match self.setting.measure.scale() {
+                Some(_) => self.joined.sign(index),
+                None => 1.0,
+            };
             let now = move |row: &JoinedSample<'h>| {
-                row.history.contacts.get(row.index)?.get(index).copied()
+                let now = row.history.contacts.get(row.index)?.get(index)?;
+                Some(now.signed(sign))
             };
             columns.number(
                 Head::of("displacement", PhysicalQuantity::Length),

@@ -5,6 +5,10 @@ use super::orbit::JoinedOrbit;
 use super::simulation::{JoinedContactNow, JoinedEvent, JoinedSimulation};
 use std::f64::consts::TAU;
 
+/// Distance of the two samples of [`JoinedSimulation::path`] from an event, in radians of the load. It exceeds the
+/// rounding error of the instant of an event, and no picture shows it.
+const BESIDE: f64 = 1e-9;
+
 /// A motion over time of a scene with several contacts: equally spaced samples, and the events between them.
 #[derive(Clone, Debug, Default)]
 pub struct JoinedHistory {
@@ -30,6 +34,28 @@ impl JoinedSimulation<'_> {
         cycles: u32,
         samples: u32,
     ) -> Result<JoinedHistory, JoinedError> {
+        self.sampled((skip, cycles, samples), false)
+    }
+
+    /// Samples the motion as [`history`](Self::history) does, with two more samples at each event, one just before the
+    /// event and one just after it. A line through these samples has the corners of a hysteresis loop.
+    ///
+    /// # Errors
+    /// Same errors as [`advance`](Self::advance).
+    pub fn path(
+        &mut self,
+        skip: u32,
+        cycles: u32,
+        samples: u32,
+    ) -> Result<JoinedHistory, JoinedError> {
+        self.sampled((skip, cycles, samples), true)
+    }
+
+    fn sampled(
+        &mut self,
+        (skip, cycles, samples): (u32, u32, u32),
+        at_events: bool,
+    ) -> Result<JoinedHistory, JoinedError> {
         for _ in 0..skip {
             self.advance(TAU)?;
         }
@@ -38,17 +64,41 @@ impl JoinedSimulation<'_> {
         let count = u64::from(cycles) * u64::from(samples);
         for sample in 0..=count {
             let tau = TAU * sample as f64 / f64::from(samples);
-            let reach = (start + tau - self.tau()).max(0.0);
-            let events = self.advance(reach)?.into_iter().map(|event| JoinedEvent {
+            let before = at_events.then(|| self.clone());
+            let events = self.advance_from(start, tau)?;
+            if let Some(mut before) = before {
+                for event in &events {
+                    for shift in [-BESIDE, BESIDE] {
+                        let beside = (event.tau - start + shift).min(tau);
+                        before.advance_from(start, beside)?;
+                        history.push(beside, &before);
+                    }
+                }
+            }
+            let events = events.into_iter().map(|event| JoinedEvent {
                 tau: event.tau - start,
                 ..event
             });
             history.events.extend(events);
-            history.taus.push(tau);
-            history.states.push(self.state());
-            history.contacts.push(self.contacts());
+            history.push(tau, self);
         }
         Ok(history)
+    }
+
+    /// Advances to the phase `tau` after the phase `start`. A phase in the past has no effect.
+    fn advance_from(&mut self, start: f64, tau: f64) -> Result<Vec<JoinedEvent>, JoinedError> {
+        self.advance((start + tau - self.tau()).max(0.0))
+    }
+}
+
+impl JoinedHistory {
+    /// Adds the present state of a motion.
+    fn push(&mut self, tau: f64, motion: &JoinedSimulation<'_>) {
+        // Several events at one instant have the same samples.
+        let last = self.taus.last().copied().unwrap_or(f64::NEG_INFINITY);
+        self.taus.push(tau.max(last));
+        self.states.push(motion.state());
+        self.contacts.push(motion.contacts());
     }
 }
 

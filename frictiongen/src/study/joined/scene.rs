@@ -8,7 +8,7 @@ use crate::study::system::System;
 use frictiongen_kernel::Float;
 use frictiongen_model::joined::damping_matrix;
 use frictiongen_model::modal::Modal;
-use frictiongen_model::scene::{FrictionLaw, Scene};
+use frictiongen_model::scene::{FrictionLaw, Node, Scene};
 
 /// A scene with several contacts or dashpots, whose methods compute the responses.
 #[derive(Clone, Debug)]
@@ -95,6 +95,19 @@ impl<'a> Joined<'a> {
     pub fn contact_names(&self) -> Vec<String> {
         let contacts = self.scene.named_contacts().into_iter();
         contacts.map(|contact| contact.name).collect()
+    }
+
+    /// Returns −1 for a contact that the description writes as `b - a` with the later one of two masses first, and
+    /// otherwise 1. With this factor, the relative displacement of a contact `a - b` is x_b − x_a, as in the answers in N
+    /// and m for a scene with a single contact.
+    #[must_use]
+    pub fn sign(&self, contact: usize) -> f64 {
+        let contacts = self.scene.named_contacts();
+        let sides = contacts.get(contact).map(|contact| &contact.sides);
+        match sides.map(|sides| (sides.from, sides.to)) {
+            Some((Node::Mass(from), Node::Mass(to))) if to < from => -1.0,
+            _ => 1.0,
+        }
     }
 
     /// Returns the index of the contact called `name` in the description.

@@ -40,6 +40,19 @@ pub struct JoinedContactNow {
     pub is_sticking: bool,
 }
 
+impl JoinedContactNow {
+    /// Returns the state with displacement, velocity and force multiplied by a sign, 1 or −1.
+    #[must_use]
+    pub fn signed(self, sign: f64) -> Self {
+        Self {
+            displacement: sign * self.displacement,
+            velocity: sign * self.velocity,
+            force: sign * self.force,
+            ..self
+        }
+    }
+}
+
 /// An exact motion in time of a scene with several contacts.
 #[derive(Clone, Debug)]
 pub struct JoinedSimulation<'a> {

@@ -132,6 +132,12 @@ impl JoinedStepper<'_> {
         slides
     }
 
+    /// Returns the scene that the stepper follows.
+    #[must_use]
+    pub fn joined(&self) -> &Joined<'_> {
+        &self.joined
+    }
+
     /// Returns the time since the start at the end of the last step, in s.
     #[must_use]
     pub fn time(&self) -> f64 {

@@ -2,7 +2,7 @@
 
 use super::{apart, system};
 use crate::answer::Event;
-use crate::study::joined::JoinedError;
+use crate::study::joined::{JoinedError, JoinedHistory};
 
 const BLOCK: &str =
     "struct Block { masses: { block: 2.0 }, contacts: { floor: block - wall }, excitation: block }";
@@ -106,6 +106,55 @@ fn states_repeat() {
             .expect("a motion");
         for (a, b) in before.iter().zip(run.state().0) {
             assert!((a - b).abs() < 1e-9, "{a} {b}");
+        }
+    }
+}
+
+/// Checks that a path has the corners of the hysteresis loops: a polygon through its samples has the energy as its area,
+/// although the period has only 16 equal intervals.
+#[test]
+fn a_path_has_the_corners() {
+    let frame = system(super::FRAME);
+    let at = frame.joined().expect("answers").at(0.6).expect("r");
+    let orbit = at.orbit(0.4).expect("a state");
+    let mut run = orbit.simulation().expect("a motion");
+    let plain = run
+        .clone()
+        .history(0, orbit.period() as u32, 16)
+        .expect("a motion");
+    let path = run.path(0, orbit.period() as u32, 16).expect("a motion");
+    assert_eq!(path.events, plain.events);
+    assert_eq!(path.taus.len(), plain.taus.len() + 2 * path.events.len());
+    assert!(path.taus.windows(2).all(|pair| pair[0] <= pair[1]));
+    let energy = |history: &JoinedHistory, index: usize| -> f64 {
+        let points = history
+            .contacts
+            .iter()
+            .map(|all| (all[index].displacement, all[index].force));
+        let points: Vec<(f64, f64)> = points.collect();
+        let sides = points.windows(2);
+        sides
+            .map(|pair| 0.5 * (pair[1].0 - pair[0].0) * (pair[0].1 + pair[1].1))
+            .sum()
+    };
+    for (index, name) in ["brace", "pads"].into_iter().enumerate() {
+        let exact = orbit.contact_named(name).expect("a contact").energy();
+        let (cut, whole) = (energy(&plain, index), energy(&path, index));
+        // Between events the force is a straight line over the displacement. The samples are 1e-9 beside the events.
+        assert!(
+            (whole - exact).abs() < 1e-7 * exact,
+            "{name}: {whole} {exact}"
+        );
+        assert!((cut - exact).abs() > 1e-4 * exact, "{name}: {cut} {exact}");
+    }
+    for (sample, pair) in path.contacts.windows(2).enumerate() {
+        for index in 0..2 {
+            let events = path.events.iter().filter(|event| event.contact == index);
+            let mut between = events.filter(|event| {
+                path.taus[sample] <= event.tau && event.tau <= path.taus[sample + 1]
+            });
+            let changes = pair[0][index].is_sticking != pair[1][index].is_sticking;
+            assert!(!changes || between.next().is_some(), "sample {sample}");
         }
     }
 }

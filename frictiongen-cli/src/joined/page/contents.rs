@@ -1,0 +1,319 @@
+//! Contents of the page: what the command chooses, and what it computes.
+
+use super::figures::{closed, loops_figure};
+use crate::args::{FrictionArguments, ReportArguments, ShadeArgument};
+use crate::asked;
+use crate::failure::Failure;
+use crate::frequency::{Band, Frequencies};
+use crate::friction::Frictions;
+use crate::interrupt;
+use crate::joined::draw::{self, Line, Picture};
+use crate::joined::{self, Question};
+use crate::measure::{self, Measure};
+use crate::report::words::number;
+use frictiongen::System;
+use frictiongen::study::columns::{Frequency, JoinedRow};
+use frictiongen::study::joined::JoinedOrbit;
+use frictiongen::study::scene::Scene;
+use frictiongen_plot::Figure;
+use serde_json::{Value as Json, json};
+
+/// Number of frequencies of the closed forms.
+const CLOSED: usize = 401;
+/// Number of frequencies of the curves of steady states.
+const CURVE: usize = 40;
+/// Numbers of frequencies and of frictions of the map.
+const MAP: (usize, usize) = (24, 10);
+/// Default frictions, as fractions of the median of the friction from which no contact slides.
+const FRACTIONS: [f64; 3] = [0.1, 0.3, 0.7];
+/// Largest number of frictions on a page. Colours for more frictions would be hard to distinguish.
+const MOST_FRICTIONS: usize = 6;
+/// Range of frequencies if the user gives none: these factors on the lowest and the highest resonance.
+const RANGE: [f64; 2] = [0.3, 1.5];
+
+/// The state without sliding at one frequency.
+pub struct Stuck {
+    /// Frequency ratio.
+    pub r: f64,
+    /// Common friction from which no contact slides.
+    pub limit: f64,
+    /// The contact that slides first below this friction.
+    pub first: String,
+}
+
+/// A range of frequencies in which one contact slides first.
+pub struct First<'a> {
+    /// Name of the contact.
+    pub name: &'a str,
+    /// Ends of the range, as frequency ratios.
+    pub ends: (f64, f64),
+}
+
+/// A steady state in which a contact has a row of numbers.
+pub struct Loops<'a> {
+    /// Frequency of the steady state.
+    pub frequency: Frequency,
+    /// Common friction, as friction ratio.
+    pub beta: f64,
+    /// The steady state.
+    pub orbit: JoinedOrbit<'a>,
+}
+
+/// Contents of the page.
+pub(super) struct Contents<'a> {
+    /// System, contacts, units and masses.
+    pub question: &'a Question<'a>,
+    /// Range of frequencies.
+    pub band: &'a Band,
+    /// The states without sliding over the range.
+    pub stuck: Vec<Stuck>,
+    /// Steady states of the curves.
+    pub curves: Vec<Line>,
+    /// Pictures: closed forms, curves, map and loops.
+    pub figures: Vec<(&'static str, Figure)>,
+    /// The steady state of the loops.
+    pub loops: Option<Loops<'a>>,
+    /// Sentences that say what the command has chosen.
+    pub chosen: Vec<String>,
+}
+
+impl Contents<'_> {
+    /// Returns the ranges in which one contact slides first, in the order of the frequencies.
+    pub fn firsts(&self) -> Vec<First<'_>> {
+        let mut ranges: Vec<First<'_>> = Vec::new();
+        for stuck in &self.stuck {
+            match ranges.last_mut() {
+                Some(last) if last.name == stuck.first => last.ends.1 = stuck.r,
+                _ => ranges.push(First {
+                    name: &stuck.first,
+                    ends: (stuck.r, stuck.r),
+                }),
+            }
+        }
+        ranges
+    }
+
+    /// Returns the numbers of the page as JSON.
+    pub fn data(&self, file: &str) -> Json {
+        let stuck = self.stuck.iter().map(|stuck| {
+            json!({ "r": number(stuck.r), "stuck_from_beta": number(stuck.limit), "slides_first": stuck.first })
+        });
+        let contacts = self.question.joined.contact_names();
+        let masses = self.question.names();
+        let points = self.curves.iter().flat_map(|(friction, line)| {
+            let (contacts, masses) = (&contacts, &masses);
+            line.iter().map(move |row| {
+                let fractions = contacts.iter().enumerate();
+                let fractions = fractions.map(|(index, name)| {
+                    let fraction = row.stuck_fraction(index).map_or(Json::Null, number);
+                    (name.clone(), fraction)
+                });
+                let sizes = masses.iter().enumerate().map(|(index, name)| {
+                    let size = row.amplitude(contacts.len() + index);
+                    (name.clone(), size.map_or(Json::Null, number))
+                });
+                json!({
+                    "r": number(row.frequency.r),
+                    "beta": number(friction.beta),
+                    "regime": row.regime,
+                    "amplitude": sizes.collect::<serde_json::Map<_, _>>(),
+                    "stuck_fraction": fractions.collect::<serde_json::Map<_, _>>(),
+                })
+            })
+        });
+        json!({
+            "version": 1,
+            "file": file,
+            "name": self.question.system.scene().name,
+            "chosen": self.chosen,
+            "stuck": stuck.collect::<Vec<_>>(),
+            "points": points.collect::<Vec<_>>(),
+        })
+    }
+}
+
+/// Computes the contents of the page, and calls `write` with them.
+pub(super) fn contents(
+    arguments: &ReportArguments,
+    scene: Scene,
+    write: impl FnOnce(&Contents<'_>) -> Result<(), Failure>,
+) -> Result<(), Failure> {
+    joined::refused(&[(arguments.live, "--live")])?;
+    let system = System::try_from(scene).map_err(Failure::new)?;
+    let joined = system.joined().map_err(Failure::new)?;
+    let measure = measure::constant(&arguments.load, &system)?;
+    let mut chosen = Vec::new();
+    let band = band(arguments, &system, &measure, &mut chosen)?;
+    let masses = asked::masses(&system, "--of", &arguments.of)?;
+    let masses: Vec<usize> = masses.into_iter().map(|mass| mass.index).collect();
+    let over = |count| Frequencies::evenly(&system, &band, count).under(&measure);
+    let base = Question {
+        system: &system,
+        joined: &joined,
+        frequencies: over(CLOSED),
+        frictions: levels(&[1.0], &measure)?,
+        measure,
+        masses,
+    };
+    let stuck = stuck(&base)?;
+    let (middle, high) = middle(&stuck);
+    let given = arguments.frictions();
+    let frictions = match &given {
+        Some(given) => Frictions::parse(given, None)?.under(&measure)?,
+        None => {
+            chosen.push(format!(
+                "The frictions of the curves are {}, {} and {} times the median of the friction from which no contact slides.",
+                FRACTIONS[0], FRACTIONS[1], FRACTIONS[2]
+            ));
+            levels(&FRACTIONS.map(|part| part * middle), &measure)?
+        }
+    };
+    if MOST_FRICTIONS < frictions.len() {
+        return Err(Failure::new(format_args!(
+            "a page shows up to {MOST_FRICTIONS} frictions, but {} are given",
+            frictions.len()
+        )));
+    }
+    interrupt::watch();
+    let asked = |frequencies, frictions| Question {
+        frequencies,
+        frictions,
+        masses: base.masses.clone(),
+        ..base
+    };
+    let curve = asked(over(CURVE), frictions);
+    let curves = draw::rows(&curve)?;
+    let steps = (1..=MAP.1).map(|step| 1.1 * high * step as f64 / MAP.1 as f64);
+    let map = asked(over(MAP.0), levels(&steps.collect::<Vec<_>>(), &measure)?);
+    let map_rows = draw::rows(&map)?;
+    let mut figures = vec![("closed", closed(&base)?)];
+    let shown = Picture::Curve(false, false);
+    figures.push(("curves", draw::steady_figure(&curve, shown, &curves)?));
+    let shown = Picture::Map(ShadeArgument::Regime);
+    figures.push(("map", draw::steady_figure(&map, shown, &map_rows)?));
+    let loops = loops(&base, &curves)?;
+    if let Some(loops) = &loops {
+        figures.push(("loops", loops_figure(&base, loops)?));
+    }
+    write(&Contents {
+        question: &base,
+        band: &band,
+        stuck,
+        curves,
+        figures,
+        loops,
+        chosen,
+    })
+}
+
+/// Returns the range of frequencies: the user's, or a range around the resonances.
+fn band(
+    arguments: &ReportArguments,
+    system: &System,
+    measure: &Measure,
+    chosen: &mut Vec<String>,
+) -> Result<Band, Failure> {
+    if let Some(range) = arguments.range() {
+        let band = Band::parse(&range, system)?;
+        return match band.widest {
+            None => Ok(band),
+            Some(_) => Err(Failure::new(
+                "a page needs a range a:b, without a step, because the page chooses its own points",
+            )),
+        };
+    }
+    let positive = |r: &&f64| 1e-6 < **r && r.is_finite();
+    let mut resonances = system.resonances().iter().filter(positive);
+    let lowest = resonances.next().copied();
+    let Some(lowest) = lowest else {
+        return Err(Failure::new(
+            "without friction this scene has no resonance, from which a range of frequencies could follow; give a range by --hz, --omega or --r",
+        ));
+    };
+    let highest = resonances.next_back().copied().unwrap_or(lowest);
+    chosen.push(format!(
+        "The range of frequencies goes from {} of the lowest to {} of the highest resonance without friction.",
+        RANGE[0], RANGE[1]
+    ));
+    let in_hertz = measure.load().is_some();
+    Ok(Band::between(
+        RANGE[0] * lowest,
+        RANGE[1] * highest,
+        in_hertz,
+    ))
+}
+
+/// Returns frictions, rounded to two digits, in N under a load.
+fn levels(betas: &[f64], measure: &Measure) -> Result<Frictions, Failure> {
+    let scale = measure.scale();
+    let values = betas.iter().map(|beta| {
+        let value = scale.map_or(*beta, |scale| scale.friction(*beta));
+        format!("{value:.1e}")
+    });
+    let text = Some(values.collect::<Vec<_>>().join(","));
+    let arguments = match scale {
+        None => FrictionArguments {
+            beta: text,
+            friction: None,
+        },
+        Some(_) => FrictionArguments {
+            beta: None,
+            friction: text,
+        },
+    };
+    Frictions::parse(&arguments, None)?.under(measure)
+}
+
+/// Computes the state without sliding over the range.
+fn stuck(question: &Question<'_>) -> Result<Vec<Stuck>, Failure> {
+    let mut all = Vec::new();
+    for frequency in question.frequencies.all(question.system) {
+        let at = question.table().at(frequency).map_err(Failure::new)?;
+        // An undamped chain has no state without sliding at its resonance.
+        if let Ok(stuck) = at.stuck() {
+            all.push(Stuck {
+                r: frequency.r,
+                limit: stuck.limit(),
+                first: stuck.first().to_owned(),
+            });
+        }
+    }
+    Ok(all)
+}
+
+/// Returns the median of the limits of the stuck state, and a limit that nine tenths of them do not exceed.
+fn middle(stuck: &[Stuck]) -> (f64, f64) {
+    let limits = stuck.iter().map(|stuck| stuck.limit);
+    let mut limits: Vec<f64> = limits
+        .filter(|limit| 0.0 < *limit && limit.is_finite())
+        .collect();
+    limits.sort_by(f64::total_cmp);
+    let at = |share: usize| limits.get(limits.len() * share / 10).copied();
+    (at(5).unwrap_or(1.0), at(9).unwrap_or(1.0))
+}
+
+/// Finds the steady state with the largest amplitude of a mass on the curve with the middle friction.
+fn loops<'q>(question: &'q Question<'_>, curves: &[Line]) -> Result<Option<Loops<'q>>, Failure> {
+    let contacts = question.joined.contact_names().len();
+    let Some((friction, line)) = curves.get(curves.len() / 2) else {
+        return Ok(None);
+    };
+    let size = |row: &JoinedRow| {
+        let sizes = (0..question.masses.len()).filter_map(|index| row.amplitude(contacts + index));
+        sizes.fold(0.0, f64::max)
+    };
+    let known = line.iter().filter(|row| row.is_known());
+    let Some(row) = known.max_by(|a, b| size(a).total_cmp(&size(b))) else {
+        return Ok(None);
+    };
+    let friction = friction.at(&question.measure, row.frequency);
+    let at = question.table().at(row.frequency).map_err(Failure::new)?;
+    let Ok(orbit) = at.orbit(friction.beta) else {
+        return Ok(None);
+    };
+    Ok(Some(Loops {
+        frequency: row.frequency,
+        beta: friction.beta,
+        orbit,
+    }))
+}

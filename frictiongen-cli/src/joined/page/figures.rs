@@ -1,0 +1,69 @@
+//! Figures of the page that no other command draws.
+
+use super::contents::Loops;
+use crate::failure::Failure;
+use crate::joined::{Question, draw};
+use crate::picture;
+use frictiongen_plot::{Axis, Colour, Figure, Label, Line, Panel, Stroke};
+
+/// Draws the two closed forms: amplitudes without friction, and with all contacts stuck.
+pub(super) fn closed(question: &Question<'_>) -> Result<Figure, Failure> {
+    let physical = question.frequencies.are_physical();
+    let scales = picture::scales(question.system, physical, &question.measure);
+    let names = question.names();
+    let mut lines = vec![[Vec::new(), Vec::new()]; names.len()];
+    for frequency in question.frequencies.all(question.system) {
+        let at = question.table().at(frequency).map_err(Failure::new)?;
+        let (free, stuck) = (at.linear().ok(), at.stuck().ok());
+        for (name, [without, locked]) in names.iter().zip(&mut lines) {
+            let sizes = [
+                free.as_ref().and_then(|free| free.mass(name).ok()),
+                stuck.as_ref().and_then(|stuck| stuck.mass(name).ok()),
+            ];
+            for (size, line) in sizes.into_iter().zip([without, locked]) {
+                let size = size.map_or(f64::NAN, |size| size.norm());
+                let x = scales.frequency(frequency.r);
+                line.push((x, scales.length_at(frequency.r, size)));
+            }
+        }
+    }
+    let range = question.frequencies.all(question.system).map(|at| at.r);
+    let (low, high) = range.fold((f64::INFINITY, 0.0_f64), |(low, high), r| {
+        (low.min(scales.frequency(r)), high.max(scales.frequency(r)))
+    });
+    let panels = names.iter().zip(lines).map(|(name, [without, locked])| {
+        let sizes = without.iter().chain(&locked).map(|point| point.1);
+        let sizes: Vec<f64> = sizes
+            .filter(|size| 0.0 < *size && size.is_finite())
+            .collect();
+        let axis = Axis::fitted_log(scales.length_label(), sizes);
+        Panel::new(
+            Label::verbatim(name),
+            scales.frequency_axis(low, high),
+            axis,
+        )
+        .with(Line::new(
+            "without friction",
+            Colour::Series(0),
+            Stroke::Solid,
+            vec![without],
+        ))
+        .with(Line::new(
+            "all contacts stuck",
+            Colour::Series(1),
+            Stroke::Dotted,
+            vec![locked],
+        ))
+    });
+    let title = Label::verbatim(&question.system.scene().name);
+    let figure = Figure::new("", title, 2, panels.collect());
+    Ok(picture::under_load(figure, &question.measure, ""))
+}
+
+/// Draws one period of a steady state, with the loops of all contacts.
+pub(super) fn loops_figure(question: &Question<'_>, loops: &Loops<'_>) -> Result<Figure, Failure> {
+    let cycles = u32::try_from(loops.orbit.period()).unwrap_or(u32::MAX);
+    let mut run = loops.orbit.simulation().map_err(Failure::new)?;
+    let path = run.path(0, cycles, 200).map_err(Failure::new)?;
+    Ok(draw::motion_figure(question, (&path, loops.frequency), ""))
+}

@@ -1,0 +1,310 @@
+//! Writes the page as HTML.
+
+use super::contents::{Contents, Loops, contents};
+use crate::args::ReportArguments;
+use crate::failure::Failure;
+use crate::file;
+use crate::measure;
+use crate::report::words::{PageUnits, digits};
+use frictiongen::study::scene::{Node, Scene};
+use frictiongen_plot::{Label, Page, Sketch, desk};
+use maud::{DOCTYPE, Markup, PreEscaped, html};
+use std::io::Write;
+
+/// Style sheet of the page, which is that of a scene with a single contact.
+const STYLE: &str = include_str!("../../report/style.css");
+
+/// Computes the page of a scene with several contacts, and writes it. `file` is the name of the description, and
+/// `documentation` its doc comments.
+pub fn write(
+    arguments: &ReportArguments,
+    scene: Scene,
+    (file, documentation): (&str, &str),
+    out: &mut dyn Write,
+) -> Result<(), Failure> {
+    contents(arguments, scene, |contents| {
+        let html = page(contents, (file, documentation));
+        if let Some(path) = arguments.output.as_deref() {
+            return file::write_file(path, arguments.file.path(), &html);
+        }
+        out.write_all(html.as_bytes())?;
+        Ok(out.flush()?)
+    })
+}
+
+/// Returns the HTML of the page.
+fn page(contents: &Contents<'_>, (file, documentation): (&str, &str)) -> String {
+    let scene = contents.question.system.scene();
+    let data = crate::report::within_script(&contents.data(file));
+    let page = html! {
+        (DOCTYPE)
+        html lang="en" {
+            head {
+                meta charset="utf-8";
+                meta http-equiv="Content-Security-Policy" content="default-src 'none'; style-src 'unsafe-inline'";
+                meta name="viewport" content="width=device-width, initial-scale=1";
+                meta name="color-scheme" content="light dark";
+                title { (scene.name) ": friction report" }
+                // The style sheet belongs to this crate and contains no text of the user.
+                style { (PreEscaped(STYLE)) }
+            }
+            body {
+                header {
+                    h1 { (scene.name) }
+                    @if !documentation.is_empty() { p.about { (documentation) } }
+                    p.note { "Made from " code { (file) } " by frictiongen " (env!("CARGO_PKG_VERSION")) "." }
+                }
+                main {
+                    (summary(contents))
+                    @if !contents.chosen.is_empty() {
+                        aside aria-label="What was chosen" { @for line in &contents.chosen { p { (line) } } }
+                    }
+                    (chain(contents))
+                    (figures(contents))
+                    (stuck(contents))
+                    @if let Some(loops) = &contents.loops { (contacts(contents, loops)) }
+                    section #beyond {
+                        h2 { "Limits of this page" }
+                        p {
+                            "The page shows steady states under one harmonic load, reached from rest. For motions from a start, see "
+                            code { "frictiongen time" } ". For the best common friction and the best shares, see " code { "frictiongen optimum" }
+                            ". For the effect of every number of the description, see " code { "frictiongen sensitivity" } "."
+                        }
+                    }
+                }
+                script #data type="application/json" { (PreEscaped(data)) }
+            }
+        }
+    };
+    page.into_string()
+}
+
+/// Returns the units and number formats of the page.
+fn words(contents: &Contents<'_>) -> PageUnits {
+    let question = contents.question;
+    let in_hertz = question.frequencies.are_physical();
+    PageUnits {
+        scales: crate::picture::scales(question.system, in_hertz, &question.measure),
+        in_hertz,
+        measure: question.measure,
+    }
+}
+
+/// Returns the main results.
+fn summary(contents: &Contents<'_>) -> Markup {
+    let (words, question) = (words(contents), contents.question);
+    let ends = [contents.band.from, contents.band.to].map(|r| words.frequency(r));
+    let largest = contents.stuck.iter();
+    let largest = largest.max_by(|a, b| a.limit.total_cmp(&b.limit));
+    html! {
+        section #short aria-label="In short" {
+            ul.short {
+                li {
+                    (count(question.joined.contact_names().len(), "contact")) " between "
+                    (count(question.system.scene().masses.len(), "mass")) ", from " (ends[0]) " to " (ends[1]) "."
+                }
+                @if let Some(largest) = largest {
+                    li {
+                        "From a common friction of " strong { (words.friction(largest.limit)) } " on, no contact slides anywhere in this range. "
+                        "With less, " strong { (largest.first) } " slides first, at " (words.frequency(largest.r)) "."
+                    }
+                }
+                @if let Some(load) = measure::description(&question.measure, digits) {
+                    li { "These results are for the load " (load) ". With twice the load and twice the friction, all motions are twice as large." }
+                } @else {
+                    li {
+                        "No load is given. Therefore friction is the ratio β, and amplitudes are multiples of " (words.length_unit())
+                        ". Give the load by " code { (measure::option(&question.measure)) } " to see N and mm."
+                    }
+                }
+            }
+        }
+    }
+}
+
+/// Returns a number with its noun.
+fn count(number: usize, noun: &str) -> String {
+    let ending = match (number, noun.ends_with('s')) {
+        (1, _) => "",
+        (_, true) => "es",
+        (_, false) => "s",
+    };
+    format!("{number} {noun}{ending}")
+}
+
+/// Returns the sketch, or `None` for a long chain.
+fn sketch(scene: &Scene) -> Option<String> {
+    let plain = desk::sketch(scene, true);
+    let values = scene.masses.iter();
+    let values = values.map(|mass| Label::verbatim(&format!("{} kg", digits(mass.value))));
+    let mut sketch = Sketch {
+        values: values.collect(),
+        ..plain
+    };
+    for (drawn, spring) in sketch.springs.iter_mut().zip(&scene.springs) {
+        drawn.label = Label::verbatim(&format!("{} N/m", digits(spring.stiffness)));
+    }
+    for (drawn, damper) in sketch.dashpots.iter_mut().zip(&scene.joints.dampers) {
+        drawn.label = Label::verbatim(&format!("{} N·s/m", digits(damper.coefficient)));
+    }
+    sketch.svg()
+}
+
+/// Returns the section with the sketch and the values.
+fn chain(contents: &Contents<'_>) -> Markup {
+    let scene = contents.question.system.scene();
+    let between =
+        |from: Node, to: Node| format!("{} – {}", scene.node_name(from), scene.node_name(to));
+    html! {
+        section #scene {
+            h2 { "The chain" }
+            @match sketch(scene) {
+                // This text comes from frictiongen-plot, which escapes every word in it.
+                Some(svg) => div.scroll.paper.sketch tabindex="0" role="region" aria-label="Drawing of the chain" { (PreEscaped(svg)) },
+                None => p { "A chain of " (scene.masses.len()) " masses is not drawn; its values are in the tables." },
+            }
+            table {
+                caption { "Contacts" }
+                thead { tr {
+                    th scope="col" { "name" } th scope="col" { "between" } th scope="col" { "stiffness (N/m)" }
+                    th scope="col" { "share of F" } th scope="col" { "stiction μ" }
+                } }
+                tbody { @for contact in scene.named_contacts() { tr {
+                    th scope="row" { (contact.name) }
+                    td { (between(contact.sides.from, contact.sides.to)) }
+                    td { @match contact.law.stiffness { Some(stiffness) => (digits(stiffness)), None => "rigid" } }
+                    td { (digits(contact.law.share)) }
+                    td { (digits(contact.law.stiction)) }
+                } } }
+            }
+            details {
+                summary { "Values: masses, springs and dashpots" }
+                div.pair {
+                    table {
+                        caption { "Masses" }
+                        thead { tr { th scope="col" { "name" } th scope="col" { "kg" } } }
+                        tbody { @for mass in &scene.masses { tr { th scope="row" { (mass.name) } td { (digits(mass.value)) } } } }
+                    }
+                    table {
+                        caption { "Springs" }
+                        thead { tr { th scope="col" { "between" } th scope="col" { "N/m" } } }
+                        tbody { @for spring in &scene.springs { tr {
+                            th scope="row" { (between(spring.from, spring.to)) }
+                            td { (digits(spring.stiffness)) }
+                        } } }
+                    }
+                    @if !scene.joints.dampers.is_empty() { table {
+                        caption { "Dashpots" }
+                        thead { tr { th scope="col" { "between" } th scope="col" { "N·s/m" } } }
+                        tbody { @for damper in &scene.joints.dampers { tr {
+                            th scope="row" { (between(damper.from, damper.to)) }
+                            td { (digits(damper.coefficient)) }
+                        } } }
+                    } }
+                }
+            }
+        }
+    }
+}
+
+/// Returns the sections with the pictures.
+fn figures(contents: &Contents<'_>) -> Markup {
+    html! {
+        @for (id, figure) in &contents.figures {
+            section id=(id) {
+                @match *id {
+                    "closed" => {
+                        h2 { "Without friction, and with all contacts stuck" }
+                        p { "Both amplitudes are closed forms." }
+                    }
+                    "curves" => {
+                        h2 { "Amplitudes and sticking" }
+                        p { "Each line belongs to one common friction. The style of a line shows how many contacts slide." }
+                    }
+                    "map" => {
+                        h2 { "Regimes" }
+                        p { "No contact slides above the dashed line." }
+                    }
+                    _ => {
+                        h2 { "Hysteresis loops" }
+                        p {
+                            "One period of the steady state with the largest amplitude at the middle friction. "
+                            "The area of a loop is the energy that the contact dissipates in a period."
+                        }
+                    }
+                }
+                figure.plot {
+                    // This text comes from frictiongen-plot, which escapes every word in it.
+                    div.paper { (PreEscaped(drawn(figure))) }
+                }
+            }
+        }
+    }
+}
+
+/// Returns a figure in the width of a page.
+fn drawn(figure: &frictiongen_plot::Figure) -> String {
+    let narrow = frictiongen_plot::Figure {
+        page: Page::Narrow,
+        ..figure.clone()
+    };
+    narrow.svg()
+}
+
+/// Returns the section about the state in which no contact slides.
+fn stuck(contents: &Contents<'_>) -> Markup {
+    let words = words(contents);
+    let limits = |ends: (f64, f64)| {
+        let within = contents.stuck.iter();
+        let within = within.filter(move |stuck| ends.0 <= stuck.r && stuck.r <= ends.1);
+        within.map(|stuck| stuck.limit).fold(0.0, f64::max)
+    };
+    html! {
+        section #stuck {
+            h2 { "The first contact that slides" }
+            p {
+                "No contact slides from the friction that the dashed line of the map shows. If the friction falls below, one contact slides first."
+            }
+            table {
+                thead { tr {
+                    th scope="col" { "contact" } th scope="col" { "from" } th scope="col" { "to" }
+                    th scope="col" { "no contact slides from, at most" }
+                } }
+                tbody { @for first in contents.firsts() { tr {
+                    th scope="row" { (first.name) }
+                    td { (words.frequency(first.ends.0)) }
+                    td { (words.frequency(first.ends.1)) }
+                    td { (words.friction(limits(first.ends))) }
+                } } }
+            }
+        }
+    }
+}
+
+/// Returns the table of the contacts in the steady state of the loops.
+fn contacts(contents: &Contents<'_>, loops: &Loops<'_>) -> Markup {
+    let words = words(contents);
+    let names = contents.question.joined.contact_names();
+    let rows = names.iter().zip(loops.orbit.contacts());
+    let measure = &contents.question.measure;
+    html! {
+        section #contacts {
+            h2 { "Contacts in this steady state" }
+            p { (words.frequency(loops.frequency.r)) ", common friction " (words.friction(loops.beta)) "." }
+            table {
+                thead { tr {
+                    th scope="col" { "contact" } th scope="col" { "stops" } th scope="col" { "reversals" } th scope="col" { "stuck fraction" }
+                    th scope="col" { "slip (" (words.length_unit()) ")" } th scope="col" { "largest force" }
+                } }
+                tbody { @for (name, contact) in rows { tr {
+                    th scope="row" { (name) }
+                    td { (contact.stops()) }
+                    td { (contact.reversals()) }
+                    td { (digits(contact.stuck_fraction())) }
+                    td { (digits(words.scales.length(contact.slip()))) }
+                    td { (digits(measure.force(contact.force()))) @if measure.scale().is_some() { " N" } }
+                } } }
+            }
+        }
+    }
+}
