@@ -6,19 +6,9 @@ use super::size::{Size, add, at};
 use super::slid::Slips;
 use super::state::FREE;
 use super::steady::{BOUNDS, Search};
-use super::tangent::{Both, Tangent};
+use super::tangent::{Both, Span, Tangent};
 use crate::Float;
 use crate::errors::Halt;
-
-/// Time of a shot.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) enum Span {
-    /// Half a cycle of the load. The shot ends with the opposite of the state at this time, so that a motion that repeats
-    /// with the opposite sign after half a cycle ends where it starts.
-    Half,
-    /// A number of cycles of the load.
-    Cycles(usize),
-}
 
 /// The end of a shot.
 pub(super) struct Shot<S: Float, Z: Size> {
