@@ -86,31 +86,34 @@ fn search<S: Float>(terms: &[S]) -> Option<S> {
     let half = S::constant(0.5);
     let whole = Form::new(terms);
     let (mut form, mut depth, mut index, mut width) = (whole, 0_u32, 0_u64, S::constant(1.0));
+    // The start index·width of the subinterval, which is exact. A conversion of the index would link functions of double
+    // precision to an image in single precision.
+    let mut low = S::constant(0.0);
     loop {
         if !form.is_positive() {
-            let low = S::constant(index as f64) * width;
             if !form.starts_positive() {
                 return Some(low);
             }
             if form.changes() == 1 || depth >= halvings::<S>() {
-                return Some(bisect(terms, low, S::constant((index + 1) as f64) * width));
+                return Some(bisect(terms, low, low + width));
             }
             let (left, right) = form.halves();
             (depth, index, width) = (depth + 1, 2 * index, half * width);
             if left.is_positive() {
-                (index, form) = (index + 1, right);
+                (index, low, form) = (index + 1, low + width, right);
             } else {
                 form = left;
             }
             continue;
         }
         while depth > 0 && index % 2 == 1 {
+            low = low - width;
             (depth, index, width) = (depth - 1, index / 2, width + width);
         }
         if depth == 0 {
             return None;
         }
-        index += 1;
+        (index, low) = (index + 1, low + width);
         form = whole.part(depth, index);
     }
 }
@@ -128,11 +131,13 @@ impl<S: Float> Form<S> {
     fn new(terms: &[S]) -> Self {
         let degree = terms.len().saturating_sub(1);
         let mut values = [S::constant(0.0); TERMS];
-        let mut binomial = S::constant(1.0);
-        for (k, (value, term)) in values.iter_mut().zip(terms).enumerate() {
+        let (zero, one) = (S::constant(0.0), S::constant(1.0));
+        let (mut binomial, mut order) = (one, one);
+        let mut left = terms.iter().skip(1).fold(zero, |degree, _| degree + one);
+        for (value, term) in values.iter_mut().zip(terms) {
             *value = *term / binomial;
-            let left = S::constant(degree.saturating_sub(k) as f64);
-            binomial = binomial * left / S::constant((k + 1) as f64);
+            binomial = binomial * left / order;
+            (left, order) = (left - one, order + one);
         }
         let count = terms.len();
         for pass in 0..degree {

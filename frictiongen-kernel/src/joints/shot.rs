@@ -6,21 +6,11 @@ use super::size::{Size, add, at};
 use super::slid::Slips;
 use super::state::FREE;
 use super::steady::{BOUNDS, Search};
-use super::tangent::{Both, Tangent};
+use super::tangent::{Both, Span, Tangent};
 use crate::Float;
 use crate::errors::Halt;
 
-/// Duration of a shot (a motion that the shooting method follows).
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) enum Span {
-    /// The shot lasts half a cycle of the load. The state at its end is multiplied by −1. A motion that repeats with
-    /// the opposite sign after half a cycle therefore ends in its initial state.
-    Half,
-    /// The shot lasts the given number of cycles of the load.
-    Cycles(usize),
-}
-
-/// Result of a shot: the motion at its end, and the derivatives.
+/// The end of a shot.
 pub(super) struct Shot<S: Float, Z: Size> {
     pub(super) end: Motion<S, Z>,
     /// One value for each contact, which is true if the contact slides during the shot.

@@ -10,13 +10,22 @@ use super::model::Model;
 use super::poly::terms_of;
 use super::run::Observe;
 use super::series::Series;
-use super::shot::Span;
 use super::size::{Size, at};
 use super::state::{STUCK, State};
 use super::unknowns::Unknowns;
 use crate::Float;
 
-/// Observer of a motion that advances one small deviation for each unknown of a steady state.
+/// Time of a shot.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Span {
+    /// Half a cycle of the load. The shot ends with the opposite of the state at this time, so that a motion that repeats
+    /// with the opposite sign after half a cycle ends where it starts.
+    Half,
+    /// A number of cycles of the load.
+    Cycles(usize),
+}
+
+/// Observer that propagates one deviation for each unknown of a steady state.
 pub(super) struct Tangent<'m, S: Float, Z: Size> {
     model: &'m Model<S, Z>,
     /// Deviations from the motion, with one column for each unknown. The rows are the displacements of the masses, the
@@ -148,8 +157,9 @@ impl<'m, S: Float, Z: Size> Tangent<'m, S, Z> {
     /// Computes the deviations of the forces on the masses from the present coefficients.
     fn sum_forces(&mut self, state: &State<S, Z>) {
         let (width, masses) = (self.width, self.model.wall());
-        let (xs, others) = self.term.as_ref().split_at(masses * width);
-        let (vs, fs) = others.split_at(masses * width);
+        let Some((xs, vs, fs)) = parts(self.term.as_ref(), masses * width) else {
+            return;
+        };
         let forces = self.forces.as_mut();
         if let Some(forces) = forces.get_mut(..masses * width) {
             forces.fill(S::constant(0.0));
@@ -188,8 +198,12 @@ impl<'m, S: Float, Z: Size> Tangent<'m, S, Z> {
     /// Replaces the coefficients of one order by those of the next order.
     fn raise(&mut self, state: &State<S, Z>, next: S) {
         let (width, masses) = (self.width, self.model.wall());
-        let (xs, others) = self.term.as_mut().split_at_mut(masses * width);
-        let (vs, fs) = others.split_at_mut(masses * width);
+        let Some((xs, others)) = self.term.as_mut().split_at_mut_checked(masses * width) else {
+            return;
+        };
+        let Some((vs, fs)) = others.split_at_mut_checked(masses * width) else {
+            return;
+        };
         let size = width.max(1);
         let contacts = self.model.contacts().iter().enumerate();
         for ((j, contact), force) in contacts.zip(fs.chunks_exact_mut(size)) {
@@ -218,7 +232,14 @@ impl<'m, S: Float, Z: Size> Tangent<'m, S, Z> {
     }
 }
 
-/// Adds a row times `factor` to the row of a matrix that begins at the index `start`.
+/// Divides a matrix into the rows of displacements, of velocities, and of forces.
+fn parts<S>(matrix: &[S], size: usize) -> Option<(&[S], &[S], &[S])> {
+    let (xs, others) = matrix.split_at_checked(size)?;
+    let (vs, fs) = others.split_at_checked(size)?;
+    Some((xs, vs, fs))
+}
+
+/// Adds a multiple of a row to a row of a matrix, which begins at the given index.
 fn add_rows<S: Float>(matrix: &mut [S], start: usize, (row, factor): (&[S], S)) {
     let entries = matrix.get_mut(start..).unwrap_or_default();
     for (entry, value) in entries.iter_mut().zip(row) {
