@@ -214,7 +214,7 @@ mod tests {
             });
             let (same, higher) = sketch.size(ALONE).unwrap();
             // Two contacts between the same masses are at different levels.
-            assert!(same == width && height + 34.0 * index as f64 < higher);
+            assert!(same == width && height + 34.0 * (index as f64) < higher);
         }
         sketch.sliders.push(Slider {
             between: (End::Mass(1), End::Wall),
