@@ -118,8 +118,8 @@ impl<S: Scalar> Chain<S> {
         self.scaled(mode, scale, false, 0)
     }
 
-    /// Multiplies the response and damping functions of a mode by the scale E of the chain. E is the smallest |x² − 1|
-    /// + 2ζx among the modes that the contact drives. The caller has computed E in a first pass over the modes. If
+    /// Multiplies the response and damping functions of a mode by the scale E of the chain. Among the modes that the
+    /// contact drives, E is the smallest |x² − 1| + 2ζx. The caller has computed E in a first pass over the modes. If
     /// `single` is true, this mode alone determines E. The code then takes E/(|x² − 1| + 2ζx) as exactly 1.
     #[inline]
     pub fn scaled(

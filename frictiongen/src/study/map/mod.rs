@@ -132,8 +132,8 @@ impl System {
     /// Returns the response at every pair of a frequency ratio and a friction ratio, computed on all cores.
     ///
     /// Each point has the state in which the motion from rest ends, as
-    /// [`SystemAt::response`](super::SystemAt::response) returns it. A point does not depend on its neighbours. With μ
-    /// > 1 other steady states may exist at the same point.
+    /// [`SystemAt::response`](super::SystemAt::response) returns it. A point does not depend on its neighbours. Other
+    /// steady states may exist at the same point if μ > 1.
     ///
     /// ```
     /// use frictiongen::study::map::MapRequest;

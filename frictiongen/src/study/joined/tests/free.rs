@@ -148,12 +148,12 @@ fn a_path_has_the_corners() {
         assert!((cut - exact).abs() > 1e-4 * exact, "{name}: {cut} {exact}");
     }
     for (sample, pair) in path.contacts.windows(2).enumerate() {
-        for index in 0..2 {
+        for (index, (before, after)) in pair[0].iter().zip(&pair[1]).enumerate() {
             let events = path.events.iter().filter(|event| event.contact == index);
             let mut between = events.filter(|event| {
                 path.taus[sample] <= event.tau && event.tau <= path.taus[sample + 1]
             });
-            let changes = pair[0][index].is_sticking != pair[1][index].is_sticking;
+            let changes = before.is_sticking != after.is_sticking;
             assert!(!changes || between.next().is_some(), "sample {sample}");
         }
     }
