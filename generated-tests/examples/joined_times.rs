@@ -3,8 +3,9 @@
 //! * `joined_times growth [RUNS]` prints a table of times for several numbers of masses and of contacts, and how the
 //!   time grows with each of these numbers. All masses and springs are equal, and the first storeys have elastic
 //!   contacts.
-//! * `joined_times curve FILE FROM TO COUNT BETA [RUNS]` prints the time of a curve of steady states from rest, and the
-//!   displacement of the last mass at a maximum of the load, at every frequency.
+//! * `joined_times curve FILE FROM TO COUNT BETA [RUNS]` prints the time of a curve of steady states from rest. For each
+//!   frequency it prints the displacement of the last mass at a maximum of the load, and the amplitude of this mass
+//!   about its mean place.
 
 use frictiongen::System;
 use std::hint::black_box;
@@ -117,13 +118,16 @@ fn curve(arguments: &[String]) {
         let joined = system.joined().expect("answers");
         let last = |index| {
             let at = joined.at(place(index)).expect("a frequency");
-            at.orbit(beta).ok()?.state().0.last().copied()
+            let orbit = at.orbit(beta).ok()?;
+            let place = orbit.state().0.last().copied()?;
+            Some((place, orbit.centred_amplitudes().last().copied()?))
         };
-        (0..count).map(last).collect::<Vec<Option<f64>>>()
+        (0..count).map(last).collect::<Vec<Option<(f64, f64)>>>()
     });
     println!("{time:.3} {}", found.iter().flatten().count());
-    for x in found {
-        println!("{}", x.map_or("none".to_owned(), |x| format!("{x:?}")));
+    for found in found {
+        let numbers = found.map(|(place, amplitude)| format!("{place:?} {amplitude:?}"));
+        println!("{}", numbers.unwrap_or("none none".to_owned()));
     }
 }
 

@@ -10,7 +10,7 @@ use super::tangent::{Both, Span, Tangent};
 use crate::Float;
 use crate::errors::Halt;
 
-/// The end of a shot.
+/// Result of a shot: the motion at its end, and the derivatives.
 pub(super) struct Shot<S: Float, Z: Size> {
     pub(super) end: Motion<S, Z>,
     /// One value for each contact, which is true if the contact slides during the shot.

@@ -15,17 +15,17 @@ use super::state::{STUCK, State};
 use super::unknowns::Unknowns;
 use crate::Float;
 
-/// Time of a shot.
+/// Duration of a shot (a motion that the shooting method follows).
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Span {
-    /// Half a cycle of the load. The shot ends with the opposite of the state at this time, so that a motion that repeats
-    /// with the opposite sign after half a cycle ends where it starts.
+    /// The shot lasts half a cycle of the load. The state at its end is multiplied by −1. A motion that repeats with
+    /// the opposite sign after half a cycle therefore ends in its initial state.
     Half,
-    /// A number of cycles of the load.
+    /// The shot lasts the given number of cycles of the load.
     Cycles(usize),
 }
 
-/// Observer that propagates one deviation for each unknown of a steady state.
+/// Observer of a motion that advances one small deviation for each unknown of a steady state.
 pub(super) struct Tangent<'m, S: Float, Z: Size> {
     model: &'m Model<S, Z>,
     /// Deviations from the motion, with one column for each unknown. The rows are the displacements of the masses, the
@@ -239,7 +239,7 @@ fn parts<S>(matrix: &[S], size: usize) -> Option<(&[S], &[S], &[S])> {
     Some((xs, vs, fs))
 }
 
-/// Adds a multiple of a row to a row of a matrix, which begins at the given index.
+/// Adds a row times `factor` to the row of a matrix that begins at the index `start`.
 fn add_rows<S: Float>(matrix: &mut [S], start: usize, (row, factor): (&[S], S)) {
     let entries = matrix.get_mut(start..).unwrap_or_default();
     for (entry, value) in entries.iter_mut().zip(row) {
