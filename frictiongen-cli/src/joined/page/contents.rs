@@ -193,7 +193,10 @@ pub(super) fn contents(
     figures.push(("map", draw::steady_figure(&map, shown, &map_rows)?));
     let loops = loops(&base, &curves)?;
     if let Some(loops) = &loops {
-        figures.push(("loops", loops_figure(&base, loops)?));
+        figures.push((
+            "loops",
+            loops_figure(&base, (loops.frequency, &loops.orbit))?,
+        ));
     }
     write(&Contents {
         question: &base,

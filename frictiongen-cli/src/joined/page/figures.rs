@@ -1,9 +1,10 @@
 //! Figures of the page that no other command draws.
 
-use super::contents::Loops;
 use crate::failure::Failure;
 use crate::joined::{Question, draw};
 use crate::picture;
+use frictiongen::study::columns::Frequency;
+use frictiongen::study::joined::JoinedOrbit;
 use frictiongen_plot::{Axis, Colour, Figure, Label, Line, Panel, Stroke};
 
 /// Draws the two closed forms: amplitudes without friction, and with all contacts stuck.
@@ -61,9 +62,12 @@ pub(super) fn closed(question: &Question<'_>) -> Result<Figure, Failure> {
 }
 
 /// Draws one period of a steady state, with the loops of all contacts.
-pub(super) fn loops_figure(question: &Question<'_>, loops: &Loops<'_>) -> Result<Figure, Failure> {
-    let cycles = u32::try_from(loops.orbit.period()).unwrap_or(u32::MAX);
-    let mut run = loops.orbit.simulation().map_err(Failure::new)?;
+pub(super) fn loops_figure(
+    question: &Question<'_>,
+    (frequency, orbit): (Frequency, &JoinedOrbit<'_>),
+) -> Result<Figure, Failure> {
+    let cycles = u32::try_from(orbit.period()).unwrap_or(u32::MAX);
+    let mut run = orbit.simulation().map_err(Failure::new)?;
     let path = run.path(0, cycles, 200).map_err(Failure::new)?;
-    Ok(draw::motion_figure(question, (&path, loops.frequency), ""))
+    Ok(draw::motion_figure(question, (&path, frequency), ""))
 }
