@@ -60,6 +60,7 @@ pub trait Steps {
 
 /// The input of a stepper at one instant, in the scene's units: base motion, forces and friction force.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct StepLoad<'l, S> {
     /// Displacement and velocity of the base at this instant. Both are 0 for a base that does not move.
     pub base: [S; 2],

@@ -1,6 +1,6 @@
 //! Computes the motion under any load over time: from rest, from a given state, or from the end of an earlier run.
 
-use crate::asked::{MovingPart, check_size, numbers};
+use crate::asked::{MovingPart, check_size, numbers, whole};
 use crate::columns::NamedArrays;
 use crate::errors::{domain, wrong_type};
 use crate::system::NativeSystem;
@@ -67,6 +67,16 @@ pub struct Course {
     pub start: RunStart,
     /// Ratio μ of static to kinetic friction. `None` means the ratio in the scene description.
     pub stiction: Option<f64>,
+    /// Number of events that the stepper follows in a step; 0 means that there is no budget. `None` means the budget of
+    /// the run that this run continues, and no budget otherwise.
+    pub budget: Option<u8>,
+}
+
+/// Reads an event budget.
+pub fn event_budget(given: &Bound<'_, PyAny>) -> PyResult<u8> {
+    let events = whole("budget", given, 0..=u8::MAX.into())?;
+    // `whole` has checked the range.
+    Ok(u8::try_from(events).unwrap_or(u8::MAX))
 }
 
 /// Returns a stepper in the initial state of a run. The flag is true if the first sample is at the end of the first
@@ -115,6 +125,9 @@ fn ready<'s>(
                 "stiction is {mu:?}: static over kinetic friction must be 1 or above, and finite"
             ))
         })?;
+    }
+    if let Some(events) = course.budget {
+        stepper.set_event_budget(events);
     }
     Ok((stepper, goes_on))
 }

@@ -2,7 +2,7 @@
 
 use crate::asked::{Optional, numbers, one, parts};
 use crate::errors::domain;
-use crate::follow::{Course, RunStart, follow};
+use crate::follow::{Course, RunStart, event_budget, follow};
 use crate::system::NativeSystem;
 use frictiongen::study::SystemInput;
 use frictiongen::study::scene::Excitation;
@@ -13,8 +13,8 @@ use pyo3::types::PyDict;
 /// The Python arguments `force`, `base` and `base_velocity`. Each contains one number for each sample.
 type Acting<'py> = (Optional<'py>, Optional<'py>, Optional<'py>);
 
-/// The initial state, and the ratio μ of static to kinetic friction.
-pub type Beginning<'py> = (Optional<'py>, Optional<'py>);
+/// The initial state, the ratio μ of static to kinetic friction, and the event budget.
+pub type Beginning<'py> = (Optional<'py>, Optional<'py>, Optional<'py>);
 
 /// A load over time, with one number for each sample.
 struct LoadRecord {
@@ -140,7 +140,7 @@ pub fn step<'py>(
     beginning: Beginning<'py>,
 ) -> PyResult<Bound<'py, PyDict>> {
     let (friction, on) = friction;
-    let (start, stiction) = beginning;
+    let (start, stiction, budget) = beginning;
     let of_system = &system.get().system;
     let dt = one("dt", &dt)?;
     let recording = LoadRecord::of(of_system, &acting, &friction, on.as_ref())?;
@@ -150,6 +150,7 @@ pub fn step<'py>(
         parts: parts(of_system, "of", of.as_ref())?,
         start: RunStart::of(start.as_ref())?,
         stiction: stiction.map(|mu| one("stiction", &mu)).transpose()?,
+        budget: budget.map(|events| event_budget(&events)).transpose()?,
     };
     follow(system, course, &|index| recording.at(index))
 }

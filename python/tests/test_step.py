@@ -138,6 +138,35 @@ def test_another_stiction_holds_longer(block):
     assert force[300:][np.argmax(later["contact"].state != "stuck")] == pytest.approx(6.0, abs=0.011)
 
 
+def test_an_event_budget(block):
+    """Checks that a budget changes nothing while it is not exceeded, and that no energy appears where it is."""
+    t = 0.2 * np.arange(400)
+    force = 10 * np.cos(1.7 * t) + 6 * np.cos(2.9 * t)
+    free = block.step(0.2, force=force, friction=2.0)
+    assert free.events.max() == 2 and free.exceeded == 0
+    enough = block.step(0.2, force=force, friction=2.0, budget=int(free.events.max()))
+    np.testing.assert_array_equal(enough["block"].displacement_m, free["block"].displacement_m)
+    tight = block.step(0.2, force=force, friction=2.0, budget=1)
+    first = np.argmax(free.events > 1)
+    np.testing.assert_array_equal(tight["block"].displacement_m[:first], free["block"].displacement_m[:first])
+    assert 0 < tight.exceeded < 20
+    # The stepper follows one event and stops its search at the second.
+    assert tight.events.max() <= 2
+    work = tight.work
+    assert work.friction >= 0 and work.load == pytest.approx(work.friction + work.damping + work.stored, rel=1e-9)
+    # A continued run keeps its budget, and another value replaces it.
+    parts = [block.step(0.2, force=force[:200], friction=2.0, budget=1)]
+    parts.append(block.step(0.2, force=force[200:], friction=2.0, start=parts[0]))
+    assert parts[1]["block"].displacement_m[-1] == tight["block"].displacement_m[-1]
+    assert parts[1].exceeded == tight.exceeded
+    recording = Recording({"force": (force, "N")}, rate=5, drives=True)
+    driven = block.drive(recording, friction=2.0, budget=1)
+    np.testing.assert_array_equal(driven["block"].displacement_m, tight["block"].displacement_m)
+    for budget, wrong in [(-1, DomainError), (256, DomainError), (1.5, TypeError), (True, TypeError)]:
+        with pytest.raises(wrong, match="budget"):
+            block.step(0.2, force=force, friction=2.0, budget=budget)
+
+
 def test_a_recording_drives_as_steps_do(frame, block, command, tmp_path):
     t = np.arange(1000) / 500
     force = 10 * np.cos(7 * t)

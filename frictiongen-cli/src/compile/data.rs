@@ -21,10 +21,43 @@ pub(super) fn written<S: frictiongen::scalar::Float>(source: &Source<'_, S>) -> 
         "notice": NOTICE,
         "scene_hash": scene_hash(scene),
     });
-    let tables = of(scene, tables).to_string();
+    let data = [of(scene, tables), units::<S>(scene), known(source)];
+    let [tables, units, known] = data.map(|value| shortened::<S>(value).to_string());
     let tables = tables.strip_prefix('{').unwrap_or(&tables);
-    let [units, known] = [units::<S>(scene), known(source)].map(|value| value.to_string());
     format!("{{\"generated\":{generated},\"units\":{units},\"known_answers\":{known},{tables}")
+}
+
+/// Shortens the numbers of tables in `f32`: each has only the digits that a reader needs to get the same `f32`.
+fn shortened<S: frictiongen::scalar::Float>(value: Value) -> Value {
+    if S::EPSILON <= f64::EPSILON {
+        return value;
+    }
+    match value {
+        Value::Number(number) if number.is_f64() => {
+            let short = number.as_f64().and_then(shortest);
+            short.map_or(Value::Number(number), Value::from)
+        }
+        Value::Array(values) => values.into_iter().map(shortened::<S>).collect(),
+        Value::Object(fields) => {
+            let fields = fields.into_iter();
+            let fields = fields.map(|(name, value)| (name, shortened::<S>(value)));
+            Value::Object(fields.collect())
+        }
+        other => other,
+    }
+}
+
+/// Returns the `f64` with the fewest digits that rounds to the same `f32`. Returns `None` for a number that is no `f32`.
+fn shortest(value: f64) -> Option<f64> {
+    #[allow(clippy::cast_possible_truncation, reason = "the next line compares")]
+    let single = value as f32;
+    if f64::from(single) != value {
+        return None;
+    }
+    let short: f64 = format!("{single:?}").parse().ok()?;
+    #[allow(clippy::cast_possible_truncation, reason = "a reader does the same")]
+    let read = short as f32;
+    (read == single).then_some(short)
 }
 
 /// Converts the constants that relate non-dimensional ratios to physical units to JSON.

@@ -239,7 +239,7 @@ fn write<S: frictiongen::scalar::Float>(
 /// Returns a sentence about the accuracy of the tables between the points at which they were checked.
 fn told<S: frictiongen::scalar::Float>(tables: &Tables<S>, proof: &Proof, proves: bool) -> String {
     if proves || proof.evidence != Evidence::Checked {
-        return proof.told();
+        return proof.told_in::<S>();
     }
     let points = tables.report.points;
     let remedy = if FINEST_PROVEN <= tables.request.accuracy {
@@ -264,7 +264,7 @@ fn figures<S: frictiongen::scalar::Float>(
             let (plain, divisions, roots) = product.operations();
             format!(
                 "{}  {plain} additions and multiplications, {divisions} divisions, {roots} roots",
-                tables.sliding_proof.told()
+                tables.sliding_proof.told_in::<S>()
             )
         }
         None => "by the exact formulas".to_owned(),

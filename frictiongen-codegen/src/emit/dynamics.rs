@@ -135,6 +135,9 @@ fn modes(emission: &Emission<'_>, transient: &Transient<f64>) -> TokenStream {
     }
 }
 
+/// Explains the field `inverse` of a held mode (derivation, section 7).
+const INVERSE: &str = "[m₁₁, m₁₂, m₂₂] = [B(h, h), −B(g, h), B(g, g)]/(B(g, g)B(h, h) − B(g, h)²), with y = m₁₁B(η, g) + m₁₂B(η, h) and u = m₁₂B(η, g) + m₂₂B(η, h): η is the motion of the chain's modes minus the static motion that the stuck contact causes, g and h are the `participations` of y and u, B(a, b) = Σ 2ζσab + a′b + ab′ over the chain's modes with σ = `resonance`, g′ = −Ωh and h′ = Ω(g − 2ζh) with Ω = `frequency` and ζ of this mode";
+
 fn held(emission: &Emission<'_>, mode: &HeldMode<f64>, first: bool) -> TokenStream {
     let kind = kind(mode.kind);
     let of = |value| emission.literal(value);
@@ -161,11 +164,7 @@ fn held(emission: &Emission<'_>, mode: &HeldMode<f64>, first: bool) -> TokenStre
                 force,
                 "contact force, with its damping force, divided by −y",
             ),
-            (
-                "inverse",
-                inverse,
-                "symmetric matrix [m₁₁, m₁₂, m₂₂]: times the products of the chain's motion with the `participations` of y and u it gives y and u",
-            ),
+            ("inverse", inverse, INVERSE),
         ],
     );
     code!(HeldMode { #fields })

@@ -152,6 +152,9 @@ fn table<const D: usize>(
         /// Three shears advance y and u: y gains a·u, then u gains −b·y − c·u and a drive, then y gains a′·u and a drive.  `turn`
         /// or the first of `turns` has the state weights [−b, −c], the first of `moments` has [a, a′].
         ///
+        /// Two kinds of numbers are 0 in every scene: the first weight for a drive of u in the first of `moments`, because a constant
+        /// drive moves y only through u, and `from_base` of a contact that does not rub on the moving base.
+        ///
         /// Computed in double-double and rounded once: each number is exact to half a unit of its last place.  Weights below
         /// 1e-26 of the largest in their row are 0.
         #[doc = #checksum]

@@ -180,7 +180,7 @@ fn contact<S: Float>(emission: &Emission<'_>, tables: &Tables<S>) -> TokenStream
     let about = format!(
         " To {accuracy:e} up to β = {MOST_SHARE}·β_lim, relative in the amplitude and in rad in the phase; nearer to β_lim the error grows at most as 1/(1 − (β/β_lim)²)."
     );
-    let proof = format!(" {}", tables.motion_proof.told());
+    let proof = format!(" {}", tables.motion_proof.told_in::<S>());
     code! {
         impl TabledMotion for #name {
             type Moving = #motion;
@@ -274,7 +274,8 @@ fn about<S: Float>(tables: &Tables<S>) -> Vec<String> {
         ),
         format!(
             " Largest error {:.1e}, at r = {}: checked at {points} points that the fit did not see.",
-            worst.error, worst.at
+            worst.error,
+            worst.place::<S>()
         ),
     ]
 }
@@ -304,7 +305,7 @@ fn limit_about<S: Float>(tables: &Tables<S>) -> Vec<String> {
     vec![
         " β_lim (5.65, 5.80, 5.96, 7.49) from the table.  Its error is relative.".to_owned(),
         String::new(),
-        format!(" {}{remedy}{made}", tables.proof.told()),
+        format!(" {}{remedy}{made}", tables.proof.told_in::<S>()),
         String::new(),
         format!(
             " Operations: at every r a lookup of {}, {} additions and multiplications.",
@@ -327,7 +328,7 @@ fn sliding_about<S: Float>(tables: &Tables<S>) -> Vec<String> {
         Some(product) => {
             let (plain, divisions, roots) = product.operations();
             about.push(String::new());
-            about.push(format!(" {}", tables.sliding_proof.told()));
+            about.push(format!(" {}", tables.sliding_proof.told_in::<S>()));
             about.push(String::new());
             about.push(format!(
                 " Operations: {plain} additions and multiplications, {}, {}.",

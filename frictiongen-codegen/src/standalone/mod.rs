@@ -148,12 +148,17 @@ fn about<S: Float>(source: &Source<'_, S>) -> Vec<String> {
         ),
         format!(
             "Largest error {:.1e}, at r = {}: checked at {} points that the fit did not see.",
-            report.worst.error, report.worst.at, report.points,
+            report.worst.error,
+            report.worst.place::<S>(),
+            report.points,
         ),
         format!("`beta_lim`: {}", told(tables, &tables.proof)),
     ];
     if tables.sliding.is_some() {
-        about.push(format!("`beta*_lim`: {}", tables.sliding_proof.told()));
+        about.push(format!(
+            "`beta*_lim`: {}",
+            tables.sliding_proof.told_in::<S>()
+        ));
     }
     if tables.moves() {
         about.push(format!(
@@ -184,9 +189,9 @@ fn about<S: Float>(source: &Source<'_, S>) -> Vec<String> {
 
 /// Returns a sentence about the accuracy of the tables between the checked points. A command without `--prove` tries no
 /// proof. The sentence then names the commands that try one, because the macro may have proven the same numbers.
-fn told<S>(tables: &Tables<S>, proof: &Proof) -> String {
+fn told<S: Float>(tables: &Tables<S>, proof: &Proof) -> String {
     if proof.evidence != Evidence::Checked || proof.work != ProofWork(0) {
-        return proof.told();
+        return proof.told_in::<S>();
     }
     let remedy = if FINEST_PROVEN <= tables.request.accuracy {
         "  The macro and `frictiongen compile --prove` try to prove the same numbers."

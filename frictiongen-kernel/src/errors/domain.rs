@@ -10,6 +10,7 @@ use core::fmt;
 /// A variant with a [`Given`] names one argument. The [`Given`] says what kind of number the caller gave.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 #[non_exhaustive]
 pub enum OutOfDomain {
     /// The frequency ratio r of a steady response is outside its domain.
@@ -81,6 +82,7 @@ pub enum OutOfDomain {
 /// Kind of the number (NaN, negative, zero, positive or infinite) that the caller gave for an argument.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub enum Given {
     /// The caller gave NaN (not a number).
     NotANumber,
@@ -97,6 +99,7 @@ pub enum Given {
 /// One of the two ratios of an operating point.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub enum Ratio {
     /// The frequency ratio r.
     Frequency,
@@ -107,6 +110,7 @@ pub enum Ratio {
 /// A slice of a wrong length, which the caller passed for results or as working storage.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub enum Slice {
     /// The slice for the limits of continuous motion β_lim, one for each frequency ratio.
     Continuous,
@@ -125,6 +129,7 @@ pub enum Slice {
 /// A request that the scene does not support.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 #[non_exhaustive]
 pub enum Unsupported {
     /// The method computes no motion in time for a scene with many modes near critical damping. In this number type,

@@ -5,6 +5,7 @@ use core::fmt;
 /// Reason why a solver of scenes with several contacts does not continue a motion.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub enum Halt {
     /// The caller gave a friction force that the contact cannot have. It is negative or not finite, or it changes with
     /// time at an elastic contact.

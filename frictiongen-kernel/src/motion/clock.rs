@@ -6,6 +6,7 @@ use crate::number::scalar::Float;
 
 /// A sum of many numbers whose rounding errors do not accumulate (compensated summation).
 #[derive(Clone, Copy, Debug)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Total<S> {
     /// Value of the sum, rounded to the precision of the number type.
     pub value: S,

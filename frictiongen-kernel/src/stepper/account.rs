@@ -11,6 +11,7 @@ use crate::number::scalar::Float;
 /// unit of these numbers is the scene's unit of force times its unit of length.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Work<S> {
     /// Work that the forces on the masses and the moving base have done on the chain since the start.
     pub load: S,

@@ -47,6 +47,7 @@ pub struct Extent {
 /// size, an operation takes at most [`Cost::INSTRUCTIONS`] instructions. A sub-interval takes at most [`Cost::FIXED`]
 /// additional instructions. `scripts/firmware` checks these bounds.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Cost {
     /// Cost of a step without a search for events, in floating-point operations.
     pub tables: u64,

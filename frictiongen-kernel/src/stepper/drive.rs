@@ -8,6 +8,7 @@ use crate::number::scalar::Float;
 
 /// Input of a stepper at one instant, in the units of the scene.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Sample<'i, S> {
     /// Displacement and velocity of the base. A scene whose base is at rest ignores them.
     pub base: [S; 2],

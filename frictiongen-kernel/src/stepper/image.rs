@@ -19,7 +19,7 @@ use super::state::{FixedStore, Status, Store};
 use super::table::StepTables;
 use super::types::Stepper;
 use crate::errors::OutOfDomain;
-use crate::motion::{Contact, Total};
+use crate::motion::Contact;
 use crate::number::scalar::Float;
 
 /// First bytes of every image (saved state of a stepper).
@@ -34,7 +34,7 @@ const COUNTS: usize = 24;
 /// Number of bytes of the checksum at the end of an image.
 const CHECKSUM: usize = 4;
 /// Number of scalars in an image before those of the modes. They are the time step dt and the numbers of the status.
-const SCALARS: usize = 14;
+const SCALARS: usize = 1 + super::state::SCALARS;
 
 /// Returns the length of an image (saved state of a stepper) in bytes. `scalar` is the size of a scalar in bytes.
 #[doc(hidden)]
@@ -154,27 +154,6 @@ impl Writer<'_> {
 }
 
 impl<S: Float> Status<S> {
-    /// Returns the scalars of the stepper's status, in the order in which an image contains them.
-    fn scalars(&self) -> [S; SCALARS - 1] {
-        let [base, velocity] = self.base;
-        let ([load, load_low], [lost, lost_low]) = (self.load.parts(), self.dissipated.parts());
-        [
-            self.stuck_at,
-            base,
-            velocity,
-            self.level,
-            self.stiction,
-            self.contact_force,
-            load,
-            load_low,
-            lost,
-            lost_low,
-            self.energy,
-            self.pull,
-            self.given,
-        ]
-    }
-
     /// Reads the status of a stepper from an image. Returns `None` if no stepper can have written the contents.
     fn read(reader: &mut Reader<'_>, lines: usize) -> Option<Self> {
         let (steps, exceeded) = (reader.long(), reader.long());
@@ -192,41 +171,15 @@ impl<S: Float> Status<S> {
             _ => return None,
         };
         let _: S = reader.scalar();
-        let [
-            stuck_at,
-            base,
-            velocity,
-            level,
-            stiction,
-            contact_force,
-            load,
-            load_low,
-            lost,
-            lost_low,
-            energy,
-            pull,
-            given,
-        ] = reader.scalars();
         Some(Self {
             contact,
             unknown: unknown == 1,
             wedged: wedged == 1,
-            grazed: false,
             budget,
-            spent: 0,
-            stuck_at,
             line,
-            base: [base, velocity],
-            level,
-            stiction,
             steps,
             exceeded,
-            contact_force,
-            load: Total::of_parts([load, load_low]),
-            dissipated: Total::of_parts([lost, lost_low]),
-            energy,
-            pull,
-            given,
+            ..Self::of_scalars(reader.scalars())
         })
     }
 }

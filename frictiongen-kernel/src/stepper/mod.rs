@@ -41,6 +41,8 @@ mod stuck_force;
 mod table;
 mod turned;
 mod types;
+#[cfg(feature = "serde")]
+mod written;
 
 pub use account::Work;
 pub use cost::{Cost, Extent};

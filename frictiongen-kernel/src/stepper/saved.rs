@@ -9,12 +9,15 @@ use crate::errors::OutOfDomain;
 use crate::number::scalar::Float;
 
 /// Saved state of a stepper without its tables. [`Stepper::save`](super::Stepper::save) returns it.
+///
+/// With the feature `serde`, serde can write and read a saved state. Reading fails for a state of another version.
 #[derive(Clone, Copy, Debug)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Saved<S, V> {
     pub(super) status: Status<S>,
     pub(super) store: V,
     /// Hash of the scene and of the time step. `Stepper::mark` computes it.
-    mark: u64,
+    pub(super) mark: u64,
 }
 
 impl<S: Float, const D: usize, T: StepTables<S, D>, V: Store<S, D>, K: StepContact<S>>
@@ -46,7 +49,8 @@ impl<S: Float, const D: usize, T: StepTables<S, D>, V: Store<S, D>, K: StepConta
             let store = store.read();
             (store.modes.len(), store.held.len(), store.last.len())
         };
-        if size(&self.store) != size(&saved.store) || self.mark() != saved.mark {
+        let other = size(&self.store) != size(&saved.store) || self.mark() != saved.mark;
+        if other || self.scene.law.len() < saved.status.line {
             return Err(OutOfDomain::Saved);
         }
         self.status = saved.status;

@@ -57,6 +57,7 @@ pub trait Store<S, const D: usize> {
 
 /// All numbers of a stepper, stored in arrays.
 #[derive(Clone, Copy, Debug)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct FixedStore<S, const D: usize, const MODES: usize, const HELD: usize, const INPUTS: usize>
 {
     modes: [[S; 2]; MODES],
@@ -119,8 +120,12 @@ impl<S: Float, const D: usize, const MODES: usize, const HELD: usize, const INPU
     }
 }
 
+/// Number of scalars of a [`Status`].
+pub(super) const SCALARS: usize = 13;
+
 /// State of a stepper, except for the states of its oscillators.
 #[derive(Clone, Copy, Debug)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Status<S> {
     /// State of the contact: stuck, or its direction of sliding.
     pub contact: Contact,
@@ -193,6 +198,58 @@ impl<S: Float> Status<S> {
             energy: zero,
             pull: zero,
             given: zero,
+        }
+    }
+
+    /// Returns the scalars of the status in the order of an image.
+    pub(super) fn scalars(&self) -> [S; SCALARS] {
+        let [base, velocity] = self.base;
+        let ([load, load_low], [lost, lost_low]) = (self.load.parts(), self.dissipated.parts());
+        [
+            self.stuck_at,
+            base,
+            velocity,
+            self.level,
+            self.stiction,
+            self.contact_force,
+            load,
+            load_low,
+            lost,
+            lost_low,
+            self.energy,
+            self.pull,
+            self.given,
+        ]
+    }
+
+    /// Returns a status with the scalars in the order of an image. The other fields are those of a stepper at rest.
+    pub(super) fn of_scalars(scalars: [S; SCALARS]) -> Self {
+        let [
+            stuck_at,
+            base,
+            velocity,
+            level,
+            stiction,
+            contact_force,
+            load,
+            load_low,
+            lost,
+            lost_low,
+            energy,
+            pull,
+            given,
+        ] = scalars;
+        Self {
+            stuck_at,
+            base: [base, velocity],
+            level,
+            contact_force,
+            load: Total::of_parts([load, load_low]),
+            dissipated: Total::of_parts([lost, lost_low]),
+            energy,
+            pull,
+            given,
+            ..Self::new(S::constant(0.0), stiction)
         }
     }
 }

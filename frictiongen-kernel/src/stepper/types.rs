@@ -79,6 +79,7 @@ where
 /// Result of one step of a stepper.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Stepped<S> {
     /// State of the contact at the end of the step: stuck, or its direction of sliding.
     pub contact: Contact,
@@ -94,6 +95,7 @@ pub struct Stepped<S> {
 /// Displacement and velocity of a mass at the end of the last step.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct MassNow<S> {
     pub(super) displacement: S,
     pub(super) velocity: S,
@@ -102,6 +104,7 @@ pub struct MassNow<S> {
 /// Displacement, velocity and friction force of the contact at the end of the last step.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct ContactNow<S> {
     pub(super) motion: MassNow<S>,
     pub(super) contact: Contact,

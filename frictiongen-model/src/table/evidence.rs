@@ -1,6 +1,7 @@
 //! Evidence for the accuracy of a table, and sentences that report it.
 
-use super::worst::Worst;
+use super::worst::{Worst, shown};
+use frictiongen_kernel::Float;
 
 /// The evidence for the accuracy of a table: proven, partly proven or checked.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -82,19 +83,26 @@ impl Proof {
         places.max_by(|a, b| (a.1 - a.0).total_cmp(&(b.1 - b.0)))
     }
 
-    /// Returns the result of the proof in one or two sentences.
+    /// Returns the result of the proof in one or two sentences. Each r has the digits of `f64`.
     #[must_use]
     pub fn told(&self) -> String {
+        self.told_in::<f64>()
+    }
+
+    /// Returns the result of the proof in one or two sentences. Each r has as few digits as the scalar type S of the tables needs.
+    #[must_use]
+    pub fn told_in<S: Float>(&self) -> String {
         let bound = format!(
             "at most {:.2e} off, the bound being largest at r = {}",
-            self.bound.error, self.bound.at
+            self.bound.error,
+            self.bound.place::<S>()
         );
         match (self.evidence, self.widest()) {
             (Evidence::Proven, _) => format!("Proven at every r: {bound}."),
             (Evidence::Partly, Some((from, to))) if from == to => {
                 let count = self.open.len();
                 let but = if count == 1 {
-                    format!("r = {from}, which")
+                    format!("r = {}, which", shown::<S>(from))
                 } else {
                     format!("{count} numbers each of which")
                 };
@@ -110,6 +118,7 @@ impl Proof {
                 } else {
                     format!("{count} ")
                 };
+                let (from, to) = (shown::<S>(from), shown::<S>(to));
                 format!(
                     "Proven: {bound}.  Only checked in {count}{places} of {length:.1e} in all, the widest from r = {from} to {to}."
                 )

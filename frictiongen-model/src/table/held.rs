@@ -162,7 +162,9 @@ impl<S: Float> Held<S> {
     pub fn told(&self) -> String {
         format!(
             "Checked at {} points, not proven: largest error {:.1e} of the modulus, at r = {}.",
-            self.points, self.worst.error, self.worst.at
+            self.points,
+            self.worst.error,
+            self.worst.place::<S>()
         )
     }
 

@@ -73,12 +73,57 @@ where
 /// State of a stepper, in vectors: displacement and velocity of each mode of the sliding chain and of the stuck chain.
 #[doc(hidden)]
 #[derive(Clone, Debug)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[cfg_attr(
+    feature = "serde",
+    serde(
+        try_from = "StoreForm<S>",
+        bound(deserialize = "S: Float + serde::Deserialize<'de>")
+    )
+)]
 pub struct SystemStepStore<S> {
     modes: Vec<[S; 2]>,
     held: Vec<[S; 2]>,
+    #[cfg_attr(feature = "serde", serde(skip_serializing))]
     scratch: Vec<[S; 2]>,
+    #[cfg_attr(feature = "serde", serde(skip_serializing))]
     drive: Vec<[S; COEFFICIENTS]>,
     last: Vec<S>,
+}
+
+/// The written form of the state's vectors.
+#[cfg(feature = "serde")]
+#[derive(serde::Deserialize)]
+#[serde(deny_unknown_fields)]
+struct StoreForm<S> {
+    modes: Vec<[S; 2]>,
+    held: Vec<[S; 2]>,
+    last: Vec<S>,
+}
+
+#[cfg(feature = "serde")]
+impl<S: Float> TryFrom<StoreForm<S>> for SystemStepStore<S> {
+    type Error = &'static str;
+
+    fn try_from(form: StoreForm<S>) -> Result<Self, Self::Error> {
+        let oscillators = form.modes.iter().chain(&form.held).flatten();
+        if !oscillators
+            .chain(&form.last)
+            .all(|number| number.is_finite())
+        {
+            return Err(
+                "a number of the saved state is not finite, so that no stepper has written it; continue from a state that a stepper has written",
+            );
+        }
+        let zero = S::constant(0.0);
+        Ok(Self {
+            scratch: vec![[zero; 2]; form.modes.len()],
+            drive: vec![[zero; COEFFICIENTS]; form.last.len()],
+            modes: form.modes,
+            held: form.held,
+            last: form.last,
+        })
+    }
 }
 
 impl<S: Float> SystemStepStore<S> {
@@ -145,15 +190,18 @@ pub struct SystemStepper<'a, S = f64> {
 /// # let _ = input;
 /// ```
 #[derive(Clone, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[must_use = "an input acts in a step of a stepper"]
 pub struct SystemInput<'n, S = f64> {
     excitation: ExcitationLoad<S>,
+    #[cfg_attr(feature = "serde", serde(borrow))]
     more: Vec<(&'n str, S)>,
     friction: S,
 }
 
 /// The load that excites the scene: a force on a mass, or displacement and velocity of the base.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 enum ExcitationLoad<S> {
     Force(S),
     Base([S; 2]),

@@ -90,6 +90,131 @@ fn ratios_at_compile_time() {
     assert_eq!(Pair, initial());
 }
 
+/// A stepper continues from a written state with the same bits. A state of another version, another scene or another
+/// step, and a state with a changed length or number, is refused.
+#[cfg(feature = "serde")]
+#[test]
+fn states_of_steppers_are_written_and_read() {
+    use frictiongen::study::SystemInput;
+    use frictiongen::study::stepper::{SystemStepSaved, SystemStepper};
+    use serde_json::Value;
+    let system: System = TEXT.parse().expect("a sound scene");
+    let on_base = system.scene().excitation == frictiongen::study::scene::Excitation::Base;
+    let mut count = 0_u32;
+    let mut input = || {
+        count += 1;
+        let (sine, cosine) = (0.11 * f64::from(count)).sin_cos();
+        let input = if on_base {
+            SystemInput::base(sine, 0.11 * cosine)
+        } else {
+            SystemInput::force(sine)
+        };
+        input.friction(0.3)
+    };
+    let mut stepper = system.stepper(0.1).expect("a stepper");
+    stepper.set_event_budget(3);
+    for _ in 0..100 {
+        let input = input();
+        let text = serde_json::to_string(&input).expect("JSON");
+        let read: SystemInput<'_> = serde_json::from_str(&text).expect("an input");
+        assert_eq!(read, input);
+        stepper.advance(read).expect("a step");
+    }
+    let text = serde_json::to_string(&stepper.save()).expect("JSON");
+    let saved: SystemStepSaved = serde_json::from_str(&text).expect("a state");
+    let mut again = system.stepper(0.1).expect("a stepper");
+    again.restore(&saved).expect("the same scene");
+    assert_eq!(again.image(), stepper.image());
+    for _ in 0..100 {
+        let input = input();
+        let (one, other) = (stepper.advance(input.clone()), again.advance(input));
+        assert_eq!(one.expect("a step"), other.expect("a step"));
+    }
+    assert_eq!(again.image(), stepper.image());
+
+    let mut other = system.stepper(0.2).expect("a stepper");
+    assert_eq!(other.restore(&saved), Err(OutOfDomain::Saved));
+    let form: Value = serde_json::from_str(&text).expect("JSON");
+    let changed = |change: &dyn Fn(&mut Value)| {
+        let mut form = form.clone();
+        change(&mut form);
+        serde_json::from_value::<SystemStepSaved>(form)
+    };
+    for (change, said) in [
+        (
+            &(|form: &mut Value| form["version"] = 2.into()) as &dyn Fn(&mut Value),
+            "the saved state has version 2, but this version of frictiongen reads version 1",
+        ),
+        (&|form| form["numbers"] = 1.into(), "invalid type"),
+        (&|form| form["more"] = 1.into(), "unknown field `more`"),
+        (
+            &|form| {
+                form.as_object_mut().expect("fields").remove("store");
+            },
+            "missing field `store`",
+        ),
+    ] {
+        let error = changed(change).expect_err("a changed state").to_string();
+        assert!(error.contains(said), "{error}");
+    }
+    // The scene's hash and the number of modes are checked when a stepper restores the state.
+    let refused = |change: &dyn Fn(&mut Value)| {
+        let mut stepper: SystemStepper<'_> = system.stepper(0.1).expect("a stepper");
+        let before = stepper.image();
+        let result = stepper.restore(&changed(change).expect("a state"));
+        assert_eq!(stepper.image(), before);
+        result
+    };
+    for change in [
+        &(|form: &mut Value| form["scene"] = 1.into()) as &dyn Fn(&mut Value),
+        &|form| form["line"] = 5.into(),
+        &|form| form["store"]["last"] = Value::Array(Vec::new()),
+    ] {
+        assert_eq!(refused(change), Err(OutOfDomain::Saved));
+    }
+}
+
+/// The state of an emitted stepper is written and read as that of a system.
+#[cfg(feature = "serde")]
+#[test]
+fn states_of_emitted_steppers_are_written_and_read() {
+    frictiongen::friction_system! {
+        struct Stepped {
+            masses: { a: 1.0, b: 2.0 },
+            springs: { base - a: 3.0, a - b: 1.5 },
+            contact: b - wall,
+            excitation: a,
+            provide: [stepper],
+        }
+    }
+    let mut stepper = Stepped::stepper(0.1).expect("a stepper");
+    let input = |step: u32| SteppedInput {
+        force: (0.2 * f64::from(step)).sin(),
+        friction: 0.2,
+    };
+    for step in 0..50 {
+        stepper.advance(input(step)).expect("a step");
+    }
+    let text = serde_json::to_string(&stepper.save()).expect("JSON");
+    let mut again = Stepped::stepper(0.1).expect("a stepper");
+    let mut saved = again.save();
+    assert!(!text.contains("scratch"), "{text}");
+    fn read<'t, T: serde::Deserialize<'t>>(to: &mut T, text: &'t str) -> Result<(), String> {
+        *to = serde_json::from_str(text).map_err(|error| error.to_string())?;
+        Ok(())
+    }
+    read(&mut saved, &text).expect("a state");
+    again.restore(&saved).expect("the same scene");
+    for step in 50..100 {
+        let (one, other) = (stepper.advance(input(step)), again.advance(input(step)));
+        assert_eq!(one.expect("a step"), other.expect("a step"));
+    }
+    assert_eq!(stepper.image(), again.image());
+    let longer = text.replace("\"last\":[", "\"last\":[0.0,");
+    let error = read(&mut saved, &longer).expect_err("a longer list");
+    assert!(error.contains("a list of 1 values"), "{error}");
+}
+
 #[cfg(feature = "serde")]
 #[test]
 fn results_and_scenes_are_written_and_read() {

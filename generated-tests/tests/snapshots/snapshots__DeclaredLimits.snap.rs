@@ -406,7 +406,7 @@ const _: () = {
         }
         /// β_lim (5.65, 5.80, 5.96, 7.49) from the table.  Its error is relative.
         ///
-        /// Proven at every r: at most 9.93e-3 off, the bound being largest at r = 1.5726152692115718.  The expansion made this proof.  `frictiongen compile` makes it with `--prove`.
+        /// Proven at every r: at most 9.93e-3 off, the bound being largest at r = 1.5726153.  The expansion made this proof.  `frictiongen compile` makes it with `--prove`.
         ///
         /// Operations: at every r a lookup of 2 comparisons, 10 additions and multiplications.
         #[inline]
@@ -415,7 +415,7 @@ const _: () = {
         }
         /// β*_lim = |V|/(μ|H|) (6.11, 6.27, 6.33).  Its error is relative.
         ///
-        /// Proven at every r: at most 7.36e-7 off, the bound being largest at r = 0.7281554190437972.
+        /// Proven at every r: at most 7.36e-7 off, the bound being largest at r = 0.72815543.
         ///
         /// Operations: 12 additions and multiplications, 1 division, 1 root.
         #[inline]
@@ -432,7 +432,7 @@ const _: () = {
     impl DeclaredLimits {
         /// β_lim over r from 0.5 to 2, to 1e-2:
         /// 6 pieces of degree 3 and 8 buckets; with β*_lim 176 bytes.
-        /// Largest error 8.9e-3, at r = 0.5671188235282898: checked at 717 points that the fit did not see.
+        /// Largest error 8.9e-3, at r = 0.5671188: checked at 717 points that the fit did not see.
         /// 47 numbers; CRC-32 of their text, joined by commas: 2823d52f.
         const TABLE: Table<'static, f32, ::core::primitive::u8, 1, 4> = Table {
             /// where the first bucket begins

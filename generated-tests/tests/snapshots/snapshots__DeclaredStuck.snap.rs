@@ -416,7 +416,7 @@ const _: () = {
         }
         /// β_lim (5.65, 5.80, 5.96, 7.49) from the table.  Its error is relative.
         ///
-        /// Proven at every r: at most 9.61e-3 off, the bound being largest at r = 1.211608857948407.  The expansion made this proof.  `frictiongen compile` makes it with `--prove`.
+        /// Proven at every r: at most 9.61e-3 off, the bound being largest at r = 1.2116089.  The expansion made this proof.  `frictiongen compile` makes it with `--prove`.
         ///
         /// Operations: at every r a lookup of 2 comparisons, 10 additions and multiplications.
         #[inline]
@@ -425,7 +425,7 @@ const _: () = {
         }
         /// β*_lim = |V|/(μ|H|) (6.11, 6.27, 6.33).  Its error is relative.
         ///
-        /// Proven at every r: at most 7.64e-7 off, the bound being largest at r = 1.6766069646300692.
+        /// Proven at every r: at most 7.64e-7 off, the bound being largest at r = 1.676607.
         ///
         /// Operations: 15 additions and multiplications, 1 division, 1 root.
         #[inline]
@@ -558,7 +558,7 @@ const _: () = {
         }
         /// x̄* = V_k − H_kV/H (6.11, 6.27, 6.33) of each mass, as a product over its zeros and poles.
         ///
-        /// Checked at 219 points, not proven: largest error 2.1e-7 of the modulus, at r = 1.5501099824905396.
+        /// Checked at 219 points, not proven: largest error 2.1e-7 of the modulus, at r = 1.55011.
         ///
         /// Operations: at most 22 additions and multiplications, 2 divisions; all masses and the force hold 36 bytes.
         #[inline]
@@ -581,7 +581,7 @@ const _: () = {
     impl DeclaredStuck {
         /// β_lim over r from 0.5 to 2, to 1e-2:
         /// 8 pieces of degree 3 and 32 buckets; with β*_lim 252 bytes.
-        /// Largest error 6.9e-3, at r = 0.6490328311920166: checked at 844 points that the fit did not see.
+        /// Largest error 6.9e-3, at r = 0.64903283: checked at 844 points that the fit did not see.
         /// 83 numbers; CRC-32 of their text, joined by commas: 811c7668.
         const TABLE: Table<'static, f32, ::core::primitive::u8, 1, 4> = Table {
             /// where the first bucket begins

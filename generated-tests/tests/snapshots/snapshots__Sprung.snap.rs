@@ -466,7 +466,7 @@ const _: () = {
                     q: 0.9999594316586802,
                     /// contact force, with its damping force, divided by −y
                     force: 1.6289215511039128,
-                    /// symmetric matrix [m₁₁, m₁₂, m₂₂]: times the products of the chain's motion with the `participations` of y and u it gives y and u
+                    /// [m₁₁, m₁₂, m₂₂] = [B(h, h), −B(g, h), B(g, g)]/(B(g, g)B(h, h) − B(g, h)²), with y = m₁₁B(η, g) + m₁₂B(η, h) and u = m₁₂B(η, g) + m₂₂B(η, h): η is the motion of the chain's modes minus the static motion that the stuck contact causes, g and h are the `participations` of y and u, B(a, b) = Σ 2ζσab + a′b + ab′ over the chain's modes with σ = `resonance`, g′ = −Ωh and h′ = Ω(g − 2ζh) with Ω = `frequency` and ζ of this mode
                     inverse: [
                         0.013243220276520692,
                         0.445099339002115,
@@ -835,6 +835,9 @@ const _: () = {
         /// In a `HeldRow` the first list of `drive` belongs to a drive of y, the second to a drive of u.
         /// Three shears advance y and u: y gains a·u, then u gains −b·y − c·u and a drive, then y gains a′·u and a drive.  `turn`
         /// or the first of `turns` has the state weights [−b, −c], the first of `moments` has [a, a′].
+        ///
+        /// Two kinds of numbers are 0 in every scene: the first weight for a drive of u in the first of `moments`, because a constant
+        /// drive moves y only through u, and `from_base` of a contact that does not rub on the moving base.
         ///
         /// Computed in double-double and rounded once: each number is exact to half a unit of its last place.  Weights below
         /// 1e-26 of the largest in their row are 0.

@@ -9,7 +9,7 @@ _Frequency = tuple[Any | None, Any | None, Any | None]
 _Friction = tuple[Any | None, Any | None]
 _Load = tuple[Any | None, Any | None]
 _Columns = dict[str, Any]
-_Beginning = tuple[Any | None, Any | None]
+_Beginning = tuple[Any | None, Any | None, Any | None]
 
 __all__ = [
     "DomainError",

@@ -3,7 +3,7 @@
 use super::recording::NativeRecording;
 use crate::asked::{Optional, one, parts};
 use crate::errors::{domain, measurement};
-use crate::follow::{Course, RunStart, follow};
+use crate::follow::{Course, RunStart, event_budget, follow};
 use crate::step::Beginning;
 use crate::system::NativeSystem;
 use frictiongen::measure::Inputs;
@@ -20,7 +20,7 @@ pub fn drive<'py>(
     beginning: Beginning<'py>,
 ) -> PyResult<Bound<'py, PyDict>> {
     let py = system.py();
-    let (start, stiction) = beginning;
+    let (start, stiction, budget) = beginning;
     let of_system = &system.get().system;
     let friction = friction.map(|given| one("friction", &given)).transpose()?;
     if let Some(force) = friction
@@ -46,6 +46,7 @@ pub fn drive<'py>(
         parts,
         start: RunStart::of(start.as_ref())?,
         stiction: stiction.map(|mu| one("stiction", &mu)).transpose()?,
+        budget: budget.map(|events| event_budget(&events)).transpose()?,
     };
     follow(system, course, &|sample| inputs.at(sample))
 }

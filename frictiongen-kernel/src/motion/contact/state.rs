@@ -5,6 +5,7 @@ use crate::number::scalar::Float;
 /// State of the contact: stuck, or sliding in one direction.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub enum Contact {
     /// The contact sticks.
     Stuck,

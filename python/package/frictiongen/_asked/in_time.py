@@ -76,6 +76,7 @@ class InTime(Base):
         of: str | Iterable[str] | None = None,
         start: tuple[ArrayLike, ArrayLike] | Steps | None = None,
         stiction: float | None = None,
+        budget: int | None = None,
     ) -> Steps:
         """Computes the motion under a load that is given at evenly spaced instants.
 
@@ -89,6 +90,9 @@ class InTime(Base):
             The default is rest.  After an earlier call, the motion continues from the last sample of that call, and the
             first new sample is one `dt` later.
         :param stiction: ratio of static to kinetic friction.  The default is the ratio in the description.
+        :param budget: event budget, the number of events that the stepper follows in a step.  A step with more events
+            ends by a rule that creates no energy, and `exceeded` counts it.  0 means no budget.  The default is the
+            budget of `start`, or else no budget.
 
         Between samples a force is linear in time.  It is constant over a step if the description has
         `provide: [stepper], input: hold`.
@@ -110,7 +114,7 @@ class InTime(Base):
         forces = None if on is None else dict(on)
         return Steps(
             _native.step(
-                self._native, dt, (force, base, base_velocity), (friction, forces), names(of), (_start(start), stiction)
+                self._native, dt, (force, base, base_velocity), (friction, forces), names(of), (_start(start), stiction, budget)
             )
         )
 
@@ -122,6 +126,7 @@ class InTime(Base):
         of: str | Iterable[str] | None = None,
         start: tuple[ArrayLike, ArrayLike] | Steps | None = None,
         stiction: float | None = None,
+        budget: int | None = None,
     ) -> Steps:
         """Computes the motion under a recorded input.
 
@@ -131,6 +136,7 @@ class InTime(Base):
         :param recording: recording of the inputs.  `Recording(..., drives=True)` also takes a single or a constant
             channel.
         :param friction: kinetic friction force, N.  The default is the channel `friction`.
+        :param budget: event budget, as for `step`.
 
         >>> import frictiongen, numpy
         >>> frame = frictiongen.System(frictiongen.FRAME)
@@ -142,7 +148,7 @@ class InTime(Base):
         if not isinstance(recording, Recording):
             raise TypeError(f"a Recording is needed, not {type(recording).__name__}")
         return Steps(
-            _native.drive(self._native, recording._native, friction, names(of), (_start(start), stiction))
+            _native.drive(self._native, recording._native, friction, names(of), (_start(start), stiction, budget))
         )
 
 

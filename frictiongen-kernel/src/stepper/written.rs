@@ -1,0 +1,202 @@
+//! Writes and reads saved states of a stepper by serde.
+//!
+//! A written state has a version, which reading checks, and the hash of the scene and of the step, which
+//! [`Stepper::restore`](super::Stepper::restore) checks.
+
+use super::saved::Saved;
+use super::state::{FixedStore, SCALARS, Status, Store};
+use crate::motion::Contact;
+use crate::number::scalar::Float;
+use core::fmt;
+use core::marker::PhantomData;
+use serde::de::{Error, SeqAccess, Visitor};
+use serde::{Deserialize, Deserializer, Serialize, Serializer};
+
+/// Version of the written form of a saved state.
+const VERSION: u8 = 1;
+
+/// The version of a written state. Reading fails for another version.
+struct Version;
+
+impl Serialize for Version {
+    fn serialize<T: Serializer>(&self, to: T) -> Result<T::Ok, T::Error> {
+        to.serialize_u8(VERSION)
+    }
+}
+
+impl<'de> Deserialize<'de> for Version {
+    fn deserialize<D: Deserializer<'de>>(from: D) -> Result<Self, D::Error> {
+        match u8::deserialize(from)? {
+            VERSION => Ok(Self),
+            other => Err(D::Error::custom(format_args!(
+                "the saved state has version {other}, but this version of frictiongen reads version {VERSION}; continue from a state that it has written"
+            ))),
+        }
+    }
+}
+
+/// The written form of a saved state. The version comes first, so that a state of another version fails there.
+#[derive(Serialize, Deserialize)]
+#[serde(rename = "Saved", deny_unknown_fields)]
+struct Form<S, V> {
+    version: Version,
+    scene: u64,
+    steps: u64,
+    exceeded: u64,
+    line: u32,
+    contact: Contact,
+    unknown: bool,
+    wedged: bool,
+    budget: u8,
+    numbers: [S; SCALARS],
+    store: V,
+}
+
+impl<S: Float + Serialize, V: Serialize> Serialize for Saved<S, V> {
+    fn serialize<T: Serializer>(&self, to: T) -> Result<T::Ok, T::Error> {
+        let status = &self.status;
+        let form = Form {
+            version: Version,
+            scene: self.mark,
+            steps: status.steps,
+            exceeded: status.exceeded,
+            line: u32::try_from(status.line).unwrap_or(u32::MAX),
+            contact: status.contact,
+            unknown: status.unknown,
+            wedged: status.wedged,
+            budget: status.budget,
+            numbers: status.scalars(),
+            store: &self.store,
+        };
+        form.serialize(to)
+    }
+}
+
+impl<'de, S, V> Deserialize<'de> for Saved<S, V>
+where
+    S: Float + Deserialize<'de>,
+    V: Deserialize<'de>,
+{
+    fn deserialize<D: Deserializer<'de>>(from: D) -> Result<Self, D::Error> {
+        let form = Form::<S, V>::deserialize(from)?;
+        if !form.numbers.iter().all(|number| number.is_finite()) {
+            return Err(not_finite());
+        }
+        let status = Status {
+            contact: form.contact,
+            unknown: form.unknown,
+            wedged: form.wedged,
+            budget: form.budget,
+            line: usize::try_from(form.line).unwrap_or(usize::MAX),
+            steps: form.steps,
+            exceeded: form.exceeded,
+            ..Status::of_scalars(form.numbers)
+        };
+        Ok(Self {
+            status,
+            store: form.store,
+            mark: form.scene,
+        })
+    }
+}
+
+/// Returns the error for a number that no stepper writes.
+fn not_finite<E: Error>() -> E {
+    E::custom(
+        "a number of the saved state is not finite, so that no stepper has written it; continue from a state that a stepper has written",
+    )
+}
+
+/// The written form of an oscillator's states and of the last forces.
+#[derive(Serialize, Deserialize)]
+#[serde(rename = "Store", deny_unknown_fields)]
+struct StoreForm<P, L> {
+    modes: P,
+    held: P,
+    last: L,
+}
+
+/// The same for reading, with lists of two lengths.
+#[derive(Deserialize)]
+#[serde(
+    rename = "Store",
+    deny_unknown_fields,
+    bound = "S: Float + Default + Deserialize<'de>"
+)]
+struct FixedForm<S, const MODES: usize, const HELD: usize, const INPUTS: usize> {
+    modes: List<[S; 2], MODES>,
+    held: List<[S; 2], HELD>,
+    last: List<S, INPUTS>,
+}
+
+impl<S, const D: usize, const MODES: usize, const HELD: usize, const INPUTS: usize> Serialize
+    for FixedStore<S, D, MODES, HELD, INPUTS>
+where
+    S: Float + Serialize,
+{
+    fn serialize<T: Serializer>(&self, to: T) -> Result<T::Ok, T::Error> {
+        let store = self.read();
+        let form = StoreForm {
+            modes: store.modes,
+            held: store.held,
+            last: store.last,
+        };
+        form.serialize(to)
+    }
+}
+
+impl<'de, S, const D: usize, const MODES: usize, const HELD: usize, const INPUTS: usize>
+    Deserialize<'de> for FixedStore<S, D, MODES, HELD, INPUTS>
+where
+    S: Float + Default + Deserialize<'de>,
+{
+    fn deserialize<T: Deserializer<'de>>(from: T) -> Result<Self, T::Error> {
+        let form = FixedForm::<S, MODES, HELD, INPUTS>::deserialize(from)?;
+        let mut store = Self::new();
+        let numbers = store.change();
+        numbers.modes.copy_from_slice(&form.modes.0);
+        numbers.held.copy_from_slice(&form.held.0);
+        numbers.last.copy_from_slice(&form.last.0);
+        let store_ref = store.read();
+        let oscillators = store_ref.modes.iter().chain(store_ref.held).flatten();
+        if !oscillators
+            .chain(store_ref.last)
+            .all(|number| number.is_finite())
+        {
+            return Err(not_finite());
+        }
+        Ok(store)
+    }
+}
+
+/// A list of N values, for every N.
+struct List<V, const N: usize>([V; N]);
+
+impl<'de, V: Copy + Default + Deserialize<'de>, const N: usize> Deserialize<'de> for List<V, N> {
+    fn deserialize<T: Deserializer<'de>>(from: T) -> Result<Self, T::Error> {
+        from.deserialize_seq(Values::<V, N>(PhantomData))
+    }
+}
+
+/// Reads the values of a [`List`].
+struct Values<V, const N: usize>(PhantomData<V>);
+
+impl<'de, V: Copy + Default + Deserialize<'de>, const N: usize> Visitor<'de> for Values<V, N> {
+    type Value = List<V, N>;
+
+    fn expecting(&self, to: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(to, "a list of {N} values, as this scene has them")
+    }
+
+    fn visit_seq<A: SeqAccess<'de>>(self, mut from: A) -> Result<Self::Value, A::Error> {
+        let mut values = [V::default(); N];
+        for (index, value) in values.iter_mut().enumerate() {
+            let next = from.next_element()?;
+            *value = next.ok_or_else(|| A::Error::invalid_length(index, &self))?;
+        }
+        if from.next_element::<V>()?.is_some() {
+            return Err(A::Error::invalid_length(N + 1, &self));
+        }
+        Ok(List(values))
+    }
+}
