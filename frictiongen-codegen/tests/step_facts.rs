@@ -2,7 +2,7 @@
 #![cfg(feature = "pretty")]
 #![allow(clippy::unwrap_used, reason = "a test may fail")]
 
-use frictiongen_codegen::{Limits, parse_text, step_facts};
+use frictiongen_codegen::{SizeLimits, parse_text, step_facts};
 
 /// Returns the numbers of the step tables that are 0, by their places, and the number of all numbers.
 fn zeros(contact: &str, fields: &str) -> (Vec<String>, usize) {
@@ -10,7 +10,7 @@ fn zeros(contact: &str, fields: &str) -> (Vec<String>, usize) {
         "struct Scene {{ masses: {{ a: 1.1, b: 2.3, c: 1.7 }}, springs: {{ base - a: 100, a - b: 57, b - c: 41 }},
          contact: {contact}, damping: modal(0.02), provide: [stepper], step: 0.01, {fields} }}"
     );
-    let description = parse_text(&text, &Limits::MACRO).unwrap_or_else(|_| panic!("{text}"));
+    let description = parse_text(&text, &SizeLimits::MACRO).unwrap_or_else(|_| panic!("{text}"));
     let facts = step_facts(&description).unwrap();
     let zeros = facts.numbers.iter().filter(|(_, number)| *number == 0.0);
     (
