@@ -89,7 +89,8 @@ impl Proof {
         self.told_in::<f64>()
     }
 
-    /// Returns the result of the proof in one or two sentences. Each r has as few digits as the scalar type S of the tables needs.
+    /// Returns the result of the proof in one or two sentences. Each r has as few digits as the scalar type S of the
+    /// tables needs.
     #[must_use]
     pub fn told_in<S: Float>(&self) -> String {
         let bound = format!(

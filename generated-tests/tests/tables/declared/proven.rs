@@ -211,7 +211,12 @@ fn where_the_scene_asks() {
         assert_eq!(proven.1, checked.1, "{name}");
         for proof in &proven.0 {
             assert_ne!(proof.evidence, Evidence::Checked, "{name}");
-            assert!(source.contains(&proof.told()), "{name}");
+            // A file in f32 prints each r with as few digits as f32 needs.
+            let told = match scalar {
+                "f32" => proof.told_in::<f32>(),
+                _ => proof.told_in::<f64>(),
+            };
+            assert!(source.contains(&told), "{name}");
         }
     }
 }
