@@ -374,7 +374,7 @@ const _: () = {
                     q: 0.99988636602435,
                     /// contact force, with its damping force, divided by −y
                     force: 0.27464447784205487,
-                    /// symmetric matrix [m₁₁, m₁₂, m₂₂]: times the products of the chain's motion with the `participations` of y and u it gives y and u
+                    /// [m₁₁, m₁₂, m₂₂] = [B(h, h), −B(g, h), B(g, g)]/(B(g, g)B(h, h) − B(g, h)²), with y = m₁₁B(η, g) + m₁₂B(η, h) and u = m₁₂B(η, g) + m₂₂B(η, h): η is the motion of the chain's modes minus the static motion that the stuck contact causes, g and h are the `participations` of y and u, B(a, b) = Σ 2ζσab + a′b + ab′ over the chain's modes with σ = `resonance`, g′ = −Ωh and h′ = Ω(g − 2ζh) with Ω = `frequency` and ζ of this mode
                     inverse: [
                         0.04287888540748418,
                         0.6540151732676781,
