@@ -200,9 +200,12 @@ pub fn random_waves(
     waves
 }
 
-/// Returns a random motion that resembles the motion of a chain. The result consists of one wave for each mode, and the
-/// cosine and sine coefficients of the fundamental component. The motion repeats with the opposite sign after half a
-/// period. For a mode far below the excitation frequency, one wave contains the whole response.
+/// Returns a random motion that resembles the motion of a chain. It repeats with the opposite sign after half a period.
+/// The result consists of one wave for each mode, and of the coefficients of cos τ and sin τ in the motion.
+///
+/// The response of a mode is a combination of the functions in `Basis`, plus one term in cos τ and one in sin τ. The
+/// wave of the mode has the combination only. The two other terms of all modes are part of the two coefficients. A
+/// mass-controlled mode, which resonates far below the excitation frequency, does not have these two terms.
 pub fn random_motion(
     random: &mut Lcg,
     (low, high): (f64, f64),

@@ -48,11 +48,12 @@ use prover::Prover;
 use stage::IntervalChain;
 use std::ops::Range;
 
-/// Estimated work to prove a piece of a table, for each mode, if every mode is damped. The estimate only decides
-/// whether the code starts a proof that may stay incomplete.
+/// Estimated work to prove a piece of a table, divided by the number of modes, if every mode is damped. The unit is an
+/// evaluation of one mode, as in [`ProofWork`]. The estimate only decides whether [`prove_if_small`] starts a proof. If
+/// the proof needs more work than permitted, some intervals of r stay open.
 const PIECE_WORK: usize = 1800;
-/// Estimated work to prove a piece of a table, for each mode, if a mode is undamped. It is larger, because intervals
-/// of r are shorter near the poles of an undamped mode.
+/// Estimated work to prove a piece of a table, divided by the number of modes, if a mode is undamped. It is larger than
+/// `PIECE_WORK`, because intervals of r are shorter near the poles of an undamped mode.
 const PIECE_WORK_UNDAMPED: usize = 2600;
 /// Largest work for one piece, as a multiple of the piece's equal share of the total work. The value is tuned. One
 /// piece must not use the work that the other pieces need.

@@ -90,8 +90,8 @@ impl<S: Float> Curve<S> {
         at(&self.terms(time, S::constant(0.0), derivative), 0)
     }
 
-    /// Returns the power series of the function or of a derivative over a stretch (time interval). The variable of the
-    /// series is the elapsed fraction of the stretch, from 0 to 1.
+    /// Returns the power series of the function or of a derivative over a time interval. The variable of the series is
+    /// the elapsed fraction of the interval, from 0 to 1.
     #[must_use]
     pub fn terms(&self, time: S, length: S, derivative: usize) -> Poly<S> {
         let mut terms = self.wave.terms(time, length, derivative);

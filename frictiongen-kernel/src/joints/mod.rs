@@ -9,8 +9,10 @@
 //!   |f| reaches μF. Then |f| is F, until ż = 0.
 //! * The *level* of a contact is its kinetic friction force F. A contact with the level 0 has no force.
 //!
-//! Between two events the equations are linear. A power series solves them over time intervals, which are called
-//! *stretches*. The length of a stretch is at most 1.5 rad (1 rad in `f32`) of an upper bound on the fastest frequency.
+//! Between two events the equations are linear. The solver divides the time between two events into intervals, and
+//! computes one power series in each. Such a time interval is called a *stretch*. In a stretch, the phase of an
+//! oscillation at an upper bound on the fastest frequency advances by at most 1.5 rad (1 rad in `f32`).
+//!
 //! Events are roots of polynomials. Two masses with a sticking rigid contact between them have the same acceleration.
 //! The relative velocity of this contact is therefore exactly 0, and its relative displacement is constant.
 //!

@@ -175,7 +175,7 @@ impl<S: Float, Z: Size> Model<S, Z> {
         }
     }
 
-    /// Returns the power series of each load over a stretch (time interval).
+    /// Returns the power series of each load over a time interval.
     pub(super) fn load_terms(&self, time: S, length: S) -> impl Iterator<Item = Poly<S>> {
         let loads = self.loads.as_ref().iter();
         loads.map(move |(_, wave)| wave.terms(time, length, 0))
@@ -203,9 +203,9 @@ impl<S: Float, Z: Size> Model<S, Z> {
         })
     }
 
-    /// Sets the longest stretch to a/s. s is an upper bound on the rates of the motion, and a is an angle of 1.5 rad (1
-    /// rad in `f32`). Gershgorin's theorem gives upper bounds on M⁻¹K and M⁻¹C. In K, elastic contacts are springs. A
-    /// rate s satisfies s² ≤ ‖M⁻¹C‖s + ‖M⁻¹K‖.
+    /// Sets the longest time interval of a power series to a/s. s is an upper bound on the rates of the motion, and a
+    /// is an angle of 1.5 rad (1 rad in `f32`). Gershgorin's theorem gives upper bounds on M⁻¹K and M⁻¹C. In K, elastic
+    /// contacts are springs. A rate s satisfies s² ≤ ‖M⁻¹C‖s + ‖M⁻¹K‖.
     pub fn set_stretch(&mut self) {
         let mut stiff = self.size.nodes(S::constant(0.0));
         let mut slow = self.size.nodes(S::constant(0.0));

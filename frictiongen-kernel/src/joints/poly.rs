@@ -1,25 +1,25 @@
-//! Power series of one quantity over a stretch (time interval).
+//! Power series of one quantity over a time interval.
 
 use crate::Float;
 
-/// Number of coefficients of a power series in `f64`. In a stretch of 1.5 rad, the first neglected term is below
+/// Number of coefficients of a power series in `f64`. In a time interval of 1.5 rad, the first neglected term is below
 /// 1.5²²/22! = 7e-18 of the first term.
 pub const TERMS: usize = 22;
 
 /// Returns the number of coefficients that a power series needs in this number type. In `f32`, the first neglected term
-/// in a stretch of 1 rad is below 1/12! = 2e-9 of the first term.
+/// in a time interval of 1 rad is below 1/12! = 2e-9 of the first term.
 pub(super) fn terms_of<S: Float>() -> usize {
     if S::EPSILON < 1e-10 { TERMS } else { 12 }
 }
 
-/// Returns the largest length of a stretch (interval of one power series), in rad of an upper bound on the fastest
+/// Returns the largest length of the time interval of one power series, in rad of an upper bound on the fastest
 /// frequency.
 pub(super) fn angle_of<S: Float>() -> f64 {
     if S::EPSILON < 1e-10 { 1.5 } else { 1.0 }
 }
 
-/// Coefficients of the power series of one quantity over a stretch (time interval). The variable is the elapsed
-/// fraction of the stretch, from 0 to 1.
+/// Coefficients of the power series of one quantity over a time interval. The variable is the elapsed fraction of the
+/// interval, from 0 to 1.
 pub type Poly<S> = [S; TERMS];
 
 /// Returns the coefficients of a quantity that is always 0.

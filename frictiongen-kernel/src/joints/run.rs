@@ -11,15 +11,16 @@ use super::wave::Wave;
 use crate::Float;
 use crate::errors::Halt;
 
-/// Returns the largest time between two events that are treated as simultaneous, divided by the length of the stretch.
+/// Returns the largest time between two events that are treated as simultaneous, divided by the duration of the time
+/// interval of one power series.
 fn same<S: Float>() -> S {
     S::constant(if S::EPSILON < 1e-10 { 1e-11 } else { 1e-4 })
 }
 
-/// Observer of a motion. The solver calls it for every stretch (interval of one power series) and for every event.
+/// Observer of a motion. The solver calls it for every stretch (time interval of one power series) and every event.
 pub trait Observe<S: Float, Z: Size> {
-    /// Receives the motion from the start of a stretch to the fraction `end` of the stretch. During this time the
-    /// contacts have the phases in `state`.
+    /// Receives the motion from the start of a time interval to the fraction `end` of the interval. During this time
+    /// the contacts have the phases in `state`.
     fn stretch(&mut self, series: &Series<S, Z>, end: S, state: &State<S, Z>);
 
     /// Receives the phases of all contacts (sticking or sliding) before and after an event.
@@ -38,7 +39,7 @@ impl<S: Float, Z: Size> Observe<S, Z> for () {
 pub struct Bounds {
     /// Largest number of events in one call.
     pub events: usize,
-    /// Largest number of stretches (intervals of one power series) in one call.
+    /// Largest number of stretches (time intervals of one power series) in one call.
     pub stretches: usize,
 }
 
@@ -236,7 +237,7 @@ impl<S: Float, Z: Size> Motion<S, Z> {
         self.model.change_load(load, to, self.time);
     }
 
-    /// Shortens the stretches (intervals of one power series) so that the power series can represent the function
+    /// Shortens the stretches (time intervals of one power series) so that a power series can represent the function
     /// `wave`.
     fn shorten(&mut self, wave: &Wave<S>) {
         let longest = wave.longest_stretch();
@@ -272,7 +273,8 @@ impl<S: Float, Z: Size> Motion<S, Z> {
         Err(Halt::Stretches)
     }
 
-    /// Advances the motion to the end of a stretch, or to the next event. Returns true if the motion passed an event.
+    /// Advances the motion to the end of the time interval of one power series, or to the next event. Returns true if
+    /// the motion passed an event.
     fn step(&mut self, until: S, watch: &mut impl Observe<S, Z>) -> Result<bool, Halt> {
         let one = S::constant(1.0);
         let left = until - self.time;
@@ -329,7 +331,7 @@ impl<S: Float, Z: Size> Motion<S, Z> {
         }
     }
 
-    /// Sets the present state to the motion at a fraction of a stretch.
+    /// Sets the present state to the motion after a fraction of the time interval of the power series.
     fn take(&mut self, series: &Series<S, Z>, fraction: S) {
         let (x, v) = series.motion(&self.model, fraction);
         self.state.x = x;
@@ -341,8 +343,9 @@ impl<S: Float, Z: Size> Motion<S, Z> {
         }
     }
 
-    /// Returns the next event of the contact `j` in a stretch. The first result is the fraction of the stretch at which
-    /// the event occurs. The second result is the sign of the force or velocity at the event.
+    /// Returns the next event of the contact `j` in the time interval of the power series. The first result is the
+    /// fraction of the interval after which the event occurs. The second result is the sign of the force or velocity at
+    /// the event.
     fn next_event(&self, series: &Series<S, Z>, j: usize) -> Option<(S, i8)> {
         let contact = self.model.contact(j)?;
         let zeros = self.state.zeros.as_ref().get(j).copied();

@@ -1,4 +1,4 @@
-//! Power series of the motion over one stretch (time interval).
+//! Power series of the motion over one *stretch*: the time interval over which the solver uses one power series.
 
 use super::model::Model;
 use super::poly::{Poly, nothing, terms_of, value};
@@ -7,12 +7,12 @@ use super::state::{FREE, STUCK, State};
 use super::tree::Tree;
 use crate::Float;
 
-/// Power series of the motion of all nodes over one stretch. The nodes are the masses, the wall and the base.
+/// Power series of the motion of all nodes over one time interval. The nodes are the masses, the wall and the base.
 #[derive(Clone, Debug)]
 pub struct Series<S: Float, Z: Size> {
-    /// Time at the start of the stretch.
+    /// Time at the start of the time interval.
     pub start: S,
-    /// Duration of the stretch.
+    /// Duration of the time interval.
     pub length: S,
     x: Z::Nodes<Poly<S>>,
     v: Z::Nodes<Poly<S>>,
@@ -20,7 +20,7 @@ pub struct Series<S: Float, Z: Size> {
 }
 
 impl<S: Float, Z: Size> Series<S, Z> {
-    /// Computes the power series of the motion from the state at the start of the stretch.
+    /// Computes the power series of the motion from the state at the start of the time interval.
     pub fn new(
         model: &Model<S, Z>,
         state: &State<S, Z>,
@@ -82,7 +82,7 @@ impl<S: Float, Z: Size> Series<S, Z> {
         series
     }
 
-    /// Returns the displacements and the velocities of the masses at the given fraction of the stretch.
+    /// Returns the displacements and the velocities of the masses after the given fraction of the time interval.
     pub fn motion(&self, model: &Model<S, Z>, fraction: S) -> (Z::Masses<S>, Z::Masses<S>) {
         let values = |terms: &[Poly<S>]| {
             let mut values = model.size.masses(S::constant(0.0));
@@ -94,7 +94,7 @@ impl<S: Float, Z: Size> Series<S, Z> {
         (values(self.x.as_ref()), values(self.v.as_ref()))
     }
 
-    /// Returns the displacement and the velocity of the base at the given fraction of the stretch.
+    /// Returns the displacement and the velocity of the base after the given fraction of the time interval.
     pub fn base(&self, fraction: S) -> (S, S) {
         let last = |terms: &[Poly<S>]| {
             let terms = terms.last();
@@ -103,12 +103,12 @@ impl<S: Float, Z: Size> Series<S, Z> {
         (last(self.x.as_ref()), last(self.v.as_ref()))
     }
 
-    /// Returns the force of a contact at the given fraction of the stretch.
+    /// Returns the force of a contact after the given fraction of the time interval.
     pub fn force(&self, contact: usize, fraction: S) -> S {
         value(&self.force_terms(contact), fraction)
     }
 
-    /// Returns the power series of the force of a contact over the stretch.
+    /// Returns the power series of the force of a contact over the time interval.
     pub fn force_terms(&self, contact: usize) -> Poly<S> {
         terms(self.forces.as_ref(), contact)
     }
@@ -118,12 +118,12 @@ impl<S: Float, Z: Size> Series<S, Z> {
         difference(self.v.as_ref(), plus, minus)
     }
 
-    /// Returns the power series of the displacement of a mass over the stretch.
+    /// Returns the power series of the displacement of a mass over the time interval.
     pub fn displacement_terms(&self, mass: usize) -> Poly<S> {
         terms(self.x.as_ref(), mass)
     }
 
-    /// Returns the power series of the velocity of a mass over the stretch.
+    /// Returns the power series of the velocity of a mass over the time interval.
     pub fn velocity_terms(&self, mass: usize) -> Poly<S> {
         terms(self.v.as_ref(), mass)
     }
@@ -133,13 +133,13 @@ impl<S: Float, Z: Size> Series<S, Z> {
         difference(self.x.as_ref(), plus, minus)
     }
 
-    /// Returns the displacement of a node at the start of the stretch.
+    /// Returns the displacement of a node at the start of the time interval.
     pub(super) fn displacement_at_start(&self, node: usize) -> S {
         term(self.x.as_ref(), node, 0)
     }
 
-    /// Returns the displacement of the node `plus` minus that of the node `minus`, at the given fraction of the
-    /// stretch.
+    /// Returns the displacement of the node `plus` minus that of the node `minus`, after the given fraction of the time
+    /// interval.
     pub fn place(&self, (plus, minus): (usize, usize), fraction: S) -> S {
         value(&self.place_terms(plus, minus), fraction)
     }

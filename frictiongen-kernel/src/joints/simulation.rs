@@ -11,7 +11,7 @@ use crate::errors::{Given, OutOfDomain};
 
 /// Largest number of events in one call of [`Simulation::advance`].
 pub const MAX_EVENTS: usize = 100_000;
-/// Largest number of stretches (intervals of one power series) in one call of [`Simulation::advance`].
+/// Largest number of stretches (time intervals of one power series) in one call of [`Simulation::advance`].
 pub const MAX_STRETCHES: usize = 10_000_000;
 
 /// Physical units that a simulation in non-dimensional groups needs.

@@ -44,8 +44,8 @@ impl<S: Float, Z: Size> Observe<S, Z> for Slid<S, Z> {
 pub(super) struct Slips<S: Float, Z: Size> {
     ends: Z::Contacts<(usize, usize)>,
     slips: Z::Contacts<S>,
-    /// Largest absolute relative displacement of each contact, at the starts of the stretches (intervals of one power
-    /// series).
+    /// Largest absolute relative displacement of each contact, at the starts of the stretches (time intervals of one
+    /// power series).
     places: Z::Contacts<S>,
 }
 

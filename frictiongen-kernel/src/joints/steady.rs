@@ -34,7 +34,7 @@ const DECAY: f64 = 1e-3;
 /// Largest number of cycles for which the test of a periodic motion follows the motion.
 const MAX_CONFIRM: usize = 256;
 
-/// Largest numbers of events and stretches in one cycle.
+/// Largest numbers of events and stretches (time intervals of one power series) in one cycle.
 pub(super) const BOUNDS: Bounds = Bounds {
     events: MAX_EVENTS,
     stretches: MAX_STRETCHES,
@@ -47,8 +47,9 @@ pub struct Steady<S: Float, Z: Size> {
     pub period: usize,
     /// State at a maximum of the load, at which the period starts.
     pub state: State<S, Z>,
-    /// Number of independent displacements and velocities of parts without a support. The steady state has the values
-    /// that the motion from rest has reached.
+    /// Number of independent motions of the chain that change no force, such as a displacement or a constant velocity
+    /// of a part without a support. The load does not determine these displacements and velocities. In the steady
+    /// state they have the values that the preceding motion has reached.
     pub neutral: usize,
     /// Floquet multipliers of a period. The array also has unused entries at its end.
     pub(super) multipliers: Z::Unknowns<Complex<S>>,

@@ -15,12 +15,12 @@ use crate::errors::{Given, Halt, OutOfDomain};
 
 /// Largest number of events that the stepper follows in one step.
 pub const MAX_STEP_EVENTS: usize = 64;
-/// Largest time step of a stepper, in rad of an upper bound on the fastest angular frequency. The length of a stretch
-/// is at least 1 rad.
+/// Largest time step of a stepper, in rad of an upper bound on the fastest angular frequency. The longest time interval
+/// of one power series is at least 1 rad.
 pub const MAX_STEP: f64 = 1024.0;
 
-/// Largest amounts of work in one step. Every event ends a stretch, even if no contact changes its phase. A step may
-/// therefore have more stretches than its length alone requires.
+/// Largest amounts of work in one step. Every event ends a stretch (time interval of one power series), even if no
+/// contact changes its phase. A step may therefore have more stretches than its length alone requires.
 const BOUNDS: Bounds = Bounds {
     events: MAX_STEP_EVENTS,
     stretches: MAX_STEP as usize + 4 * MAX_STEP_EVENTS,

@@ -98,8 +98,8 @@ impl<S: Float> Wave<S> {
         at(&self.terms(time, S::constant(0.0), derivative), 0)
     }
 
-    /// Returns the power series of the function, or of its first or second derivative, over a stretch (time interval).
-    /// The variable of the series is the elapsed fraction of the stretch, from 0 to 1.
+    /// Returns the power series of the function, or of its first or second derivative, over a time interval. The
+    /// variable of the series is the elapsed fraction of the interval, from 0 to 1.
     #[must_use]
     pub fn terms(&self, time: S, length: S, derivative: usize) -> Poly<S> {
         let mut terms = [S::constant(0.0); TERMS];
@@ -127,8 +127,8 @@ impl<S: Float> Wave<S> {
         terms
     }
 
-    /// Returns the duration of the longest stretch in which the power series of the function converges as fast as that
-    /// of the motion.
+    /// Returns the duration of the longest time interval in which the power series of the function converges as fast as
+    /// the power series of the motion.
     pub(super) fn longest_stretch(&self) -> S {
         S::constant(1.0) / self.fastest()
     }

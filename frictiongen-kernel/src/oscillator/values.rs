@@ -58,9 +58,13 @@ pub struct Basis<S> {
 }
 
 impl<S: Float> Basis<S> {
-    /// Computes all functions of time from the free displacement p, from p′ and from 1 − d, where d = p′ + 2ζx·p. The
-    /// code computes cos τ − p′ from 1 − d, so that the result keeps its digits for τ → 0. The velocity constraint
-    /// divides this result by sin τ.
+    /// Computes the fields of [`Basis`] from the free displacement p, its derivative p′, and 1 − d. Here d = p′ + 2ζx·p
+    /// is the free motion of the mode that starts at rest from displacement 1.
+    ///
+    /// For τ → 0 both cos τ and p′ tend to 1, so that a subtraction would lose digits of cos τ − p′. The code therefore
+    /// computes this difference from 1 − d. The digits matter in the search for the velocity constraint (the condition
+    /// that the contact slides without a stop). The search divides a sum of such differences by sin τ, which also tends
+    /// to 0.
     #[inline]
     pub(super) fn damped(
         x: S,

@@ -88,7 +88,7 @@ impl PartialFractions {
     }
 
     /// Returns the sum over the modes as a product over the given zeros, with error bounds. Returns `None` if no
-    /// bounds can be proven.
+    /// bounds can be proven. `highest` is the largest frequency ratio r at which the bounds hold.
     pub fn factored(&self, zeros: &[Zero], highest: f64) -> Option<Factored> {
         let roots: Vec<Vec<Disc>> = zeros.iter().map(|zero| self.roots(zero)).collect();
         let all: Vec<Disc> = roots.iter().flatten().copied().collect();

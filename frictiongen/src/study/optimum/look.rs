@@ -32,10 +32,10 @@ pub(in crate::study) struct BandPeak {
 /// Precision of an evaluation of the amplitude over a band.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Closely {
-    /// The evaluation is sufficient for a comparison of friction ratios. It computes motions in time at only some
-    /// frequencies.
+    /// The evaluation is sufficient for a comparison of friction ratios. Of the frequencies without a closed form, it
+    /// includes only those whose [`BandPlace::first`] is true, and ignores the others. It finds the maxima roughly.
     First,
-    /// The evaluation covers all frequencies of the band, and finds each maximum to rounding.
+    /// The evaluation includes all frequencies of the band, and finds each maximum to rounding.
     Whole,
 }
 

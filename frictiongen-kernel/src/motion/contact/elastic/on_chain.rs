@@ -61,8 +61,9 @@ impl<S: Float> ContactChain<S> for ElasticChain<S> {
         }
     }
 
-    /// Returns the state of a contact that continues to slide. If the velocity has changed its sign, the contact sticks
-    /// under the kinetic force instead.
+    /// Returns the state of a contact that has been sliding until this instant. If the relative velocity still has the
+    /// sign of this sliding, or is zero, the contact continues to slide. If the velocity has the opposite sign, the
+    /// contact sticks, and its force is the kinetic friction force of this sliding.
     fn sliding_state(
         setting: &MotionSetting<'_, S, Self>,
         parts: &[Part<S>],
