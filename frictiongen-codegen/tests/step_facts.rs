@@ -1,6 +1,6 @@
 //! Checks the facts about emitted steppers that `step_facts` returns.
 #![cfg(feature = "pretty")]
-#![allow(clippy::unwrap_used, reason = "a test may fail")]
+#![allow(clippy::unwrap_used, clippy::panic, reason = "a test may fail")]
 
 use frictiongen_codegen::{SizeLimits, parse_text, step_facts};
 

@@ -1,6 +1,6 @@
 //! The data of the proof for the cells of a half period, over an interval of r. The proof must show that the function
 //! D(τ, r) = N(r) sin τ − F(τ, r) is positive. F is the sum of the velocity constraint over the modes (module
-//! `force`). N is slightly above the constraint of the witness, an instant near the largest constraint.
+//! `force`). N is slightly above the value of F/sin τ at the witness, an instant near the largest F/sin τ.
 
 use crate::force;
 use crate::found::Budget;
@@ -43,8 +43,12 @@ pub(crate) struct CellData<'a> {
     pub over: &'a ChainStage<ORDER>,
     pub seen_at: &'a WitnessInstant<ORDER>,
     pub seen_over: &'a WitnessInstant<ORDER>,
-    /// Relative margin by which √(U² + N²) exceeds √(U² + Q²). Q is the velocity constraint of the witness, N a level
-    /// above Q, and U the velocity of the contact, from friction, at a reversal.
+    /// Relative margin of the proven bound on β_lim. The witness is an instant near the largest velocity constraint
+    /// F/sin τ (F is the function of [`HalfPeriodCells`]), and Q is the value of F/sin τ at the witness. The proof
+    /// must show that F/sin τ is below the level N everywhere. With N = Q this would be false at the witness itself. N
+    /// is therefore above Q, such that √(U² + N²) = (1 + `share`) √(U² + Q²). U is the part of the contact's
+    /// velocity at a reversal that the friction force causes. β_lim is inversely proportional to √(U² + S²), where S is
+    /// the largest F/sin τ. If b is this β_lim with Q in place of S, the exact β_lim is between b/(1 + `share`) and b.
     pub share: f64,
 }
 
@@ -59,7 +63,7 @@ pub(crate) enum Flank {
 /// The chain and the witness over an interval of r, as the cells of the half period need them.
 ///
 /// The cells must prove that D = N sin τ − F is positive on 0 < τ < π. F/sin τ is the velocity constraint at τ. N is
-/// a level slightly above the constraint of the witness, which is an instant near the largest constraint.
+/// a level slightly above the value of F/sin τ at the witness, which is an instant near the largest F/sin τ.
 pub(crate) struct HalfPeriodCells<'a> {
     /// The chain at the centre of the interval of r.
     pub thin: ChainStage<1>,
@@ -78,9 +82,9 @@ pub(crate) struct HalfPeriodCells<'a> {
     pub part: &'a CellData<'a>,
 }
 
-/// Returns κN. N is the level for which √(N² + U²) is 1 + `share` times √(Q² + U²). Q is the velocity constraint of
-/// the witness, and U the velocity of the contact, from friction, at a reversal. κ is the product of cosines in
-/// [`ChainStage`].
+/// Returns κN. N is the level for which √(U² + N²) is 1 + `share` times √(U² + Q²). Q is the velocity constraint
+/// F/sin τ at the witness. U is the part of the contact's velocity at a reversal that the friction force causes. κ is
+/// the product of cosines in [`ChainStage`].
 fn level<const N: usize>(seen: &WitnessInstant<N>, share: f64) -> IntervalSeries<N> {
     let share = Interval::point(share);
     let more = share + share + share * share;

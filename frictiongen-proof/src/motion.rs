@@ -45,20 +45,22 @@ pub(crate) struct MotionProof<'a, S> {
     pub excitation: f64,
     /// Largest allowed error of the amplitude (relative) and of the phase (rad).
     pub accuracy: f64,
-    /// The ends of the interval of r, and the centre of the series (`centre`).
+    /// The two ends of the interval of r.
     pub ends: (f64, f64),
+    /// Frequency ratio r about which the series are expanded.
     pub centre: f64,
     /// True if the centre of the series is a zero of β_lim.
     pub beside_zero: bool,
-    /// Relative margin. The largest velocity constraint exceeds the constraint of the witness by at most this
-    /// fraction.
+    /// Relative margin of β_lim. The exact β_lim is between b/(1 + `share`) and b, where b is the β_lim from the
+    /// witness, an instant near the largest velocity constraint.
     pub share: f64,
 }
 
 /// Errors and exact values of a table's functions over a cell of r, for the errors of amplitude and phase.
 struct MotionCell {
-    /// Errors (`off`) of the polynomials a and g, and the exact values (`exact`) α = β_lim·U/|V| and γ = β_lim·G/|V|.
+    /// Errors of the polynomials a and g.
     off: [Interval; 2],
+    /// Exact values α = β_lim·U/|V| and γ = β_lim·G/|V|.
     exact: [Interval; 2],
     /// Relative error of the table's |V|. V is the response of the contact to the load.
     size: Interval,

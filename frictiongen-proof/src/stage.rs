@@ -121,7 +121,7 @@ pub(crate) struct ChainStage<const N: usize> {
     pub kappa: Option<IntervalSeries<N>>,
     /// κr²V, real and imaginary part. V is the response of the contact to the load.
     pub excitation: [IntervalSeries<N>; 2],
-    /// κr²U, where U is the velocity of the contact, from friction, at a reversal.
+    /// κr²U, where U is the part of the contact's velocity at a reversal that the friction force causes.
     pub quadrature: IntervalSeries<N>,
     /// κr²G, where G is the displacement of the contact, from friction, at a reversal.
     pub displacement: IntervalSeries<N>,

@@ -56,8 +56,8 @@ pub(crate) struct WitnessInstant<const N: usize> {
     pub turn: IntervalSeries<N>,
     /// κ times the velocity constraint Q of the witness. The largest constraint is at least Q.
     pub constraint: IntervalSeries<N>,
-    /// (κr²U)² + (κQ)². Q is the velocity constraint F/sin τ of the witness, and U the velocity of the contact, from
-    /// friction, at a reversal.
+    /// (κr²U)² + (κQ)². Q is the velocity constraint F/sin τ at the witness. U is the part of the contact's velocity at
+    /// a reversal that the friction force causes.
     pub size: IntervalSeries<N>,
     /// The slope in τ of D = N sin τ − F, with the witness's constraint in place of N. For a witness near the start,
     /// the slope of D/τ.

@@ -1,5 +1,6 @@
-//! Compares two ways to compute limits without search: one call for each r, and one call for a slice. Prints the
-//! nanoseconds for each r, and the speed-up by the slice.
+//! Compares two ways to compute limits without search: one call for each r, and one call for a slice. Limits without
+//! search are closed formulas, which use the velocity constraint at the reversal in place of its largest value. The
+//! program prints the nanoseconds for each r, and the speed-up by the slice.
 //!
 //!     cargo run --release -p generated-tests --features tools --example batch
 //!     RUSTFLAGS="-C target-cpu=native" cargo run --release -p generated-tests --features tools --example batch

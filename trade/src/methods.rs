@@ -10,7 +10,7 @@ use frictiongen::{ContinuousMotion, FrictionSystem, LimitsAt, MotionAt, Of, Stea
 pub enum Method {
     /// Both limits β_lim and β*_lim. A guaranteed search finds the value S of the velocity constraint.
     Limits,
-    /// Both limits without search. S is the value of the velocity constraint for τ → 0.
+    /// Both limits without search. The formula of β_lim takes the velocity constraint for τ → 0 in place of S.
     WithoutSearch,
     /// Both limits, where S of the velocity constraint is the sum of the maxima of each mode.
     PerMode,

@@ -219,7 +219,8 @@ fn blocks(emission: &Emission<'_>) -> (TokenStream, TokenStream, OperationCount)
     let graph = emission.graph(emission.modes());
     let tracer = Tracer::over_constants(&graph, &emission.modal, emission.precision);
     let chain = &tracer.reduced.chain;
-    // The common scale E is the smallest `size` of the modes that the contact drives.
+    // The common scale E is the smallest `size` of the modes that the contact drives. The `size` of a mode is
+    // |x² − 1| + 2ζx, with x = √λ/r.
     let responses: Vec<_> = (1..=names.len())
         .map(|mode| tracer.response(&format!("mode_{mode}")))
         .collect();

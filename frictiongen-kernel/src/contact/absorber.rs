@@ -3,10 +3,9 @@
 //! Some masses may be connected to the load through the contact alone. At the frequency at which these masses resonate
 //! while the contact is stuck, V and H vanish together. V is the response of the contact to the load, and H is its
 //! receptance (response to a contact force). The amplitude V/H of the contact force would then be a quotient of
-//! The amplitude V/H of the contact force would then be a quotient of rounding errors. This module divides out the
-//! common zero. Let s = r², and let d = s − s₀ be the distance from the zero s₀. Then V = v₁d − v₂d² + v₃d³ − …, where
-//! v_n = Σ α/(λ − s)^{n+1}. The sum is over the modes. α = (φᵀw)(φᵀp) is the residue of a mode and λ its squared
-//! frequency ratio. H has a series of the same form.
+//! rounding errors. This module divides out the common zero. Let s = r², and let d = s − s₀ be the distance from the
+//! zero s₀. Then V = v₁d − v₂d² + v₃d³ − …, where v_n = Σ α/(λ − s)^{n+1}. The sum is over the modes. α = (φᵀw)(φᵀp) is
+//! the residue of a mode and λ its squared frequency ratio. H has a series of the same form.
 
 use crate::contact::sums::{Chain, ContactAt, ModeAt};
 use crate::number::scalar::Float;
@@ -25,8 +24,10 @@ fn near<S: Float>() -> S {
 }
 
 impl<S: Float> Chain<S> {
-    /// Returns true if the receptance H of the contact is nearly zero, so that V (response to the load) may vanish at
-    /// the same frequency. `h` is the real part of H, multiplied by r² and by the scale E of [`ContactAt`].
+    /// Returns true if the chain is undamped and the receptance H of the contact is nearly zero, so that an absorber
+    /// frequency may be near. At an absorber frequency H and V (response to the load) are both zero. H is also zero at
+    /// resonances of the stuck chain where V is not zero. [`absorbed_force`](Self::absorbed_force) therefore also
+    /// tests V. `h` is the real part of H, multiplied by r² and by the scale E of [`ContactAt`].
     #[inline]
     pub(crate) fn may_absorb(&self, h: S) -> bool {
         !self.damped && !(h.abs() > near::<S>() * self.inverse_mass)

@@ -52,7 +52,7 @@ impl Scales {
         }
     }
 
-    /// Returns the same units, but with frequencies in Hz.
+    /// Returns these units, but with frequencies in Hz.
     #[must_use]
     pub fn in_hertz(self, system: &System) -> Self {
         Self {
@@ -61,7 +61,7 @@ impl Scales {
         }
     }
 
-    /// Returns the same units, but with forces in N and displacements in mm, under the given load.
+    /// Returns these units, but with forces in N and displacements in mm, under the given load.
     #[must_use]
     pub fn under(self, load: LoadScale) -> Self {
         Self {
@@ -70,8 +70,9 @@ impl Scales {
         }
     }
 
-    /// Returns the same units for a load whose amplitude is proportional to r⁻ⁿ, where r is the frequency ratio and n
-    /// is `fall`. [`under`](Self::under) sets the load at r = 1.
+    /// Returns these units, but for a load whose amplitude depends on the frequency ratio r. The amplitude is
+    /// proportional to r⁻ⁿ, where n is `fall`. [`under`](Self::under) sets the amplitude at r = 1. Other `Scales` are
+    /// for a load of constant amplitude (n = 0).
     #[must_use]
     pub fn falling(self, fall: i32) -> Self {
         Self { fall, ..self }
@@ -92,7 +93,7 @@ impl Scales {
         }
     }
 
-    /// Returns the same units, but with times in seconds. `omega` is the angular frequency of the motion in rad/s.
+    /// Returns these units, but with times in seconds. `omega` is the angular frequency of the motion in rad/s.
     #[must_use]
     pub fn at(self, omega: f64) -> Self {
         Self {
@@ -101,7 +102,7 @@ impl Scales {
         }
     }
 
-    /// Returns the same units, but for the amplitudes of the motion `of`. The amplitudes of a spring and of the base
+    /// Returns these units, but for the amplitudes of the motion `of`. The amplitudes of a spring and of the base
     /// shear are forces.
     #[must_use]
     pub fn showing(self, of: Of) -> Self {
@@ -111,7 +112,7 @@ impl Scales {
         }
     }
 
-    /// Returns the same units with the given scales of the axes. A true `frequency` makes the frequency axis
+    /// Returns these units with the given scales of the axes. A true `frequency` makes the frequency axis
     /// logarithmic, and a true `amplitude` the amplitude axes.
     #[must_use]
     pub fn with_log(self, frequency: bool, amplitude: bool) -> Self {

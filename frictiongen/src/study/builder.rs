@@ -353,7 +353,8 @@ impl Builder {
     }
 }
 
-/// Returns the solvers that code emitted from a scene with this friction law and stepper can provide.
+/// Returns the field `provide` of a scene with this friction law and these settings of the stepper. The field lists the
+/// solvers that emitted code of the scene contains.
 fn provided(friction: &FrictionLaw, stepping: &StepperOptions) -> Vec<Provide> {
     if *friction != FrictionLaw::Coulomb {
         return vec![Provide::Stepper];

@@ -138,7 +138,7 @@ pub enum LoadError {
     DrivenByBase,
     /// The load is a base motion, but a force drives the mass of this name.
     DrivenByForce(String),
-    /// The amplitude of the load is not above 0 and finite.
+    /// The amplitude of the load is 0, negative, infinite or NaN.
     Amplitude,
     /// The units of force (P or k₁Y) or of length (P/k₁ or Y) are too small or too large for the number type.
     OutOfRange,

@@ -52,8 +52,9 @@ impl<'a> Deref for SystemHeld<'a> {
     }
 }
 
-/// Returns the displacement of a mass for a constant unit displacement of the contact. It is Σ φ_k(φᵀw)/λ divided by Σ
-/// (φᵀw)²/λ, with sums over the modes φ, the component φ_k of the mass, and the contact's direction vector w.
+/// Returns the displacement of a mass for a constant unit displacement of the contact. It is the sum of φ_k(φᵀw)/λ over
+/// all modes, divided by the sum of (φᵀw)²/λ over all modes. φ is a mode shape, φ_k its component at the mass, λ the
+/// square of the mode's frequency ratio, and w the direction vector of the contact.
 pub(super) fn static_share<S: Float>(system: &System<S>, mass: usize) -> Option<S> {
     let zero = S::constant(0.0);
     let shape = system.shape(mass)?;
@@ -64,9 +65,14 @@ pub(super) fn static_share<S: Float>(system: &System<S>, mass: usize) -> Option<
     Some(moved / receptance(system))
 }
 
-/// Returns the constant displacement of a contact that has never slid. For a rigid contact it is −s, where s is the
-/// coefficient of the base motion in z̄. The spring of an elastic contact has no force at the start of the motion.
-/// Later the spring forces of the chain deform it.
+/// Returns the constant part of z̄, the relative displacement of the contact, in a motion from rest in which the
+/// contact never slides. It is 0, unless the contact is on a moving base.
+///
+/// At the start of the motion, a moving base is at its largest displacement Y and every mass is at 0, so that z̄ is −1.
+/// A rigid contact keeps this displacement, and the function returns −1. The spring of an elastic contact has no force
+/// at z̄ = −1, but the springs of the chain pull the contact towards z̄ = 0. The two constant forces are in equilibrium
+/// at −h/(h + ρ), and the function returns this value. h is wᵀK̄⁻¹w (see [`receptance`]), and ρ is the compliance of
+/// the elastic contact.
 pub(super) fn offset_from_rest<S: Float>(system: &System<S>) -> S {
     if system.numbers().chain.on_moving_base.is_none() {
         return S::constant(0.0);

@@ -63,7 +63,8 @@ pub struct SystemOrbit<'a, S = f64> {
     pub(super) system: &'a System<S>,
     pub(super) orbit: SystemOrbitState<'a, S>,
     pub(super) from_rest: bool,
-    /// True if this state belongs to a continuum of steady states, and the closed form also belongs to it.
+    /// True if the contact slides all the time in this state, although this state is not the closed form. The state and
+    /// the closed form then belong to one continuum of steady states, and the regime of the state is continuous.
     pub(super) slides: bool,
 }
 

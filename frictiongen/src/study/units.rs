@@ -250,7 +250,7 @@ impl<S: Float> System<S> {
     ///
     /// # Errors
     /// [`LoadError`] for a force if the base moves, and for a base motion if a force drives a mass. [`LoadError`] also
-    /// for an amplitude that is not above 0 and finite, and if P/k₁ or k₁Y is out of the scalar's range.
+    /// for an amplitude that is 0, negative, infinite or NaN, and if P/k₁ or k₁Y is out of the scalar's range.
     pub fn load_scale(&self, load: Load<S>) -> Result<LoadScale<S>, LoadError> {
         self.load_scale_at(load, S::constant(1.0))
     }

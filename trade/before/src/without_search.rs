@@ -1,4 +1,6 @@
-//! Computes limits without search. The earlier commit has no function for them, so they are computed by way of `at`.
+//! Computes limits without search. They are closed formulas, which use the velocity constraint at the reversal in
+//! place of its largest value. The earlier commit has no function that returns both limits, so this file calls `at`
+//! first.
 
 use crate::methods::Pair;
 use frictiongen::{FrictionSystem, LimitsAt};

@@ -1,5 +1,5 @@
 //! Section on tables of a declared accuracy. It compares them with exact results (by the present and by the earlier
-//! searches), and with limits without search.
+//! searches), and with limits without search, which are closed formulas.
 
 use super::table::{Table, Tally, cell, verdict};
 use super::{of, shown};

@@ -129,7 +129,7 @@ pub fn tails(tails: &[Tail], text: &mut String) -> Written {
     writeln!(text, "{table}")
 }
 
-/// Writes the section on the operations and the time of limits without search.
+/// Writes the section on the operations and the time of limits without search, which are closed formulas.
 pub fn floor(rows: &[Row], text: &mut String) -> Written {
     let mut table =
         Table::of_scenes("a call | C | operations | ÷ | √ | sin and cos | exp and its like");

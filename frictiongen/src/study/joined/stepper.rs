@@ -47,7 +47,7 @@ impl<'a> Joined<'a> {
     /// `hold`, it instead starts from the displacement of the new sample and moves with the velocity of this sample.
     ///
     /// # Errors
-    /// [`OutOfDomain`](crate::OutOfDomain) for a step that is not above 0 and finite, or too long.
+    /// [`OutOfDomain`](crate::OutOfDomain) for a step that is 0, negative, infinite, NaN, or too long.
     pub fn stepper(&self, dt: f64) -> Result<JoinedStepper<'a>, JoinedError> {
         let mut chain: Chain = self.chain().clone();
         let masses = chain.masses.len();

@@ -31,7 +31,7 @@ pub struct OptimumRequest {
 #[derive(Clone, Debug, PartialEq)]
 #[non_exhaustive]
 pub enum OptimumError {
-    /// A bound of the band is not above 0 and finite.
+    /// A bound of the band is 0, negative, infinite or NaN.
     Band,
     /// The band has no width, or its upper bound is below its lower bound.
     Width,
@@ -62,8 +62,8 @@ pub enum OptimumError {
     /// The motion does not have the requested quantity. Only the contact has a contact force and an energy, and a force
     /// has neither a velocity nor an acceleration. An equivalent damping ratio has no least value to search for.
     Size,
-    /// The request contains several quantities, and the value that divides one of them is missing, or is not above 0
-    /// and finite.
+    /// The request contains several quantities, and the value that divides one of them is missing, 0, negative,
+    /// infinite or NaN.
     Weight,
     /// No friction satisfies this bound together with all earlier bounds in the request.
     Unreachable {

@@ -65,7 +65,7 @@ impl System {
     ///
     /// # Errors
     /// Same errors as [`optimum`](System::optimum). [`OptimumError::Weight`] for an empty list and for a value that is
-    /// not above 0 and finite, and [`OptimumError::Stopped`] if `watch` returned false.
+    /// 0, negative, infinite or NaN, and [`OptimumError::Stopped`] if `watch` returned false.
     pub fn weighted_optimum(
         &self,
         request: &OptimumRequest,

@@ -178,7 +178,7 @@ fn critical_damping() {
     across(&zetas, 1.0, "zeta = 1", (3560, 3, 1));
 }
 
-/// Checks the limits without search of undamped scenes at odd and even subharmonics.
+/// Checks the limits without search (closed formulas) of undamped scenes at odd and even subharmonics.
 ///
 /// At an odd subharmonic β_lim falls to 0, because U has a pole there. At an even subharmonic the u of a mode is 0.
 /// The test does not search for S. At these frequencies S is small compared with U, and its condition number in
