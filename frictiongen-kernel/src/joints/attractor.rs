@@ -29,16 +29,20 @@ impl<S: Float, Z: Size> Search<S, Z> {
     /// steady state that attracts neighbouring motions therefore attracts every motion. The search then needs no test
     /// of the motion from rest. If the energy of the present difference is too small to make an elastic contact slide,
     /// the contact keeps the position of its slider.
-    pub(super) fn only(&mut self, motion: &Motion<S, Z>) -> Option<Steady<S, Z>> {
+    ///
+    /// # Errors
+    ///
+    /// [`Halt`] if the motion exceeds a bound.
+    pub(super) fn only(&mut self, motion: &Motion<S, Z>) -> Result<Option<Steady<S, Z>>, Halt> {
         let one = S::constant(1.0);
         let mut contacts = motion.model().contacts().iter();
         if contacts.any(|contact| contact.stiction != one) {
-            return None;
+            return Ok(None);
         }
         let mut trial = motion.clone();
-        self.advance(&mut trial, SOON - 1, &mut ()).ok()?;
+        self.advance(&mut trial, SOON - 1, &mut ())?;
         let mut reach = Reach(S::constant(0.0));
-        self.advance(&mut trial, 1, &mut reach).ok()?;
+        self.advance(&mut trial, 1, &mut reach)?;
         self.place = if reach.0 > S::constant(0.0) {
             reach.0
         } else {
@@ -46,7 +50,7 @@ impl<S: Float, Z: Size> Search<S, Z> {
         };
         for _ in 0..SEARCHES {
             let Some(found) = self.scaled(&trial)? else {
-                self.advance(&mut trial, CALM * WAIT, &mut ()).ok()?;
+                self.advance(&mut trial, CALM * WAIT, &mut ())?;
                 continue;
             };
             let most = one - self.tolerances.attracts;
@@ -54,30 +58,30 @@ impl<S: Float, Z: Size> Search<S, Z> {
             // The energy gives no bound on the force that holds a rigid contact.
             let is_rigid = marginal(trial.model(), &found).any(|(_, contact)| contact.is_rigid());
             if found.neutral > 0 || !attracts || is_rigid {
-                return None;
+                return Ok(None);
             }
-            if self.waits(&mut trial, &found).ok()? {
-                return Some(found);
+            if self.waits(&mut trial, &found)? {
+                return Ok(Some(found));
             }
         }
-        None
+        Ok(None)
     }
 
     /// Searches for a periodic motion near a state. The displacements in the first cycles may be much larger than those
     /// in the steady state. The search then starts again with the size of the steady state.
-    fn scaled(&mut self, motion: &Motion<S, Z>) -> Option<Option<Steady<S, Z>>> {
-        let Some(found) = self.newton(motion, 1).ok()? else {
-            return Some(None);
+    fn scaled(&mut self, motion: &Motion<S, Z>) -> Result<Option<Steady<S, Z>>, Halt> {
+        let Some(found) = self.newton(motion, 1)? else {
+            return Ok(None);
         };
         let amplitudes = found.cycle.amplitudes.as_ref().iter().copied();
         let place = amplitudes.fold(S::constant(0.0), Scalar::max);
         if place >= S::constant(0.5) * self.place || place <= S::constant(0.0) {
-            return Some(Some(found));
+            return Ok(Some(found));
         }
         self.place = place;
         let mut near = motion.clone();
         near.restart(found.state);
-        self.newton(&near, 1).ok()
+        self.newton(&near, 1)
     }
 
     /// Returns true if a contact slides so little that rounding errors may decide whether it slides at all. In this

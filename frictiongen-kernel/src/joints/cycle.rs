@@ -148,16 +148,6 @@ impl<S: Float, Z: Size> Watch<S, Z> {
         }
     }
 
-    /// Returns one value for each contact. The value is true if the contact has slid in the period.
-    pub fn slides(&self, model: &Model<S, Z>) -> Z::Contacts<bool> {
-        let mut slides = model.size.contacts(false);
-        let contacts = self.cycle.contacts.as_ref().iter();
-        for (slides, contact) in slides.as_mut().iter_mut().zip(contacts) {
-            *slides = contact.has_slid();
-        }
-        slides
-    }
-
     fn see_masses(&mut self, series: &Series<S, Z>, end: S) {
         let amplitudes = self.cycle.amplitudes.as_mut().iter_mut();
         let masses = amplitudes.zip(self.spans.as_mut()).enumerate();

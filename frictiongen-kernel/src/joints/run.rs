@@ -23,15 +23,13 @@ pub trait Observe<S: Float, Z: Size> {
     /// the contacts have the phases in `state`.
     fn stretch(&mut self, series: &Series<S, Z>, end: S, state: &State<S, Z>);
 
-    /// Receives the phases of all contacts (sticking or sliding) before and after an event.
-    fn event(&mut self, time: S, before: &Z::Contacts<i8>, after: &Z::Contacts<i8>);
+    /// Receives the phases of all contacts (sticking or sliding) before and after an event. The default ignores them.
+    fn event(&mut self, _time: S, _before: &Z::Contacts<i8>, _after: &Z::Contacts<i8>) {}
 }
 
 /// The unit type is an observer that ignores the motion.
 impl<S: Float, Z: Size> Observe<S, Z> for () {
     fn stretch(&mut self, _: &Series<S, Z>, _: S, _: &State<S, Z>) {}
-
-    fn event(&mut self, _: S, _: &Z::Contacts<i8>, _: &Z::Contacts<i8>) {}
 }
 
 /// Largest amounts of work in one call.

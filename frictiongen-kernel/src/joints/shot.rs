@@ -110,7 +110,9 @@ impl<S: Float, Z: Size> Search<S, Z> {
         to: &Z::Unknowns<S>,
         span: Span,
     ) -> Result<Z::Square<S>, Halt> {
-        if let Some(derivatives) = self.shoot(start, span, true)?.derivatives {
+        if Tangent::follows(start.model())
+            && let Some(derivatives) = self.shoot(start, span, true)?.derivatives
+        {
             return Ok(derivatives);
         }
         let unknowns = self.unknowns();
@@ -118,7 +120,8 @@ impl<S: Float, Z: Size> Search<S, Z> {
         let from = unknowns.read(start);
         let mut matrix = start.model().size.square(S::constant(0.0));
         let size = from.as_ref().len().max(1);
-        for (index, column) in matrix.as_mut().chunks_exact_mut(size).enumerate() {
+        let columns = matrix.as_mut().chunks_exact_mut(size).enumerate();
+        for (index, column) in columns.filter(|(index, _)| unknowns.uses(start, *index)) {
             let mut moved = from.clone();
             add(moved.as_mut(), index, step);
             let mut end = unknowns.write(start, &moved);

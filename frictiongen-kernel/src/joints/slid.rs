@@ -36,8 +36,6 @@ impl<S: Float, Z: Size> Observe<S, Z> for Slid<S, Z> {
             self.slides |= slip > least_slip(place);
         }
     }
-
-    fn event(&mut self, _: S, _: &Z::Contacts<i8>, _: &Z::Contacts<i8>) {}
 }
 
 /// Observer of a period. It measures how far each contact slides.
@@ -87,8 +85,6 @@ impl<S: Float, Z: Size> Observe<S, Z> for Slips<S, Z> {
             }
         }
     }
-
-    fn event(&mut self, _: S, _: &Z::Contacts<i8>, _: &Z::Contacts<i8>) {}
 }
 
 /// Observer of a motion that counts the events.
@@ -111,6 +107,4 @@ impl<S: Float, Z: Size> Observe<S, Z> for Reach<S> {
             self.0 = Scalar::max(self.0, series.displacement_at_start(mass).abs());
         }
     }
-
-    fn event(&mut self, _: S, _: &Z::Contacts<i8>, _: &Z::Contacts<i8>) {}
 }

@@ -108,7 +108,8 @@ impl<S: Float, Z: Size> Motion<S, Z> {
     /// [`Halt`] if the motion exceeds a bound.
     pub fn settle(&mut self, omega: S) -> Result<Option<Steady<S, Z>>, Halt> {
         let mut search = Search::new(self, omega, S::constant(1.0));
-        if let Some(steady) = search.only(self) {
+        // A motion that exceeds a bound here may still reach a steady state in the search below.
+        if let Ok(Some(steady)) = search.only(self) {
             return Ok(Some(steady));
         }
         let mut cycles = WARM;
@@ -313,9 +314,9 @@ impl<S: Float, Z: Size> Search<S, Z> {
         }
         let expected = Scalar::max(expected, floor);
         let before = self.away(motion.state(), steady);
-        let mut watch = Watch::new(motion.model());
-        self.advance(motion, periods * steady.period, &mut watch)?;
-        let slides = watch.slides(motion.model());
+        let mut slips = Slips::new(motion.model());
+        self.advance(motion, periods * steady.period, &mut slips)?;
+        let slides = slips.slides(motion.model());
         let mut slides = slides.as_ref().iter().zip(steady.marginal.as_ref());
         if slides.any(|(slides, marginal)| *slides && *marginal) {
             return Ok(false);

@@ -288,8 +288,6 @@ impl<S: Float, Z: Size> Observe<S, Z> for Tangent<'_, S, Z> {
             }
         }
     }
-
-    fn event(&mut self, _: S, _: &Z::Contacts<i8>, _: &Z::Contacts<i8>) {}
 }
 
 /// Observer of a motion that consists of two other observers.

@@ -32,6 +32,25 @@ impl<S: Float, Z: Size> Unknowns<'_, S, Z> {
         self.moving.as_ref().get(contact) == Some(&true)
     }
 
+    /// Returns true if a motion that starts with other unknowns depends on the unknown with this index. Each contact has
+    /// two indices: the first is for the slider of an elastic contact, and the second is for the place of a rigid contact
+    /// that sticks.
+    pub(super) fn uses(&self, motion: &Motion<S, Z>, index: usize) -> bool {
+        let model = motion.model();
+        let Some(which) = index.checked_sub(2 * model.masses().len()) else {
+            return true;
+        };
+        let j = which / 2;
+        let Some(contact) = model.contacts().get(j) else {
+            return false;
+        };
+        self.moves(j)
+            && match which % 2 {
+                0 => !contact.is_rigid(),
+                _ => contact.is_rigid() && motion.state().phase(j) == STUCK,
+            }
+    }
+
     /// Returns the unknowns that correspond to the present state of a motion.
     pub(super) fn read(&self, motion: &Motion<S, Z>) -> Z::Unknowns<S> {
         let state = motion.state();
