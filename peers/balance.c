@@ -54,12 +54,14 @@ static double across(const Scene *s, const double *x, int j, int c) {
     return x[j * width + c] - (j ? x[(j - 1) * width + c] : 0);
 }
 
-/* Computes the harmonics of the force of a contact, and their derivatives with respect to those of its displacement. */
-static void contact(const Scene *s, const double *x, int j) {
+/* Computes the harmonics of the force of a contact. If `derives` is set, also computes their derivatives with respect to
+ * those of its displacement. */
+static void contact(const Scene *s, const double *x, int j, int derives) {
     int width = 2 * s->odd;
     double z[2 * ODD], d[2 * ODD], place = 0, f = 0, before = 0;
     for (int c = 0; c < width; c++) z[c] = across(s, x, j, c);
-    memset(force[j], 0, sizeof force[j]); memset(slope[j], 0, sizeof slope[j]);
+    memset(force[j], 0, sizeof force[j]);
+    if (derives) memset(slope[j], 0, sizeof slope[j]);
     for (int k = 0; k <= 2 * SAMPLES - 1; k++) {
         int i = k % SAMPLES, last = (i + SAMPLES - 1) % SAMPLES;
         before = place; place = 0;
@@ -68,14 +70,14 @@ static void contact(const Scene *s, const double *x, int j) {
         if (fabs(f) > s->level[j]) {
             f = copysign(s->level[j], f);
             memset(d, 0, sizeof d);
-        } else for (int c = 0; c < width; c++) {
+        } else if (derives) for (int c = 0; c < width; c++) {
             d[c] = k ? d[c] + s->kappa * (wave[c][i] - wave[c][last]) : s->kappa * wave[c][i];
         }
         if (k < SAMPLES) continue;
         for (int row = 0; row < width; row++) {
             double w = 2 * wave[row][i] / SAMPLES;
             force[j][row] += w * f;
-            for (int c = 0; c < width; c++) slope[j][row][c] += w * d[c];
+            if (derives) for (int c = 0; c < width; c++) slope[j][row][c] += w * d[c];
         }
     }
 }
@@ -84,7 +86,7 @@ static void contact(const Scene *s, const double *x, int j) {
 static double residual(const Scene *s, const double *x, double *left, int derives) {
     int n = s->n, width = 2 * s->odd, size = n * width;
     if (derives) for (int i = 0; i < size; i++) memset(matrix[i], 0, size * sizeof matrix[i][0]);
-    for (int j = 0; j < n; j++) contact(s, x, j);
+    for (int j = 0; j < n; j++) contact(s, x, j, derives);
     for (int i = 0; i < n; i++) for (int h = 0; h < s->odd; h++) {
         double w = (2 * h + 1) * s->r;
         int a = i * width + 2 * h, b = a + 1;
