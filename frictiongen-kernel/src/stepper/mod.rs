@@ -56,6 +56,9 @@ pub use scene::{StepScene, Units};
 pub use state::{FixedStore, Store, StoreMut, StoreRef};
 pub use table::{Channel, FixedTables, HeldLoad, StepTables, View, fill, series_terms};
 pub use types::{ContactNow, DeclaredStepper, FixedStepper, MassNow, Stepped, Stepper};
+#[cfg(feature = "serde")]
+#[doc(hidden)]
+pub use written::NOT_FINITE;
 
 /// Largest number of events that the stepper follows in one sub-interval of a step without an event budget. After these
 /// events the stepper ends the sub-interval without a search. A contact at rest then stays stuck for the rest of the

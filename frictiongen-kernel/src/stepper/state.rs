@@ -47,6 +47,18 @@ pub struct StoreRef<'s, S> {
     pub last: &'s [S],
 }
 
+#[cfg(feature = "serde")]
+impl<S: Float> StoreRef<'_, S> {
+    /// Returns true if all numbers are finite.
+    #[must_use]
+    pub fn is_finite(&self) -> bool {
+        let oscillators = self.modes.iter().chain(self.held).flatten();
+        oscillators
+            .chain(self.last)
+            .all(|number| number.is_finite())
+    }
+}
+
 /// Storage of a stepper's numbers, in arrays or vectors.
 pub trait Store<S, const D: usize> {
     /// Returns all numbers as mutable slices.

@@ -80,7 +80,7 @@ where
     fn deserialize<D: Deserializer<'de>>(from: D) -> Result<Self, D::Error> {
         let form = Form::<S, V>::deserialize(from)?;
         if !form.numbers.iter().all(|number| number.is_finite()) {
-            return Err(not_finite());
+            return Err(D::Error::custom(NOT_FINITE));
         }
         let status = Status {
             contact: form.contact,
@@ -100,33 +100,16 @@ where
     }
 }
 
-/// Returns the error for a number that no stepper writes.
-fn not_finite<E: Error>() -> E {
-    E::custom(
-        "a number of the saved state is not finite, so that no stepper has written it; continue from a state that a stepper has written",
-    )
-}
+/// Message for a number that no stepper writes.
+pub const NOT_FINITE: &str = "a number of the saved state is not finite, so that no stepper has written it; continue from a state that a stepper has written";
 
-/// The written form of an oscillator's states and of the last forces.
+/// The written form of the states of all oscillators and of the last forces.
 #[derive(Serialize, Deserialize)]
 #[serde(rename = "Store", deny_unknown_fields)]
-struct StoreForm<P, L> {
-    modes: P,
-    held: P,
+struct StoreForm<M, H, L> {
+    modes: M,
+    held: H,
     last: L,
-}
-
-/// The same for reading, with lists of two lengths.
-#[derive(Deserialize)]
-#[serde(
-    rename = "Store",
-    deny_unknown_fields,
-    bound = "S: Float + Default + Deserialize<'de>"
-)]
-struct FixedForm<S, const MODES: usize, const HELD: usize, const INPUTS: usize> {
-    modes: List<[S; 2], MODES>,
-    held: List<[S; 2], HELD>,
-    last: List<S, INPUTS>,
 }
 
 impl<S, const D: usize, const MODES: usize, const HELD: usize, const INPUTS: usize> Serialize
@@ -151,21 +134,17 @@ where
     S: Float + Default + Deserialize<'de>,
 {
     fn deserialize<T: Deserializer<'de>>(from: T) -> Result<Self, T::Error> {
-        let form = FixedForm::<S, MODES, HELD, INPUTS>::deserialize(from)?;
+        let form: StoreForm<List<[S; 2], MODES>, List<[S; 2], HELD>, List<S, INPUTS>> =
+            StoreForm::deserialize(from)?;
         let mut store = Self::new();
         let numbers = store.change();
         numbers.modes.copy_from_slice(&form.modes.0);
         numbers.held.copy_from_slice(&form.held.0);
         numbers.last.copy_from_slice(&form.last.0);
-        let store_ref = store.read();
-        let oscillators = store_ref.modes.iter().chain(store_ref.held).flatten();
-        if !oscillators
-            .chain(store_ref.last)
-            .all(|number| number.is_finite())
-        {
-            return Err(not_finite());
+        match store.read().is_finite() {
+            true => Ok(store),
+            false => Err(T::Error::custom(NOT_FINITE)),
         }
-        Ok(store)
     }
 }
 

@@ -4,6 +4,8 @@ use super::error::{StudyError, UnknownMass};
 use super::system::System;
 use crate::{OutOfDomain, StepLoad, Stepping, Steps};
 use frictiongen_kernel::motion::{AnyContact, Dynamics};
+#[cfg(feature = "serde")]
+use frictiongen_kernel::stepper::NOT_FINITE;
 use frictiongen_kernel::stepper::{
     Channel, ContactNow, HeldLoad, HeldStep, MassNow, ModeStep, Pace, Sample, Saved, StepScene,
     StepTables, Stepped, Stepper, Store, StoreMut, StoreRef, View, Work, fill, image_step,
@@ -106,14 +108,13 @@ impl<S: Float> TryFrom<StoreForm<S>> for SystemStepStore<S> {
     type Error = &'static str;
 
     fn try_from(form: StoreForm<S>) -> Result<Self, Self::Error> {
-        let oscillators = form.modes.iter().chain(&form.held).flatten();
-        if !oscillators
-            .chain(&form.last)
-            .all(|number| number.is_finite())
-        {
-            return Err(
-                "a number of the saved state is not finite, so that no stepper has written it; continue from a state that a stepper has written",
-            );
+        let read = StoreRef {
+            modes: &form.modes,
+            held: &form.held,
+            last: &form.last,
+        };
+        if !read.is_finite() {
+            return Err(NOT_FINITE);
         }
         let zero = S::constant(0.0);
         Ok(Self {
