@@ -121,14 +121,11 @@ pub fn known(modal: &Modal, question: &AnswersRequest) -> Vec<KnownAnswers> {
             let Some(found) = answers(&exact, question, r, place) else {
                 continue;
             };
+            if found.needs() <= question.tolerance {
+                return Some(found);
+            }
             if best.as_ref().is_none_or(|best| found.change < best.change) {
                 best = Some(found);
-            }
-            if best
-                .as_ref()
-                .is_some_and(|best| best.needs() <= question.tolerance)
-            {
-                break;
             }
         }
         best.filter(|best| best.needs() <= question.widest)
@@ -161,16 +158,15 @@ fn answers(
     r: f64,
     place: usize,
 ) -> Option<KnownAnswers> {
-    let limits = limits(exact, r)?;
+    let at = At::new(exact, Dd::from(r)).ok()?;
+    let limits = limits(&at)?;
     let beta = question.motion.then(|| beta(question, limits, place));
-    let mut here = answer(exact, question, (r, limits), beta)?;
+    let masses = exact.shapes.len() / exact.modes.len().max(1);
+    let mut here = answer(&at, question, (r, limits), (beta, masses))?;
     let displaced = r * (1.0 + DISPLACED * question.epsilon());
-    let there = answer(
-        exact,
-        question,
-        (displaced, self::limits(exact, displaced)?),
-        beta,
-    )?;
+    let at = At::new(exact, Dd::from(displaced)).ok()?;
+    let ratios = (displaced, self::limits(&at)?);
+    let there = answer(&at, question, ratios, (beta, masses))?;
     let numbers = |known: &KnownAnswers| {
         let motion = known.motion.iter().flat_map(|motion| {
             let [amplitude, phase] = motion.contact;
@@ -216,9 +212,9 @@ fn beta(question: &AnswersRequest, [continuous, sliding]: [f64; 2], place: usize
     question.rounded(wanted).clamp(least, most)
 }
 
-/// Returns β_lim and β*_lim at r. Returns `None` if one of them is 0 or infinite.
-fn limits(exact: &Reduced<Dd>, r: f64) -> Option<[f64; 2]> {
-    let limits = At::new(exact, Dd::from(r)).ok()?.limits();
+/// Returns β_lim and β*_lim at a frequency. Returns `None` if one of them is 0 or infinite.
+fn limits(at: &At<&Reduced<Dd>>) -> Option<[f64; 2]> {
+    let limits = at.limits();
     let both = [limits.continuous, limits.sliding].map(Float::to_f64);
     both.iter()
         .all(|limit| limit.is_finite() && 0.0 < *limit)
@@ -228,16 +224,14 @@ fn limits(exact: &Reduced<Dd>, r: f64) -> Option<[f64; 2]> {
 /// Returns the answers at r and β. `continuous` and `sliding` are the limits at r. Returns `None` if no answer exists,
 /// or if β is close to a limit.
 fn answer(
-    exact: &Reduced<Dd>,
+    at: &At<&Reduced<Dd>>,
     question: &AnswersRequest,
     (r, [continuous, sliding]): (f64, [f64; 2]),
-    beta: Option<f64>,
+    (beta, masses): (Option<f64>, usize),
 ) -> Option<KnownAnswers> {
     let mut stuck = Vec::new();
     if question.stuck {
-        let at = At::new(exact, Dd::from(r)).ok()?;
         let response = at.stuck().ok()?;
-        let masses = exact.shapes.len() / exact.modes.len().max(1);
         let parts = (0..masses).map(|mass| response.mass(mass));
         let parts = parts.chain([response.contact_force()]);
         stuck = parts
@@ -256,7 +250,7 @@ fn answer(
     }
     let motion = match beta {
         None => None,
-        Some(beta) => Some(motion(exact, r, beta, [continuous, sliding])?),
+        Some(beta) => Some(motion(at, beta, [continuous, sliding], masses)?),
     };
     Some(KnownAnswers {
         r,
@@ -269,16 +263,15 @@ fn answer(
 }
 
 fn motion(
-    exact: &Reduced<Dd>,
-    r: f64,
+    at: &At<&Reduced<Dd>>,
     beta: f64,
     [continuous, sliding]: [f64; 2],
+    masses: usize,
 ) -> Option<MotionAnswers> {
     let near = |limit: f64| (beta / limit - 1.0).abs() < APART;
     if near(continuous) || near(sliding) {
         return None;
     }
-    let masses = exact.shapes.len() / exact.modes.len().max(1);
     let mut known = MotionAnswers {
         beta,
         outcome: if beta < continuous {
@@ -292,7 +285,6 @@ fn motion(
         masses: vec![[0.0; 2]; masses],
     };
     if known.outcome == MotionKind::Continuous {
-        let at = At::new(exact, Dd::from(r)).ok()?;
         let motion = at.motion(Dd::from(beta)).ok()?;
         let largest = motion.contact().largest();
         known.contact = [largest.amplitude, largest.phase].map(Float::to_f64);

@@ -1,5 +1,6 @@
 //! Constants that convert between ratios and units.
 
+use super::{Source, domain};
 use frictiongen_kernel::Float;
 use frictiongen_model::modal::Modal;
 use frictiongen_model::rounded;
@@ -57,10 +58,22 @@ impl UnitConstants {
     }
 
     /// Returns all numbers, in the order in which the checksum reads them.
-    pub(super) fn numbers(&self) -> Vec<f64> {
+    fn numbers(&self) -> Vec<f64> {
         let mut numbers = vec![self.k1, self.m1, self.reference];
         numbers.extend(&self.hertz);
         numbers.extend(&self.resonances);
         numbers
     }
+}
+
+/// Returns the constants of an emitted file, in the order of their checksum: those of [`UnitConstants`], then the ends
+/// of the ranges of r and β.
+pub(super) fn unit_numbers<S: Float>(source: &Source<'_, S>) -> Vec<f64> {
+    let mut all = UnitConstants::of::<S>(source.scene).numbers();
+    let [r, beta] = domain(source.scene, source.tables);
+    all.extend([r.0, r.1]);
+    if source.tables.moves() {
+        all.extend([beta.0, beta.1]);
+    }
+    all
 }

@@ -1,7 +1,7 @@
 //! The constants of the header: their names in C, their numbers and their checksum.
 
-use super::super::units::UnitConstants;
-use super::super::{Language, NumberFormat, Source, checksum, domain};
+use super::super::units::unit_numbers;
+use super::super::{Language, NumberFormat, Source, checksum};
 use super::constant;
 use frictiongen_kernel::Float;
 
@@ -9,17 +9,6 @@ use frictiongen_kernel::Float;
 pub(super) fn checksum_of_units<S: Float>(source: &Source<'_, S>) -> u32 {
     let numbers = NumberFormat::of::<S>(Language::C);
     checksum::of_numbers(numbers, unit_numbers(source))
-}
-
-/// Returns the constants of the header, in the order of their checksum.
-fn unit_numbers<S: Float>(source: &Source<'_, S>) -> Vec<f64> {
-    let mut all = UnitConstants::of::<S>(source.scene).numbers();
-    let [r, beta] = domain(source.scene, source.tables);
-    all.extend([r.0, r.1]);
-    if source.tables.moves() {
-        all.extend([beta.0, beta.1]);
-    }
-    all
 }
 
 /// Returns the names of the constants of the header, in the order of their checksum.

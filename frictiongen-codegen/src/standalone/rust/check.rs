@@ -2,8 +2,8 @@
 
 use super::super::formulas::Formulas;
 use super::super::known::{known_answers, numbers as known_numbers, rows, status};
-use super::super::units::UnitConstants;
-use super::super::{Language, NumberFormat, Source, checksum, columns, domain, piece_numbers};
+use super::super::units::unit_numbers;
+use super::super::{Language, NumberFormat, Source, checksum, columns, piece_numbers};
 use frictiongen_kernel::Float;
 
 /// Returns the beginning of a list of imported types.
@@ -24,12 +24,6 @@ pub(super) fn numbers<S: Float>(source: &Source<'_, S>, formulas: &Formulas) -> 
     let NumberFormat { real, .. } = numbers;
     let (tolerance, known) = known_answers(source);
     let tables = source.tables;
-    let mut units = UnitConstants::of::<S>(source.scene).numbers();
-    let [r, beta] = domain(source.scene, tables);
-    units.extend([r.0, r.1]);
-    if tables.moves() {
-        units.extend([beta.0, beta.1]);
-    }
     let mut sums = vec![
         ("BUCKETS", checksum::of_indices(&tables.index.buckets)),
         (
@@ -40,7 +34,7 @@ pub(super) fn numbers<S: Float>(source: &Source<'_, S>, formulas: &Formulas) -> 
             "CONSTANTS",
             checksum::of_numbers(numbers, formulas.constants.values()),
         ),
-        ("UNITS", checksum::of_numbers(numbers, units)),
+        ("UNITS", checksum::of_numbers(numbers, unit_numbers(source))),
     ];
     let mut text = String::new();
     if !known.is_empty() {
