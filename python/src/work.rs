@@ -2,27 +2,14 @@
 
 use crate::errors::{defect, domain};
 use pyo3::prelude::*;
+use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, Ordering};
-use std::sync::mpsc::{self, RecvTimeoutError};
-use std::sync::{Arc, Mutex};
-use std::thread::{self, Thread};
+use std::sync::mpsc::{self, Receiver, RecvTimeoutError};
+use std::thread;
 use std::time::Duration;
 
 /// Longest delay between Ctrl-C and the check for it.
 const PATIENCE: Duration = Duration::from_millis(50);
-
-/// Wakes the waiting thread when the work ends. This also happens if the work panics.
-struct Bell<'a> {
-    done: &'a AtomicBool,
-    waiting: Thread,
-}
-
-impl Drop for Bell<'_> {
-    fn drop(&mut self) {
-        self.done.store(true, Ordering::Release);
-        self.waiting.unpark();
-    }
-}
 
 /// Flag by which one thread asks the work on another thread to stop.
 pub struct Stop(AtomicBool);
@@ -39,27 +26,14 @@ impl Stop {
 /// second. [`left_at_interrupt`] is for computations that cannot check.
 pub fn without_lock<T: Send>(py: Python<'_>, work: impl FnOnce(&Stop) -> T + Send) -> PyResult<T> {
     let stop = Stop(AtomicBool::new(false));
-    let done = AtomicBool::new(false);
-    let bell = Bell {
-        done: &done,
-        waiting: thread::current(),
-    };
+    let (sender, receiver) = mpsc::sync_channel(1);
+    let stop = &stop;
     thread::scope(|scope| {
-        let worker = scope.spawn(|| {
-            let _bell = bell;
-            work(&stop)
-        });
-        let mut interrupt = Ok(());
-        while !done.load(Ordering::Acquire) {
-            py.detach(|| thread::park_timeout(PATIENCE));
-            if interrupt.is_ok() {
-                interrupt = py.check_signals();
-                stop.0.fetch_or(interrupt.is_err(), Ordering::Relaxed);
-            }
-        }
-        let result = py.detach(|| worker.join());
-        interrupt?;
-        result.map_err(|_| no_result())
+        let worker = scope.spawn(move || sender.send(work(stop)));
+        let result = receive(py, stop, receiver);
+        // After an interrupt the work ends as soon as it has checked for the request.
+        let _ = py.detach(|| worker.join());
+        result
     })
 }
 
@@ -78,24 +52,27 @@ pub fn left_at_interrupt<T: Send + 'static>(
         let _ = sender.send(work(&heard));
     });
     started.map_err(|error| domain(format_args!("no thread for the computation: {error}")))?;
-    let receiver = Mutex::new(receiver);
+    receive(py, &stop, receiver)
+}
+
+/// Waits for the result of a computation on another thread. Ctrl-C requests a stop, and the function then raises the
+/// interrupt.
+fn receive<T: Send>(py: Python<'_>, stop: &Stop, mut receiver: Receiver<T>) -> PyResult<T> {
     loop {
-        let received = py.detach(|| match receiver.lock() {
-            Ok(receiver) => receiver.recv_timeout(PATIENCE),
-            Err(_) => Err(RecvTimeoutError::Disconnected),
-        });
-        match received {
+        let results = &mut receiver;
+        match py.detach(move || results.recv_timeout(PATIENCE)) {
             Ok(result) => return Ok(result),
             Err(RecvTimeoutError::Timeout) => {
                 let interrupt = py.check_signals();
                 stop.0.fetch_or(interrupt.is_err(), Ordering::Relaxed);
                 interrupt?;
             }
-            Err(RecvTimeoutError::Disconnected) => return Err(no_result()),
+            // The computation has panicked.
+            Err(RecvTimeoutError::Disconnected) => {
+                return Err(defect(
+                    "a computation ended without a result: please report this with the description",
+                ));
+            }
         }
     }
-}
-
-fn no_result() -> PyErr {
-    defect("a computation ended without a result: please report this with the description")
 }
