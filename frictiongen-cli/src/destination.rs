@@ -31,6 +31,13 @@ pub enum OutputFormat {
     Png,
 }
 
+impl OutputFormat {
+    /// Returns true if the output is a picture.
+    pub fn is_picture(self) -> bool {
+        matches!(self, Self::Svg | Self::Png)
+    }
+}
+
 impl FormatArguments {
     fn extras(&self) -> Extras {
         Extras {

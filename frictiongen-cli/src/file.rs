@@ -33,6 +33,19 @@ pub fn write_with(
     written
 }
 
+/// Writes a web page to a file, which must not be the description, or to `out` without a path.
+pub fn write_page(
+    (path, description): (Option<&Path>, Option<&Path>),
+    html: &str,
+    out: &mut dyn Write,
+) -> Result<(), Failure> {
+    if let Some(path) = path {
+        return write_file(path, description, html);
+    }
+    out.write_all(html.as_bytes())?;
+    Ok(out.flush()?)
+}
+
 /// Fails if the program cannot write a file at this path, or if the file is the description.
 pub fn check(path: &Path, description: Option<&Path>) -> Result<(), Failure> {
     if description.is_some_and(|description| is_same(description, path)) {

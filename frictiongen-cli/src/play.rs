@@ -28,13 +28,7 @@ pub fn run(arguments: &PlayArguments, out: &mut dyn Write) -> Result<(), Failure
         Failure::Lines(lines.map(|line| format!("{name}:{line}")).collect())
     })?;
     let html = with(&page(arguments.page.as_deref())?, &json!({ "text": text }));
-    match arguments.output.as_deref() {
-        Some(path) => file::write_file(path, description, &html),
-        None => {
-            out.write_all(html.as_bytes())?;
-            Ok(out.flush()?)
-        }
-    }
+    file::write_page((arguments.output.as_deref(), description), &html, out)
 }
 
 /// Returns the page of the playground with the given start. The start is an object with the key `text` for the

@@ -40,8 +40,7 @@ pub fn run(arguments: &CurveArguments, out: &mut dyn Write) -> Result<(), Failur
         Some(highest) => (1..=highest).collect(),
         None => Vec::new(),
     };
-    if arguments.log.is_some() && !matches!(destination.form, OutputFormat::Svg | OutputFormat::Png)
-    {
+    if arguments.log.is_some() && !destination.form.is_picture() {
         return Err(Failure::new(
             "--log: only a picture has axes; write one by -o curve.svg, or leave --log out",
         ));

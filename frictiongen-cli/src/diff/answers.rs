@@ -1,5 +1,6 @@
 //! Largest differences between the results of two scenes at the same frequencies and friction forces.
 
+use super::relative;
 use frictiongen::System;
 use frictiongen::study::scene::{Accuracy, Beyond, Excitation, FrictionLaw, Provide, Scene};
 use frictiongen::study::units::{Load, hertz};
@@ -224,14 +225,6 @@ impl ResultSeries {
                 }
             }
         }
-        let relative = |old: f64, new: f64| {
-            let size = old.abs().max(new.abs());
-            if size == 0.0 {
-                0.0
-            } else {
-                (new - old).abs() / size
-            }
-        };
         let values = self.values.iter();
         let largest = values.max_by(|a, b| relative(a.1, a.2).total_cmp(&relative(b.1, b.2)))?;
         let mut all: Vec<f64> = self

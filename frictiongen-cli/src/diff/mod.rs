@@ -134,6 +134,15 @@ fn unified(
 /// difference.
 const ROUNDINGS: f64 = 1e-12;
 
+/// Returns the absolute difference of two numbers, divided by the larger absolute value. The result is 0 if both are 0.
+fn relative(old: f64, new: f64) -> f64 {
+    let size = old.abs().max(new.abs());
+    if size == 0.0 {
+        return 0.0;
+    }
+    (new - old).abs() / size
+}
+
 /// Formats a relative change in per cent, with its sign.
 fn per_cent(relative: f64) -> String {
     let value = 100.0 * relative;

@@ -55,10 +55,7 @@ pub fn motion_figure(
     let taus = history.taus.iter();
     let names = question.joined.contact_names().into_iter().enumerate();
     let contacts = names.map(|(index, name)| {
-        let sign = match question.measure.scale() {
-            Some(_) => question.joined.sign(index),
-            None => 1.0,
-        };
+        let sign = question.table().sign(index);
         let states = || {
             let states = history.contacts.iter().filter_map(|all| all.get(index));
             states.map(|now| now.signed(sign))

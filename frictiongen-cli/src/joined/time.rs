@@ -33,7 +33,7 @@ impl Asked<'_> {
         out: &mut dyn Write,
     ) -> Result<(), Failure> {
         self.question(scene, |question| {
-            let draws = matches!(form, OutputFormat::Svg | OutputFormat::Png);
+            let draws = form.is_picture();
             let (history, frequency) = history(question, time, draws)?;
             let omega = frequency.omega;
             #[cfg(feature = "pictures")]

@@ -6,7 +6,7 @@ use crate::args::OrbitArguments;
 use crate::asked;
 #[cfg(feature = "pictures")]
 use crate::asked::without_rates;
-use crate::destination::{Destination, OutputFormat};
+use crate::destination::Destination;
 use crate::failure::Failure;
 use crate::frequency::Frequencies;
 use crate::friction::Frictions;
@@ -31,7 +31,7 @@ pub fn run(arguments: &OrbitArguments, out: &mut dyn Write) -> Result<(), Failur
         true,
     )?;
     let form = destination.form;
-    let draws = matches!(form, OutputFormat::Svg | OutputFormat::Png);
+    let draws = form.is_picture();
     if draws && (arguments.states || arguments.harmonics.is_some()) {
         return Err(Failure::new(
             "a picture of `orbit` shows one period of one steady state; leave --states and --harmonics out, or write .csv",

@@ -6,7 +6,7 @@ mod load;
 
 use crate::args::{FileArgument, PeriodicArguments};
 use crate::asked::{parts, without_rates};
-use crate::destination::{Destination, OutputFormat};
+use crate::destination::Destination;
 use crate::failure::Failure;
 use crate::grid::{self, GridQuantity};
 use crate::measure::Measure;
@@ -24,7 +24,7 @@ pub fn run(arguments: &PeriodicArguments, out: &mut dyn Write) -> Result<(), Fai
     let (scene_file, output) = (&arguments.scene, arguments.output.as_deref());
     let destination = Destination::of(output, Some(scene_file), &arguments.format, true)?;
     let form = destination.form;
-    if matches!(form, OutputFormat::Svg | OutputFormat::Png) && !arguments.motion {
+    if form.is_picture() && !arguments.motion {
         return Err(Failure::new(
             "a picture shows the motion over a period: add --motion",
         ));
@@ -68,7 +68,7 @@ pub fn run(arguments: &PeriodicArguments, out: &mut dyn Write) -> Result<(), Fai
         let force = asked.forces.first().copied().unwrap_or_default();
         let row = asked.row(force)?;
         #[cfg(feature = "pictures")]
-        if matches!(form, OutputFormat::Svg | OutputFormat::Png) {
+        if form.is_picture() {
             return draw::motion(&asked.table, &row, form, out);
         }
         output::write(

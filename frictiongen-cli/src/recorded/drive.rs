@@ -8,7 +8,6 @@ use crate::args::DriveArguments;
 use crate::asked::{number_that, parts, without_rates};
 use crate::destination::Destination;
 #[cfg(feature = "pictures")]
-use crate::destination::OutputFormat;
 use crate::failure::Failure;
 use crate::joined::refused;
 use crate::measure::Measure;
@@ -43,7 +42,7 @@ pub fn run(arguments: &DriveArguments, out: &mut dyn Write) -> Result<(), Failur
         let summary = Summary::of(&system, true, Measure::groups(&system));
         return destination.write(out, |out| {
             #[cfg(feature = "pictures")]
-            if matches!(form, OutputFormat::Svg | OutputFormat::Png) {
+            if form.is_picture() {
                 return super::draw::spectrum(&system, &spectrum, form, out);
             }
             output::write(&spectrum, &summary, form, out)
@@ -66,7 +65,7 @@ pub fn run(arguments: &DriveArguments, out: &mut dyn Write) -> Result<(), Failur
     let summary = Summary::of(&system, true, Measure::groups(&system));
     destination.write(out, |out| {
         #[cfg(feature = "pictures")]
-        if matches!(form, OutputFormat::Svg | OutputFormat::Png) {
+        if form.is_picture() {
             return super::draw::driven(&system, &driven, form, out);
         }
         output::write(&&driven, &summary, form, out)

@@ -88,7 +88,7 @@ impl<'s> DriveRequest<'s> {
             motion: self.motion(&inputs)?,
         };
         #[cfg(feature = "pictures")]
-        if matches!(form, OutputFormat::Svg | OutputFormat::Png) {
+        if form.is_picture() {
             let title = Label::verbatim(&self.system.scene().name);
             let figure = joined_motion_figure(title, &report.drawn());
             let (what, energy) = report.energy();

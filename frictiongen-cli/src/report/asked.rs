@@ -6,7 +6,7 @@ use crate::asked::{self, MovingPart};
 use crate::failure::Failure;
 use crate::frequency::Band;
 use crate::friction::Frictions;
-use crate::measure;
+use crate::measure::{self, Measure};
 use crate::picture;
 use frictiongen::study::scene::{Excitation, Node};
 use frictiongen::study::units;
@@ -18,12 +18,12 @@ const MOST_FRICTIONS: usize = 6;
 const ALL_SHOWN: usize = 4;
 /// Default range of frequencies. It begins at the first number times the lowest resonance, and ends at the second
 /// number times the highest resonance.
-const RANGE: [f64; 2] = [0.3, 1.5];
+pub const RANGE: [f64; 2] = [0.3, 1.5];
 /// Default frictions, divided by the median of β*_lim over the range of frequencies.
-const FRACTIONS: [f64; 3] = [0.1, 0.3, 0.7];
+pub const FRACTIONS: [f64; 3] = [0.1, 0.3, 0.7];
 /// Number of frequencies at which the command computes two quantities: β*_lim for its median, and the motion with the
 /// contact stuck for its largest value.
-const PLACES: usize = 401;
+pub const PLACES: usize = 401;
 
 /// Scene, range, units and motions that the report page shows.
 pub struct ReportRequest {
@@ -46,8 +46,8 @@ impl ReportRequest {
     pub fn of(arguments: &ReportArguments, system: System) -> Result<Self, Failure> {
         let measure = measure::constant(&arguments.load, &system)?;
         let mut chosen = Vec::new();
-        let band = match arguments.range() {
-            Some(range) => Band::parse(&range, &system)?,
+        let band = match given_band(arguments, &system)? {
+            Some(band) => band,
             None => {
                 chosen.push(format!(
                     "The range of frequencies goes from {} of the lowest to {} of the highest resonance.",
@@ -56,11 +56,6 @@ impl ReportRequest {
                 automatic(&system, measure.load().is_some())
             }
         };
-        if band.widest.is_some() {
-            return Err(Failure::new(
-                "a page needs a range a:b, without a step, because the page chooses its own points",
-            ));
-        }
         let words = PageUnits {
             scales: picture::scales(&system, band.is_physical(), &measure),
             in_hertz: band.is_physical(),
@@ -81,19 +76,8 @@ impl ReportRequest {
             }
             parts
         };
-        let frictions = match arguments.frictions() {
-            None => None,
-            Some(given) => {
-                let given = Frictions::parse(&given, None)?.under(&measure)?;
-                if MOST_FRICTIONS < given.len() {
-                    return Err(Failure::new(format_args!(
-                        "a page shows up to {MOST_FRICTIONS} frictions, but {} are given",
-                        given.len()
-                    )));
-                }
-                Some(given.all().map(|friction| friction.beta).collect())
-            }
-        };
+        let frictions = given_frictions(arguments, &words.measure)?;
+        let frictions = frictions.map(|given| given.all().map(|friction| friction.beta).collect());
         Ok(Self {
             system,
             band,
@@ -161,6 +145,35 @@ impl ReportRequest {
         levels.dedup();
         levels
     }
+}
+
+/// Reads the range of frequencies of a page, if the user gave one.
+pub fn given_band(arguments: &ReportArguments, system: &System) -> Result<Option<Band>, Failure> {
+    let band = arguments.range().map(|range| Band::parse(&range, system));
+    match band.transpose()? {
+        Some(band) if band.widest.is_some() => Err(Failure::new(
+            "a page needs a range a:b, without a step, because the page chooses its own points",
+        )),
+        band => Ok(band),
+    }
+}
+
+/// Reads the frictions of a page, if the user gave any.
+pub fn given_frictions(
+    arguments: &ReportArguments,
+    measure: &Measure,
+) -> Result<Option<Frictions>, Failure> {
+    let Some(given) = arguments.frictions() else {
+        return Ok(None);
+    };
+    let given = Frictions::parse(&given, None)?.under(measure)?;
+    if MOST_FRICTIONS < given.len() {
+        return Err(Failure::new(format_args!(
+            "a page shows up to {MOST_FRICTIONS} frictions, but {} are given",
+            given.len()
+        )));
+    }
+    Ok(Some(given))
 }
 
 /// Returns evenly spaced frequency ratios over a range, including both bounds.

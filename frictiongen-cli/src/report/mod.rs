@@ -1,6 +1,6 @@
 //! `frictiongen report`: writes the results for a description as one HTML page. The page needs no network.
 
-mod asked;
+pub mod asked;
 mod best;
 mod cost;
 mod features;
@@ -8,10 +8,10 @@ mod found;
 mod live;
 mod map;
 mod modes;
-mod page;
+pub mod page;
 mod plot;
 mod response;
-mod scene;
+pub mod scene;
 mod summary;
 pub mod words;
 
@@ -25,7 +25,6 @@ use asked::ReportRequest;
 use frictiongen::System;
 use frictiongen_codegen::{SizeLimits, parse_text};
 use page::ReportPage;
-pub use page::within_script;
 use std::io::Write;
 
 /// Runs `frictiongen report`.
@@ -35,10 +34,6 @@ pub fn run(arguments: &ReportArguments, out: &mut dyn Write) -> Result<(), Failu
         // The command checks the file before it computes. The user then gets an error about the file without waiting.
         file::check(path, arguments.file.path())?;
     }
-    let playground = match arguments.live {
-        true => Some(play::page(arguments.page.as_deref())?),
-        false => None,
-    };
     let name = arguments.file.name();
     let text = arguments.file.text()?;
     let description = parse_text(&text, &SizeLimits::RUN_TIME).map_err(|diagnostics| {
@@ -47,9 +42,14 @@ pub fn run(arguments: &ReportArguments, out: &mut dyn Write) -> Result<(), Failu
     })?;
     let documentation = description.documentation();
     if description.scene.is_joined() {
+        joined::refused(&[(arguments.live, "--live")])?;
         let about = (name.as_str(), documentation.as_str());
         return joined::write_page(arguments, description.scene, about, out);
     }
+    let playground = match arguments.live {
+        true => Some(play::page(arguments.page.as_deref())?),
+        false => None,
+    };
     let system = System::try_from(description.scene).map_err(Failure::new)?;
     let mut asked = ReportRequest::of(arguments, system)?;
     interrupt::watch();
@@ -72,13 +72,8 @@ pub fn run(arguments: &ReportArguments, out: &mut dyn Write) -> Result<(), Failu
         asked,
     };
     let html = page.html();
-    match arguments.output.as_deref() {
-        Some(path) => file::write_file(path, arguments.file.path(), &html)?,
-        None => {
-            out.write_all(html.as_bytes())?;
-            out.flush()?;
-        }
-    }
+    let paths = (arguments.output.as_deref(), arguments.file.path());
+    file::write_page(paths, &html, out)?;
     match page.regimes.is_cut {
         true => Err(Failure::new(
             "stopped: the page is written, but its map of the regimes ends early",

@@ -80,43 +80,21 @@ impl ReportPage<'_> {
                 SCRIPT_HASH.trim()
             ),
         };
-        let page = html! {
-            (DOCTYPE)
-            html lang="en" {
-                head {
-                    meta charset="utf-8";
-                    meta http-equiv="Content-Security-Policy" content=(policy);
-                    meta name="viewport" content="width=device-width, initial-scale=1";
-                    meta name="color-scheme" content="light dark";
-                    title { (name) ": friction report" }
-                    // The style sheet and the script belong to this crate. They contain no text of the user.
-                    style { (PreEscaped(STYLE)) }
-                }
-                body {
-                    header {
-                        h1 { (name) }
-                        @if !self.documentation.is_empty() { p.about { (self.documentation) } }
-                        p.note { "Made from " code { (self.file) } " by frictiongen " (env!("CARGO_PKG_VERSION")) "." }
-                    }
-                    main {
-                        (summary::html(asked, &self.modes, &self.regimes.spread, &self.best, &self.responses))
-                        (self.chosen())
-                        (scene::html(asked))
-                        (self.modes.html(&modes, asked))
-                        (self.responses.html(&responses, asked))
-                        (self.regimes.html(&regimes, asked))
-                        (self.features.html(asked))
-                        (best::html(&self.best, asked))
-                        (self.cost.html())
-                        @if let Some(page) = &self.live { (live::html(page)) }
-                        (limits_of_the_page())
-                    }
-                    script #data type="application/json" { (PreEscaped(within_script(&data))) }
-                    script { (PreEscaped(SCRIPT)) }
-                }
-            }
+        let main = html! {
+            (summary::html(asked, &self.modes, &self.regimes.spread, &self.best, &self.responses))
+            (self.chosen())
+            (scene::html(asked))
+            (self.modes.html(&modes, asked))
+            (self.responses.html(&responses, asked))
+            (self.regimes.html(&regimes, asked))
+            (self.features.html(asked))
+            (best::html(&self.best, asked))
+            (self.cost.html())
+            @if let Some(page) = &self.live { (live::html(page)) }
+            (limits_of_the_page())
         };
-        page.into_string()
+        let about = (self.file, self.documentation);
+        document(&policy, name, about, &main, (&data, Some(SCRIPT)))
     }
 
     /// Returns the section about the choices of the command and about the units.
@@ -141,6 +119,42 @@ impl ReportPage<'_> {
     }
 }
 
+/// Returns a whole page: its head with the security policy, the `main` part, the data, and the script if there is one.
+/// `name` is the name of the scene, `file` the name of the description, and `documentation` its doc comments.
+pub fn document(
+    policy: &str,
+    name: &str,
+    (file, documentation): (&str, &str),
+    main: &Markup,
+    (data, script): (&Json, Option<&str>),
+) -> String {
+    let page = html! {
+        (DOCTYPE)
+        html lang="en" {
+            head {
+                meta charset="utf-8";
+                meta http-equiv="Content-Security-Policy" content=(policy);
+                meta name="viewport" content="width=device-width, initial-scale=1";
+                meta name="color-scheme" content="light dark";
+                title { (name) ": friction report" }
+                // The style sheet and the script belong to this crate and contain no text of the user.
+                style { (PreEscaped(STYLE)) }
+            }
+            body {
+                header {
+                    h1 { (name) }
+                    @if !documentation.is_empty() { p.about { (documentation) } }
+                    p.note { "Made from " code { (file) } " by frictiongen " (env!("CARGO_PKG_VERSION")) "." }
+                }
+                main { (main) }
+                script #data type="application/json" { (PreEscaped(within_script(data))) }
+                @if let Some(script) = script { script { (PreEscaped(script)) } }
+            }
+        }
+    };
+    page.into_string()
+}
+
 /// Returns the section about questions that the page does not answer.
 fn limits_of_the_page() -> Markup {
     html! {
@@ -158,7 +172,7 @@ fn limits_of_the_page() -> Markup {
 }
 
 /// Returns JSON data for a script element. The result contains no text that would end the element or begin a comment.
-pub fn within_script(data: &Json) -> String {
+fn within_script(data: &Json) -> String {
     data.to_string()
         .replace('&', "\\u0026")
         .replace('<', "\\u003c")

@@ -2,6 +2,7 @@
 
 use super::asked::ReportRequest;
 use super::words::digits;
+use crate::measure::Measure;
 use frictiongen::study::scene::{Damping, DampingFrom, Excitation, Node, Scene};
 use frictiongen::study::units::Load;
 use frictiongen_plot::{Excitation as Drawn, Label, Sketch, desk};
@@ -13,9 +14,8 @@ fn node(scene: &Scene, node: Node) -> &str {
     scene.node_name(node)
 }
 
-/// Returns a sketch of the chain with its values, or `None` for a long chain.
-fn drawing(asked: &ReportRequest) -> Option<String> {
-    let scene = asked.system.scene();
+/// Returns a sketch of the chain with its values and the amplitude of the load, or `None` for a long chain.
+pub fn drawing(scene: &Scene, measure: &Measure) -> Option<String> {
     let plain = desk::sketch(scene, true);
     let values = scene.masses.iter();
     let values = values.map(|mass| Label::verbatim(&format!("{} kg", digits(mass.value))));
@@ -26,7 +26,10 @@ fn drawing(asked: &ReportRequest) -> Option<String> {
     for (drawn, spring) in sketch.springs.iter_mut().zip(&scene.springs) {
         drawn.label = Label::verbatim(&format!("{} N/m", digits(spring.stiffness)));
     }
-    let size = asked.words.measure.load().map(|load| match load {
+    for (drawn, damper) in sketch.dashpots.iter_mut().zip(&scene.joints.dampers) {
+        drawn.label = Label::verbatim(&format!("{} N·s/m", digits(damper.coefficient)));
+    }
+    let size = measure.load().map(|load| match load {
         Load::Base(motion) => (format!("*Y* = {} mm", digits(1e3 * motion)), "*Y* cos *ωt*"),
         load => (
             format!("*P* = {} N", digits(load.amplitude())),
@@ -94,7 +97,7 @@ pub fn html(asked: &ReportRequest) -> Markup {
     html! {
         section #scene {
             h2 { "The chain" }
-            @match drawing(asked) {
+            @match drawing(scene, &asked.words.measure) {
                 // This text comes from frictiongen-plot, which escapes every word in it.
                 Some(svg) => div.scroll.paper.sketch tabindex="0" role="region" aria-label="Drawing of the chain" { (PreEscaped(svg)) },
                 None => p { "A chain of " (scene.masses.len()) " masses is not drawn; its values are in the tables." },
@@ -111,19 +114,7 @@ pub fn html(asked: &ReportRequest) -> Markup {
             details {
                 summary { "Values: masses and springs" }
                 div.pair {
-                    table {
-                        caption { "Masses" }
-                        thead { tr { th scope="col" { "name" } th scope="col" { "kg" } } }
-                        tbody { @for mass in &scene.masses { tr { th scope="row" { (mass.name) } td { (digits(mass.value)) } } } }
-                    }
-                    table {
-                        caption { "Springs" }
-                        thead { tr { th scope="col" { "between" } th scope="col" { "N/m" } } }
-                        tbody { @for spring in &scene.springs { tr {
-                            th scope="row" { (node(scene, spring.from)) " – " (node(scene, spring.to)) }
-                            td { (digits(spring.stiffness)) }
-                        } } }
-                    }
+                    (masses_and_springs(scene))
                 }
             }
             p.note {
@@ -132,6 +123,25 @@ pub fn html(asked: &ReportRequest) -> Markup {
                 @if scene.excitation == Excitation::Base { "F/(k₁Y)" } @else { "F/P" }
                 " refer to the first mass and the first spring."
             }
+        }
+    }
+}
+
+/// Returns the tables of the masses and of the springs.
+pub fn masses_and_springs(scene: &Scene) -> Markup {
+    html! {
+        table {
+            caption { "Masses" }
+            thead { tr { th scope="col" { "name" } th scope="col" { "kg" } } }
+            tbody { @for mass in &scene.masses { tr { th scope="row" { (mass.name) } td { (digits(mass.value)) } } } }
+        }
+        table {
+            caption { "Springs" }
+            thead { tr { th scope="col" { "between" } th scope="col" { "N/m" } } }
+            tbody { @for spring in &scene.springs { tr {
+                th scope="row" { (node(scene, spring.from)) " – " (node(scene, spring.to)) }
+                td { (digits(spring.stiffness)) }
+            } } }
         }
     }
 }

@@ -110,7 +110,7 @@ pub fn run(arguments: &TimeArguments, out: &mut dyn Write) -> Result<(), Failure
     let motion = RunMotion::of(course, &asked, from)?;
     let write = |out: &mut dyn Write| {
         #[cfg(feature = "pictures")]
-        if matches!(form, OutputFormat::Svg | OutputFormat::Png) {
+        if form.is_picture() {
             return draw::draw(&system, &motion, arguments.spectrum, form, out);
         }
         if arguments.events {

@@ -1,6 +1,6 @@
 //! Writes the comparison of two steppers, as text and as JSON.
 
-use super::super::{ROUNDINGS, per_cent};
+use super::super::{ROUNDINGS, per_cent, relative};
 use super::{Answers, Steppers};
 use crate::failure::Failure;
 use crate::number::{Cell, Lossless as _, computed};
@@ -16,15 +16,6 @@ struct Tables<'f> {
     differing: usize,
     /// Number with the largest relative difference: its position in the tables, its old value and its new value.
     largest: Option<(&'f str, f64, f64)>,
-}
-
-/// Returns the difference of two numbers, divided by the larger one.
-fn relative(old: f64, new: f64) -> f64 {
-    let size = old.abs().max(new.abs());
-    if size == 0.0 {
-        return 0.0;
-    }
-    (new - old).abs() / size
 }
 
 /// Compares the numbers in the step tables of two steppers. Returns the reason if the tables cannot be compared.

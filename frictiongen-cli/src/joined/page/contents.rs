@@ -7,9 +7,10 @@ use crate::failure::Failure;
 use crate::frequency::{Band, Frequencies};
 use crate::friction::Frictions;
 use crate::interrupt;
+use crate::joined::Question;
 use crate::joined::draw::{self, Line, Picture};
-use crate::joined::{self, Question};
 use crate::measure::{self, Measure};
+use crate::report::asked::{FRACTIONS, PLACES, RANGE, given_band, given_frictions};
 use crate::report::words::number;
 use frictiongen::System;
 use frictiongen::study::columns::{Frequency, JoinedRow};
@@ -18,18 +19,10 @@ use frictiongen::study::scene::Scene;
 use frictiongen_plot::Figure;
 use serde_json::{Value as Json, json};
 
-/// Number of frequencies of the closed forms.
-const CLOSED: usize = 401;
 /// Number of frequencies of the curves of steady states.
 const CURVE: usize = 40;
 /// Numbers of frequencies and of frictions of the map.
 const MAP: (usize, usize) = (24, 10);
-/// Default frictions, as fractions of the median of the friction from which no contact slides.
-const FRACTIONS: [f64; 3] = [0.1, 0.3, 0.7];
-/// Largest number of frictions on a page. Colours for more frictions would be hard to distinguish.
-const MOST_FRICTIONS: usize = 6;
-/// Range of frequencies if the user gives none: these factors on the lowest and the highest resonance.
-const RANGE: [f64; 2] = [0.3, 1.5];
 
 /// The state without sliding at one frequency.
 pub struct Stuck {
@@ -138,7 +131,6 @@ pub(super) fn contents(
     scene: Scene,
     write: impl FnOnce(&Contents<'_>) -> Result<(), Failure>,
 ) -> Result<(), Failure> {
-    joined::refused(&[(arguments.live, "--live")])?;
     let system = System::try_from(scene).map_err(Failure::new)?;
     let joined = system.joined().map_err(Failure::new)?;
     let measure = measure::constant(&arguments.load, &system)?;
@@ -150,16 +142,15 @@ pub(super) fn contents(
     let base = Question {
         system: &system,
         joined: &joined,
-        frequencies: over(CLOSED),
+        frequencies: over(PLACES),
         frictions: levels(&[1.0], &measure)?,
         measure,
         masses,
     };
     let stuck = stuck(&base)?;
     let (middle, high) = middle(&stuck);
-    let given = arguments.frictions();
-    let frictions = match &given {
-        Some(given) => Frictions::parse(given, None)?.under(&measure)?,
+    let frictions = match given_frictions(arguments, &measure)? {
+        Some(given) => given,
         None => {
             chosen.push(format!(
                 "The frictions of the curves are {}, {} and {} times the median of the friction from which no contact slides.",
@@ -168,12 +159,6 @@ pub(super) fn contents(
             levels(&FRACTIONS.map(|part| part * middle), &measure)?
         }
     };
-    if MOST_FRICTIONS < frictions.len() {
-        return Err(Failure::new(format_args!(
-            "a page shows up to {MOST_FRICTIONS} frictions, but {} are given",
-            frictions.len()
-        )));
-    }
     interrupt::watch();
     let asked = |frequencies, frictions| Question {
         frequencies,
@@ -216,14 +201,8 @@ fn band(
     measure: &Measure,
     chosen: &mut Vec<String>,
 ) -> Result<Band, Failure> {
-    if let Some(range) = arguments.range() {
-        let band = Band::parse(&range, system)?;
-        return match band.widest {
-            None => Ok(band),
-            Some(_) => Err(Failure::new(
-                "a page needs a range a:b, without a step, because the page chooses its own points",
-            )),
-        };
+    if let Some(band) = given_band(arguments, system)? {
+        return Ok(band);
     }
     let positive = |r: &&f64| 1e-6 < **r && r.is_finite();
     let mut resonances = system.resonances().iter().filter(positive);

@@ -3,16 +3,17 @@
 use super::contents::{Contents, Loops, contents};
 use crate::args::ReportArguments;
 use crate::failure::Failure;
-use crate::file;
+use crate::file::write_page;
 use crate::measure;
+use crate::report::page::document;
+use crate::report::scene::{drawing, masses_and_springs};
 use crate::report::words::{PageUnits, digits};
 use frictiongen::study::scene::{Node, Scene};
-use frictiongen_plot::{Label, Page, Sketch, desk};
-use maud::{DOCTYPE, Markup, PreEscaped, html};
+use maud::{Markup, PreEscaped, html};
 use std::io::Write;
 
-/// Style sheet of the page, which is that of a scene with a single contact.
-const STYLE: &str = include_str!("../../report/style.css");
+/// Security policy of the page, which has no script.
+const POLICY: &str = "default-src 'none'; style-src 'unsafe-inline'";
 
 /// Computes the page of a scene with several contacts, and writes it. `file` is the name of the description, and
 /// `documentation` its doc comments.
@@ -24,59 +25,34 @@ pub fn write(
 ) -> Result<(), Failure> {
     contents(arguments, scene, |contents| {
         let html = page(contents, (file, documentation));
-        if let Some(path) = arguments.output.as_deref() {
-            return file::write_file(path, arguments.file.path(), &html);
-        }
-        out.write_all(html.as_bytes())?;
-        Ok(out.flush()?)
+        let paths = (arguments.output.as_deref(), arguments.file.path());
+        write_page(paths, &html, out)
     })
 }
 
 /// Returns the HTML of the page.
 fn page(contents: &Contents<'_>, (file, documentation): (&str, &str)) -> String {
     let scene = contents.question.system.scene();
-    let data = crate::report::within_script(&contents.data(file));
-    let page = html! {
-        (DOCTYPE)
-        html lang="en" {
-            head {
-                meta charset="utf-8";
-                meta http-equiv="Content-Security-Policy" content="default-src 'none'; style-src 'unsafe-inline'";
-                meta name="viewport" content="width=device-width, initial-scale=1";
-                meta name="color-scheme" content="light dark";
-                title { (scene.name) ": friction report" }
-                // The style sheet belongs to this crate and contains no text of the user.
-                style { (PreEscaped(STYLE)) }
-            }
-            body {
-                header {
-                    h1 { (scene.name) }
-                    @if !documentation.is_empty() { p.about { (documentation) } }
-                    p.note { "Made from " code { (file) } " by frictiongen " (env!("CARGO_PKG_VERSION")) "." }
-                }
-                main {
-                    (summary(contents))
-                    @if !contents.chosen.is_empty() {
-                        aside aria-label="What was chosen" { @for line in &contents.chosen { p { (line) } } }
-                    }
-                    (chain(contents))
-                    (figures(contents))
-                    (stuck(contents))
-                    @if let Some(loops) = &contents.loops { (contacts(contents, loops)) }
-                    section #beyond {
-                        h2 { "Limits of this page" }
-                        p {
-                            "The page shows steady states under one harmonic load, reached from rest. For motions from a start, see "
-                            code { "frictiongen time" } ". For the best common friction and the best shares, see " code { "frictiongen optimum" }
-                            ". For the effect of every number of the description, see " code { "frictiongen sensitivity" } "."
-                        }
-                    }
-                }
-                script #data type="application/json" { (PreEscaped(data)) }
+    let main = html! {
+        (summary(contents))
+        @if !contents.chosen.is_empty() {
+            aside aria-label="What was chosen" { @for line in &contents.chosen { p { (line) } } }
+        }
+        (chain(contents))
+        (figures(contents))
+        (stuck(contents))
+        @if let Some(loops) = &contents.loops { (contacts(contents, loops)) }
+        section #beyond {
+            h2 { "Limits of this page" }
+            p {
+                "The page shows steady states under one harmonic load, reached from rest. For motions from a start, see "
+                code { "frictiongen time" } ". For the best common friction and the best shares, see " code { "frictiongen optimum" }
+                ". For the effect of every number of the description, see " code { "frictiongen sensitivity" } "."
             }
         }
     };
-    page.into_string()
+    let data = (&contents.data(file), None);
+    document(POLICY, &scene.name, (file, documentation), &main, data)
 }
 
 /// Returns the units and number formats of the page.
@@ -132,24 +108,6 @@ fn count(number: usize, noun: &str) -> String {
     format!("{number} {noun}{ending}")
 }
 
-/// Returns the sketch, or `None` for a long chain.
-fn sketch(scene: &Scene) -> Option<String> {
-    let plain = desk::sketch(scene, true);
-    let values = scene.masses.iter();
-    let values = values.map(|mass| Label::verbatim(&format!("{} kg", digits(mass.value))));
-    let mut sketch = Sketch {
-        values: values.collect(),
-        ..plain
-    };
-    for (drawn, spring) in sketch.springs.iter_mut().zip(&scene.springs) {
-        drawn.label = Label::verbatim(&format!("{} N/m", digits(spring.stiffness)));
-    }
-    for (drawn, damper) in sketch.dashpots.iter_mut().zip(&scene.joints.dampers) {
-        drawn.label = Label::verbatim(&format!("{} N·s/m", digits(damper.coefficient)));
-    }
-    sketch.svg()
-}
-
 /// Returns the section with the sketch and the values.
 fn chain(contents: &Contents<'_>) -> Markup {
     let scene = contents.question.system.scene();
@@ -158,7 +116,7 @@ fn chain(contents: &Contents<'_>) -> Markup {
     html! {
         section #scene {
             h2 { "The chain" }
-            @match sketch(scene) {
+            @match drawing(scene, &contents.question.measure) {
                 // This text comes from frictiongen-plot, which escapes every word in it.
                 Some(svg) => div.scroll.paper.sketch tabindex="0" role="region" aria-label="Drawing of the chain" { (PreEscaped(svg)) },
                 None => p { "A chain of " (scene.masses.len()) " masses is not drawn; its values are in the tables." },
@@ -180,19 +138,7 @@ fn chain(contents: &Contents<'_>) -> Markup {
             details {
                 summary { "Values: masses, springs and dashpots" }
                 div.pair {
-                    table {
-                        caption { "Masses" }
-                        thead { tr { th scope="col" { "name" } th scope="col" { "kg" } } }
-                        tbody { @for mass in &scene.masses { tr { th scope="row" { (mass.name) } td { (digits(mass.value)) } } } }
-                    }
-                    table {
-                        caption { "Springs" }
-                        thead { tr { th scope="col" { "between" } th scope="col" { "N/m" } } }
-                        tbody { @for spring in &scene.springs { tr {
-                            th scope="row" { (between(spring.from, spring.to)) }
-                            td { (digits(spring.stiffness)) }
-                        } } }
-                    }
+                    (masses_and_springs(scene))
                     @if !scene.joints.dampers.is_empty() { table {
                         caption { "Dashpots" }
                         thead { tr { th scope="col" { "between" } th scope="col" { "N·s/m" } } }
@@ -235,20 +181,11 @@ fn figures(contents: &Contents<'_>) -> Markup {
                 }
                 figure.plot {
                     // This text comes from frictiongen-plot, which escapes every word in it.
-                    div.paper { (PreEscaped(drawn(figure))) }
+                    div.paper { (PreEscaped(figure.clone().narrow().svg())) }
                 }
             }
         }
     }
-}
-
-/// Returns a figure in the width of a page.
-fn drawn(figure: &frictiongen_plot::Figure) -> String {
-    let narrow = frictiongen_plot::Figure {
-        page: Page::Narrow,
-        ..figure.clone()
-    };
-    narrow.svg()
 }
 
 /// Returns the section about the state in which no contact slides.

@@ -42,6 +42,16 @@ impl TableRow for JoinedEventRow<'_> {
 }
 
 impl<'a> JoinedTable<'a> {
+    /// Returns the factor on the relative displacement of a contact. Under a load, a contact `a - b` of two masses has the
+    /// displacement x_b − x_a. Without a load, the displacement is that of the later mass minus that of the earlier one.
+    #[must_use]
+    pub fn sign(&self, contact: usize) -> f64 {
+        match self.setting.measure.scale() {
+            Some(_) => self.joined.sign(contact),
+            None => 1.0,
+        }
+    }
+
     /// Returns the columns of the table of samples.
     #[must_use]
     pub fn sample_columns<'h>(&self) -> Vec<Column<'a, JoinedSample<'h>>>
@@ -58,10 +68,7 @@ impl<'a> JoinedTable<'a> {
         columns.number("tau", tau);
         for (index, name) in self.joined.contact_names().iter().enumerate() {
             columns.begin_part(name);
-            let sign = match self.setting.measure.scale() {
-                Some(_) => self.joined.sign(index),
-                None => 1.0,
-            };
+            let sign = self.sign(index);
             let now = move |row: &JoinedSample<'h>| {
                 let now = row.history.contacts.get(row.index)?.get(index)?;
                 Some(now.signed(sign))
