@@ -50,6 +50,14 @@ pub struct ContactSides {
     pub to: Node,
 }
 
+impl ContactSides {
+    /// Returns true if the description writes the later one of two masses first.
+    #[must_use]
+    pub fn is_reversed(&self) -> bool {
+        matches!((self.from, self.to), (Node::Mass(from), Node::Mass(to)) if from > to)
+    }
+}
+
 /// The harmonic excitation: a force on a mass, or a motion of the base.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]

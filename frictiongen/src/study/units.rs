@@ -8,7 +8,7 @@ pub use super::error::LoadError;
 use super::system::System;
 use crate::Complex;
 use frictiongen_kernel::Float;
-use frictiongen_model::scene::{Excitation, Node};
+use frictiongen_model::scene::Excitation;
 
 /// The load of a scene, given by its amplitude. It is a force on a mass, or a motion of the base.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -349,7 +349,6 @@ impl<S: Float> System<S> {
     /// ```
     #[must_use]
     pub fn contact_is_reversed(&self) -> bool {
-        let contact = self.scene.contact;
-        matches!((contact.from, contact.to), (Node::Mass(from), Node::Mass(to)) if from > to)
+        self.scene.contact.is_reversed()
     }
 }

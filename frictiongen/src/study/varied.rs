@@ -111,8 +111,9 @@ impl Varied {
     /// let orbit = varied.orbit(Sensitive::fixed(0.3.into()), beta)?;
     /// let amplitude = orbit.mass("block")?.amplitude();
     /// let at = block.at(0.3)?;
-    /// let amplitudes = [0.4 - 1e-5, 0.4 + 1e-5].map(|beta|
-    /// Some(at.orbit(beta).ok()?.mass("block").ok()?.amplitude())); if let [Some(below), Some(above)] = amplitudes {
+    /// let amplitude_at = |beta| Some(at.orbit(beta).ok()?.mass("block").ok()?.amplitude());
+    /// let amplitudes = [0.4 - 1e-5, 0.4 + 1e-5].map(amplitude_at);
+    /// if let [Some(below), Some(above)] = amplitudes {
     ///     assert!((amplitude.slope.to_f64() - (above - below) / 2e-5).abs() < 1e-9);
     /// }
     /// # Ok(())

@@ -8,7 +8,7 @@ use crate::study::system::System;
 use frictiongen_kernel::Float;
 use frictiongen_model::joined::damping_matrix;
 use frictiongen_model::modal::Modal;
-use frictiongen_model::scene::{FrictionLaw, Node, Scene};
+use frictiongen_model::scene::{FrictionLaw, Scene};
 
 /// A scene with several contacts or dashpots, whose methods compute the responses.
 #[derive(Clone, Debug)]
@@ -103,9 +103,8 @@ impl<'a> Joined<'a> {
     #[must_use]
     pub fn sign(&self, contact: usize) -> f64 {
         let contacts = self.scene.named_contacts();
-        let sides = contacts.get(contact).map(|contact| &contact.sides);
-        match sides.map(|sides| (sides.from, sides.to)) {
-            Some((Node::Mass(from), Node::Mass(to))) if to < from => -1.0,
+        match contacts.get(contact) {
+            Some(contact) if contact.sides.is_reversed() => -1.0,
             _ => 1.0,
         }
     }

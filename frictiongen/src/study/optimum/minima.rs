@@ -3,7 +3,7 @@
 use super::amplitude::FrictionAmount;
 use super::candidates::{FrictionCandidate, between, valleys};
 use super::creep::crept;
-use super::look::{Closely, Look};
+use super::look::Closely;
 use super::peaks::AmplitudeBand;
 use super::scan::{Scanned, scanned_at, slope, with_slope};
 
@@ -85,10 +85,6 @@ pub(super) fn minimum(
             return Some(narrowed(band, (&found.below, &found.above), seen));
         }
         // The evaluation found a peak that was known on neither side of the bracket.
-        let look = Look {
-            complete: look.complete,
-            peaks: look.peaks,
-        };
         let here = with_slope(beta, look, |peak| slope(band, beta, peak));
         if here.complete && here.value < best {
             let candidate = FrictionCandidate {
