@@ -1,5 +1,6 @@
 //! Prints the sizes of the emitted Rust of seven scenes: the lines, the bytes, and the fraction of the bytes that the
-//! scenes have in common. Also prints the lines of the diff after one spring becomes 1 % stiffer.
+//! scenes have in common. The program then makes one spring 1 % stiffer, and prints how many lines of the emitted files
+//! differ.
 //!
 //! `scripts/emitted-sizes [FOLDER]` runs this program. With a folder, the program also writes the emitted files
 //! there.

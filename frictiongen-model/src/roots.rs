@@ -80,8 +80,8 @@ fn between(modes: &[DrivenMode], compliance: Dd, low: Dd, high: Option<Dd>) -> D
             sum + mode.inverse_mass * weight
         })
     };
-    // Returns an upper bound on the root above the last resonance. There Σ c_i/(ω² − λ_i) = 1/κ, and no denominator is
-    // smaller than that of the last resonance.
+    // Returns an upper bound on the root above the last resonance. At the root, Σ c_i/(ω² − λ_i) = 1/κ, and no
+    // denominator is smaller than that of the last resonance.
     let last = || {
         let sum = modes
             .iter()

@@ -154,7 +154,7 @@ impl Modal<Dual<Dd>> {
     }
 }
 
-/// Returns the factors a and b of Rayleigh damping. One of them may be the variable of the derivative.
+/// Returns the factors a and b of Rayleigh damping. Factor a or b may be the variable of the derivative.
 fn factors(scene: &Scene, along: Option<Quantity>) -> Option<(Dual<Dd>, Dual<Dd>)> {
     let Damping::Rayleigh { mass, stiffness } = scene.damping else {
         return None;

@@ -23,7 +23,7 @@ const CAPTION: f64 = 13.0;
 const LEADING: f64 = 1.3;
 
 impl Figure {
-    /// Returns the figure as an SVG document. The same figure gives the same bytes on every machine.
+    /// Returns the figure as an SVG document. A figure gives the same bytes on every machine.
     #[must_use]
     pub fn svg(&self) -> String {
         figure(self).0
@@ -54,8 +54,8 @@ impl Figure {
         (svg, frames.collect())
     }
 
-    /// Returns the figure as a PNG picture, with `scale` pixels for each pixel of the SVG. The same figure gives the
-    /// same bytes on every machine.
+    /// Returns the figure as a PNG picture, with `scale` pixels for each pixel of the SVG. A figure gives the same
+    /// bytes on every machine.
     ///
     /// # Errors
     /// Fails if the scale is not positive, or if the picture would be larger than 16384 pixels.

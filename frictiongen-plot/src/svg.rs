@@ -49,7 +49,7 @@ impl Canvas {
         );
         for (name, content) in [("title", title), ("desc", description)] {
             if !content.is_empty() {
-                // Writing to a string cannot fail. The same is true for the other writes of this file.
+                // Writing to a string cannot fail, here and in the functions below.
                 let _ = writeln!(text, "<{name}>{}</{name}>", escaped(content));
             }
         }

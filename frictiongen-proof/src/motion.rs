@@ -322,8 +322,8 @@ impl<S: Float> MotionProof<'_, S> {
         (sign != 0).then(|| Interval::point(f64::from(sign)))
     }
 
-    /// Returns the angle arg V as series at the centre and over the interval of r, up to whole turns. Also returns
-    /// the error of arg V, in rad, by the uncertain position of a zero.
+    /// Returns the angle arg V as series at the centre and over the interval of r, up to whole turns. The last result
+    /// is the error of arg V, in rad, by the uncertain position of a zero.
     fn angle(
         &self,
         at: &ChainStage<ORDER>,

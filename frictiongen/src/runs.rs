@@ -56,8 +56,8 @@ pub trait Simulates: FrictionSystem {
     -> Result<Self::Run<'_>, OutOfDomain>;
 }
 
-/// A scene whose exact motion in time depends on the amplitude of the load. Such a scene is an emitted scene with
-/// `friction: stribeck`, or any run-time system.
+/// A scene whose exact motion in time depends on the amplitude of the load. Emitted scenes with `friction: stribeck`
+/// and all run-time systems implement the trait.
 #[diagnostic::on_unimplemented(
     message = "`{Self}` gives no motion in time under a load of known amplitude",
     label = "add `simulation` to the scene's `provide: [...]`; without `friction: stribeck` it is `Simulates`"

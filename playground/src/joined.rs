@@ -91,8 +91,8 @@ pub fn line(question: &Question) -> Result<Value, String> {
     Ok(picture(panel, crate::curve::HEIGHT))
 }
 
-/// Returns the regime at one frequency ratio for each friction ratio of the question. Also returns the friction ratio
-/// above which all contacts can stay stuck.
+/// Returns the regime at one frequency ratio for each friction ratio of the question, and the friction ratio above
+/// which all contacts can stay stuck.
 pub fn cells(question: &Question) -> Result<Value, String> {
     let system = question.system()?;
     let joined = system.joined().map_err(text)?;

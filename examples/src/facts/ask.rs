@@ -217,8 +217,9 @@ pub fn peak(f: impl Fn(f64) -> f64, mut low: f64, mut high: f64) -> f64 {
     0.5 * (low + high)
 }
 
-/// Finds the frequency ratio at which the contact's motion does not depend on the friction ratio β (6.9). There the
-/// phase of the contact is 0 or π for every β, and its sine changes sign. `share` is β/β_lim.
+/// Finds the frequency ratio at which the contact's motion does not depend on the friction ratio β (6.9). At this
+/// frequency ratio the phase of the contact is 0 or π for every β, and the sine of the phase changes sign. `share` is
+/// β/β_lim.
 #[must_use]
 pub fn contact_invariant(system: &System, share: f64, low: f64, high: f64) -> f64 {
     let sine = |r| {

@@ -169,8 +169,8 @@ fn sweep(timer: &mut SYST, call: &Call<f32>) {
     print_swept(call, "worst", most);
 }
 
-/// Measures a call that reads tables over a sweep. Such a call takes equally long everywhere. The friction ratio is
-/// half the smaller limit of the five masses, so that their motion is continuous.
+/// Measures a call that reads tables over a sweep. The call takes equally long at every frequency. The friction ratio
+/// is half the smaller limit of the five masses, so that their motion is continuous.
 fn sweep_tabled(timer: &mut SYST, call: &Call<f32>) {
     let [least, most] = swept(timer, call, TABLED, |input| {
         let [continuous, sliding] = tabled_five_limits(input);

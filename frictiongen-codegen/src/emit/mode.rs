@@ -98,7 +98,7 @@ pub(super) fn function_of(kind: Kind, with_g: &TokenStream) -> TokenStream {
     }
 }
 
-/// Emits the call of the function for one mode. Also returns the number of operations of the call.
+/// Emits the call of the function for one mode. The second result is the number of operations of the call.
 pub(super) fn call(emission: &Emission<'_>, index: usize) -> (TokenStream, OperationCount) {
     let Some(mode) = emission.reduced.modes.get(index) else {
         return (TokenStream::new(), OperationCount::default());

@@ -46,8 +46,8 @@ where
         }
     }
 
-    /// Returns the segment that contains the instant τ, where τ = 0 is the origin of the orbit. Also returns the time
-    /// from the start of the segment to the instant.
+    /// Returns the segment that contains the instant τ, and the time from the start of this segment to τ. τ = 0 is the
+    /// origin of the orbit.
     pub(super) fn at(
         orbit: &'o Orbit<'a, S, P, V, C, K>,
         tau: S,

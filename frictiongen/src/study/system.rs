@@ -273,7 +273,7 @@ impl<S: Float> System<S> {
 
     /// Returns the threshold β_n,i of every resonance (6.2, 6.26). At a smaller friction ratio the amplitude at the
     /// undamped resonance i is unbounded. The entry is `None` for a mode that the contact does not drive, and for a
-    /// scene with `contacts` or `dampers`. As in every closed form, F is a constant kinetic friction force.
+    /// scene with `contacts` or `dampers`. F is a constant kinetic friction force.
     #[must_use]
     pub fn resonance_thresholds(&self) -> Vec<Option<S>> {
         if self.scene.is_joined() {

@@ -128,7 +128,7 @@ fn a_universal_file_of_another_program() {
     // The file has no unit, so the error asks for it.
     let error = Recording::from_uff58(&text.replace("mm  ", "NONE"), &CsvRequest::default());
     assert!(error.unwrap_err().to_string().contains("has no unit"));
-    // The other channel has another sampling rate.
+    // The two channels of this file have different sampling rates.
     let mixed = text.replacen("5.00000E-04", "1.00000E-03", 1);
     let error = Recording::from_uff58(&mixed, &CsvRequest::default()).unwrap_err();
     assert!(error.to_string().contains("not evenly spaced"), "{error}");

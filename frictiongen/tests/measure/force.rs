@@ -149,7 +149,7 @@ fn at_an_invariant_point_it_says_so() {
         invariant.levels
     );
     assert!(invariant.friction.holds(0.3));
-    // The other mass determines the friction.
+    // The motion of m₁ determines the friction.
     let other = at(2.0_f64.sqrt(), 0);
     assert_eq!(other.verdict, Verdict::Determined);
     assert!((other.friction.value - 0.3).abs() < 1e-3);

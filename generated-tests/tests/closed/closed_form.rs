@@ -24,8 +24,8 @@ const DOUBLE: f64 = 1e-12;
 const SINGLE: f64 = 2e-4;
 /// Numbers of the scenes whose points lose too many digits for the tolerance 2e-4 in single precision.
 ///
-/// Scenes 11 and 20 have far masses above the resonances, and scene 30 has limits near a subharmonic. There the
-/// rounding of r and λ to single precision alone changes the limits by more than 2e-4.
+/// Scenes 11 and 20 have far masses above the resonances, and scene 30 has limits near a subharmonic. At the points of
+/// these scenes, the rounding of r and λ to single precision alone changes the limits by more than 2e-4.
 const ILL_CONDITIONED: [usize; 3] = [11, 20, 30];
 
 /// Number of compared values of each kind. The reference has 38 scenes with 141 masses in total, three points for each

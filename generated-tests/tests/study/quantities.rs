@@ -58,7 +58,7 @@ fn quantity(
     let at = system
         .at(omega * (mass / stiffness).sqrt())
         .expect("a frequency");
-    // A motion with too many stops in a cycle gives no answer. Neither the search nor the map takes it into account.
+    // A motion with too many stops in a cycle gives no answer. The search and the map omit this motion.
     let Ok(response) = at.response(newtons / force) else {
         return 0.0;
     };
@@ -405,8 +405,9 @@ fn a_stopped_search_keeps_its_best() {
 }
 
 /// Checks that the best friction for two quantities, each divided by a given value, is between the best friction of
-/// each. There both quotients are equal, and no other friction gives a smaller largest quotient. The maps of the test
-/// use single steady states. `several_quantities` of the command's tests is the short form.
+/// each. At the best friction for two quantities the two quotients are equal, and no other friction gives a smaller
+/// largest quotient. The maps of the test use single steady states. `several_quantities` of the command's tests is the
+/// short form.
 #[test]
 #[ignore = "takes half a minute"]
 fn two_quantities_in_balance() {

@@ -21,7 +21,7 @@ friction_system! {
 }
 
 friction_system! {
-    // The same chain on a base at rest, under forces on its masses.
+    // The chain of `Shaken`, on a base at rest and under forces on its masses.
     pub struct Pushed {
         masses: { lower: 2.0, upper: 1.5 },
         springs: { base - lower: 900.0, lower - upper: 700.0 },

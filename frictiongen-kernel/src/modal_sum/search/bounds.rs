@@ -14,8 +14,9 @@ use crate::oscillator::decay::{Basis, Decay, Instant};
 /// mainly rounding error.
 const NEAR_EXCITATION: f64 = 0.125;
 /// Bound on the rounding error of a mode at a grid node, as a multiple of the rounding unit times the mode's amplitude.
-/// The same bound applies to sin τ and cos τ. The matrix of one step from node to node has three roundings, and its
-/// fourth power has twelve. A grid applies the fourth power seven times. 64 suffices, because the errors partly cancel.
+/// This multiple of the rounding unit also bounds the errors of sin τ and cos τ at the node. The matrix that advances a
+/// mode from one node to the next has three roundings. Its fourth power has twelve roundings, and a grid applies this
+/// power seven times: 84 roundings. A bound of 64 suffices, because the errors partly cancel.
 const ROUNDINGS: f64 = 64.0;
 
 /// State of one mode at an instant, and the force that then acts on the mode: y″ + 2ζx y′ + x²y = constant + cosine·cos

@@ -160,8 +160,8 @@ impl<TableRow> Column<'_, TableRow> {
         (self.read)(row)
     }
 
-    /// Returns true if a text output with one line for each value prints the value of this row. Such an output omits,
-    /// for example, a bound that was not reached.
+    /// Returns true if a text output with one line for each value prints the value of this row. An output with one line
+    /// for each value omits, for example, a bound that was not reached.
     pub fn says(&self, row: &TableRow) -> bool {
         self.says.as_ref().is_none_or(|says| says(row))
     }

@@ -180,8 +180,8 @@ impl<T: Arithmetic> ChainNumbers<T> {
                 sum = [sum[0] + term[0] * outside, sum[1] + term[1] * outside];
                 continue;
             }
-            // For a contact on a moving base, the sum contains v − 1 = (1 − 2iζx)/d in place of v. Nothing then cancels
-            // for large r.
+            // For a contact on a moving base, the sum contains v − 1 = (1 − 2iζx)/d in place of v. With v − 1 the sum
+            // has no cancellation for large r.
             let [re, im] = match (which, self.on_base.is_some()) {
                 (ModalSum::V, true) => {
                     let turn = two * mode.zeta * x;

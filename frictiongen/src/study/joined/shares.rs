@@ -195,7 +195,9 @@ impl Descent<'_, '_> {
         self.keep(tried)
     }
 
-    /// Takes the change from an earlier distribution to the best one, and tries the same change once more.
+    /// Multiplies the friction and each share of the best distribution by its ratio to the value in `before`, and keeps
+    /// the result if it is better. The call thereby repeats the change from `before` to the best distribution, which
+    /// has reduced the peak.
     fn leap(&mut self, before: &Distribution) -> Result<(), Early> {
         let mut tried = self.best.clone();
         tried.friction *= tried.friction / before.friction;

@@ -49,7 +49,7 @@ pub(super) fn stays(scan: &[Scanned]) -> Option<(f64, f64)> {
 }
 
 /// Orders candidates by amplitude. Among equal amplitudes, the friction above which the amplitude is constant comes
-/// first. The other candidates follow in ascending order of friction.
+/// first. The remaining candidates of this amplitude follow in ascending order of friction.
 pub(super) fn before(
     a: &FrictionCandidate,
     b: &FrictionCandidate,

@@ -1,4 +1,4 @@
-//! Evaluates the amplitude over a band of frequencies at one friction ratio, and finds its local maxima. Such an
+//! Evaluates the amplitude over a band of frequencies at one friction ratio, and finds its local maxima. This
 //! evaluation is called a *look*.
 //!
 //! The first look at a friction ratio computes motions in time at only some frequencies of the band. A whole look
@@ -32,8 +32,8 @@ pub(in crate::study) struct BandPeak {
 /// Precision of an evaluation of the amplitude over a band.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Closely {
-    /// The evaluation is sufficient for a comparison of friction ratios. Of the frequencies without a closed form, it
-    /// includes only those whose [`BandPlace::first`] is true, and ignores the others. It finds the maxima roughly.
+    /// The evaluation is sufficient for a comparison of friction ratios. If a frequency has no closed form, the
+    /// evaluation includes it only if its [`BandPlace::first`] is true. It finds the maxima roughly.
     First,
     /// The evaluation includes all frequencies of the band, and finds each maximum to rounding.
     Whole,

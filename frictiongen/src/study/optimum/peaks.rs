@@ -1,8 +1,9 @@
 //! Finds the largest amplitude over a band of frequencies at one friction ratio.
 //!
-//! The search evaluates the amplitude at frequencies near which it can change quickly. Such frequencies are close
-//! together near the resonances of the chain, both with a free and with a stuck contact, and near the sub-harmonics of
-//! these resonances. Further frequencies are on both sides of every frequency at which a limit equals β, and on a grid.
+//! The search evaluates the amplitude at frequencies near which it can change quickly. These frequencies are close
+//! together near the resonances of the chain with a free contact and with a stuck contact, and near the sub-harmonics
+//! of all these resonances. Further frequencies are on both sides of every frequency at which a limit equals β, and on
+//! a grid.
 //!
 //! An evaluation of the band begins with closed forms. If a closed form exceeds the cutoff, the search computes no
 //! motion in time. It refines every local maximum that may be the largest.

@@ -41,8 +41,7 @@ pub enum OptimumError {
     NoSuchMotion(Of),
     /// The load does not fit the scene. The field gives the reason.
     Load(LoadError),
-    /// Neither damping nor the contact acts on the mode with this index, counted from 0, although the load drives the
-    /// mode.
+    /// The load drives the mode with this index, counted from 0, but damping and the contact do not act on it.
     Undamped(usize),
     /// The amplitude at a resonance within the band is unbounded at every friction.
     Unbounded,

@@ -226,8 +226,9 @@ fn least_trivial(band: &AmplitudeBand<'_>, scan: &[Scanned], at: Scanned) -> Sca
     to
 }
 
-/// Evaluates all points of the scan whose amplitude is at most `level` once more, including the peaks that the grids
-/// have shown. The former amplitudes of these points were lower bounds.
+/// Recomputes the amplitude of each point of the scan whose amplitude is at most `level`, and keeps the larger
+/// amplitude. The earlier amplitude was a lower bound. The new evaluation includes the frequencies of the peaks that
+/// the checks on the grid found.
 pub(super) fn raise(band: &AmplitudeBand<'_>, scan: &mut [Scanned], level: f64) {
     for seen in scan
         .iter_mut()

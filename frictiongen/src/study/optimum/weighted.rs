@@ -59,7 +59,7 @@ impl System {
     /// best friction, the largest of these quotients over the band is smallest. The call takes the band and the load
     /// from `request`, and ignores the quantity in `request`.
     ///
-    /// The search finds the best friction of each quantity alone. It then searches between all friction ratios
+    /// The search finds the best friction of each quantity alone. Then it searches between all friction ratios
     /// evaluated so far, and checks the result over the whole band. It calls `watch` after each evaluation. If `watch`
     /// returns false once, it must return false from then on.
     ///

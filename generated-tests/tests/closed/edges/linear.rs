@@ -76,7 +76,7 @@ fn angle(difference: f64) -> f64 {
 #[derive(Debug, Default)]
 struct Seen {
     compared: usize,
-    /// Number of answers whose r is within a rounding unit of a pole. Such an answer has only a lower bound.
+    /// Number of answers whose r is within a rounding unit of a pole. These answers have only a lower bound.
     on_poles: usize,
     /// Number of frequencies without a motion: undamped resonances, and frequencies where β_lim = 0.
     without: usize,

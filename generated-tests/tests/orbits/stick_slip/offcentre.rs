@@ -1,5 +1,5 @@
-//! Tests states with an offset: contacts that come to rest off their centre, and members of a continuum. Also tests
-//! the phase of a contact that stops at its largest displacement.
+//! Tests states with an offset: contacts that come to rest off their centre, and members of a continuum. One test
+//! checks the phase of a contact that stops at its largest displacement.
 
 use frictiongen::study::sensitivity::{OperatingPoint, Parameter};
 use frictiongen::{Of, Regime, Run as _, System};

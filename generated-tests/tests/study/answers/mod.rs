@@ -25,8 +25,8 @@ use std::time::Instant;
 /// ratios misses.
 const ABOVE: f64 = 0.02;
 
-/// The same ratio, minus 1, if the bound on work ended the search. The search then returns the best friction that it
-/// has found.
+/// Largest accepted ratio, minus 1, of the optimum's amplitude to the best amplitude of a map, if the bound on work
+/// ended the search. The optimum is then the best friction that the search has found so far.
 const ABOVE_IF_SPENT: f64 = 0.1;
 
 /// Bound on the work of a search in the regular tests. A unit of work takes about 10 µs. Without compiler
@@ -329,9 +329,9 @@ fn another_state_is_not_called_one_from_rest() {
     );
 }
 
-/// Checks a response at a friction ratio just above β_lim on an undamped resonance. There Newton's method finds
-/// states with amplitudes of 10¹⁴, compared with which friction and load are below rounding. The response must be
-/// about as large as at neighbouring frequencies.
+/// Checks a response at a friction ratio just above β_lim on an undamped resonance. Newton's method finds states with
+/// amplitudes of 10¹⁴ at this resonance. Compared with these amplitudes, friction and load are below rounding. The
+/// response must be about as large as at neighbouring frequencies.
 #[test]
 fn a_resonance_just_bounded_has_no_enormous_state() {
     let frame = frame(5, 18);

@@ -109,8 +109,8 @@ fn lines_between_points_pass_the_response() {
     assert!(turned > 500 && far * 200 < turned, "{far} of {turned}");
 }
 
-/// Checks that at each change of the regime a limit equals β to rounding. Also checks that the curve misses no change
-/// of a dense scan.
+/// Checks that at each change of the regime a limit equals β to rounding. A second check is that the curve misses no
+/// change of a dense scan.
 #[test]
 fn regimes_change_at_limits_and_nowhere_else() {
     for (name, text) in SCENES {

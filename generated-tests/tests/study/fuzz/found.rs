@@ -111,8 +111,8 @@ friction_system! {
     }
 }
 
-/// Checks that 1/V does not overflow far above all resonances. There V consists only of its damping term, because
-/// rounding removes the other terms.
+/// Checks that 1/V does not overflow far above all resonances. Far above all resonances V consists only of its damping
+/// term, because rounding removes the other terms.
 #[test]
 fn a_response_too_small_for_its_reciprocal() {
     for r in [1.4839235e11_f32, 1e13, 1e15] {

@@ -88,8 +88,8 @@ fn no_derivative_exceeds_its_bound() {
     assert!(compared == 600 * 51 && nearest > 0.5);
 }
 
-/// Checks the bounds on the derivatives for the term of each mode separately, for every kind of damping. Also checks
-/// that no bound is far too large.
+/// Checks the bounds on the derivatives for the term of each mode separately, for every kind of damping. A second check
+/// is that no bound is far too large.
 #[test]
 fn bounds_hold_for_every_part() {
     let (mut compared, mut least, mut most) = (0, 9.0_f64, 0.0_f64);

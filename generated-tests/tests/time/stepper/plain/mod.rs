@@ -395,7 +395,7 @@ impl Plain {
     }
 }
 
-/// What ends a piece of motion without events.
+/// Event or bound at which a piece of motion without events ends.
 #[derive(Clone, Copy, Debug, PartialEq)]
 enum Next {
     End,
