@@ -2,8 +2,8 @@
 //! scenes have in common. The program then makes one spring 1 % stiffer, and prints how many lines of the emitted files
 //! differ.
 //!
-//! `scripts/emitted-sizes [FOLDER]` runs this program. With a folder, the program also writes the emitted files
-//! there.
+//! `scripts/emitted-sizes [FOLDER]` runs this program. With a folder, the program also writes the emitted files into
+//! this folder.
 
 use frictiongen_codegen::{SizeLimits, parse_text, pretty};
 use std::collections::BTreeSet;

@@ -212,7 +212,7 @@ fn beta(question: &AnswersRequest, [continuous, sliding]: [f64; 2], place: usize
     question.rounded(wanted).clamp(least, most)
 }
 
-/// Returns β_lim and β*_lim at a frequency. Returns `None` if one of them is 0 or infinite.
+/// Returns β_lim and β*_lim at a frequency, or `None` if one of the limits is 0 or infinite.
 fn limits(at: &At<&Reduced<Dd>>) -> Option<[f64; 2]> {
     let limits = at.limits();
     let both = [limits.continuous, limits.sliding].map(Float::to_f64);

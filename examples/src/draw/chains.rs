@@ -10,8 +10,8 @@ use frictiongen_plot::{Key, Layer, Marker, Panel, Scale, Sketch, Stroke};
 /// Label of the frequency axis for a system of several masses.
 pub const RATIO: &str = "frequency ratio *r*_1";
 
-/// Range of the phase axis in degrees: a whole turn with a margin. If all phases of a panel are above `HIGH`, its
-/// axis begins there.
+/// Range of the phase axis in degrees: a whole turn with a margin. If all phases of a panel are above `HIGH`, its axis
+/// begins at `HIGH`.
 const WIDE: (f64, f64) = (-190.0, 190.0);
 const HIGH: f64 = -45.0;
 

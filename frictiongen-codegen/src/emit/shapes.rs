@@ -1,5 +1,5 @@
 //! Emits mode shapes in the kernel's order: the components of the first mass in all modes, then of the second mass, and
-//! so on. If `MODE_SHAPES` has the same numbers, the emitted code reads them from there.
+//! so on. If `MODE_SHAPES` has the same numbers, the emitted code reads them from `MODE_SHAPES`.
 
 use super::emission::{Emission, rounded};
 use proc_macro2::{Literal, TokenStream};

@@ -186,8 +186,8 @@ pub(super) fn negate<S: Float>(numbers: &mut [S]) {
     }
 }
 
-/// Computes the Floquet multipliers of the period. The cycle map must be at a fixed point, and stays there. Returns the
-/// largest absolute value of the map's multipliers.
+/// Computes the Floquet multipliers of the period. The cycle map must be at a fixed point, and is at this point after
+/// the call too. Returns the largest absolute value of the map's multipliers.
 pub(super) fn multipliers<S: Float, K: ContactChain<S>>(
     cycle_map: &mut CycleMap<'_, '_, S, K>,
     workspace: &mut Workspace<'_, S>,

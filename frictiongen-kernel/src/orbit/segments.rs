@@ -1,7 +1,7 @@
 //! Iterates over the segments of a steady state.
 //!
-//! A *mark* is a segment whose initial state is stored. If a period has many segments, only some of them are marks. The
-//! iterator computes the other segments again.
+//! A *mark* is a segment whose initial state is stored. If a period has many segments, only some segments are marks.
+//! The iterator recomputes the segments between two marks.
 
 use super::cycle_map::MOST_EVENTS;
 use super::record::{passed, slack, within};

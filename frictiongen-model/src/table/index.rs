@@ -3,7 +3,8 @@
 use super::fit::Fitted;
 use frictiongen_kernel::Float;
 
-/// Smallest number of buckets of r, by which a lookup finds a piece. Even a small table has so many.
+/// Smallest number of buckets of r, by which a lookup finds a piece. Even a table with few pieces has this number of
+/// buckets.
 const FEWEST: usize = 8;
 /// Numbers of buckets of r that `Index::of` tries, in this order. With a power of two, a lookup computes its bucket
 /// without a comparison.

@@ -40,7 +40,7 @@ pub enum MeasureError {
         /// Time step after the change of the sampling rate, in s.
         after: f64,
     },
-    /// Two channels have different numbers of samples. The field has the name of one of them.
+    /// Two channels have different numbers of samples. The field has the name of one of the two channels.
     Lengths(String),
     /// The recording is too short to find the frequency of the excitation.
     TooShort {

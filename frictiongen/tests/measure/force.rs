@@ -133,8 +133,8 @@ fn at_an_invariant_point_it_says_so() {
             load_deviation: 0.0,
             motions: vec![datum],
         };
-        // Below the largest threshold of a resonance the contact slides there. An undamped scene with more friction
-        // would take too long.
+        // Below the largest threshold of a resonance the contact slides at this resonance. An undamped scene with more
+        // friction would take too long.
         let request = IdentifyRequest {
             range: Some((0.0, 1.2)),
             ..IdentifyRequest::default()

@@ -144,7 +144,7 @@ fn compiled(folder: &Path) -> PathBuf {
         .collect();
     found.sort_by_key(|path| path.metadata().and_then(|data| data.modified()).ok());
     let mut said = String::new();
-    // Other builds may have left older libraries there.
+    // The folder may also contain older libraries from other builds.
     for library in found.iter().rev() {
         let output = Command::new("rustc")
             .current_dir(folder)

@@ -186,8 +186,8 @@ fn compared(case: &Case, state: &PeriodicState, states: &[Vec<[f64; 2]>]) -> f64
     let total = state.tracks()[0].values.len() - 1;
     let ahead = (state.start() / state.step()).round() as usize;
     let per = total / (case.steps * state.period());
-    // The answer covers one or several periods of the load, and may begin in any of them. The integrator has all of
-    // them.
+    // The answer covers one or several periods of the load, and may begin in any of them. The integrator computes the
+    // motion over all these periods.
     let mut best = f64::INFINITY;
     for shift in 0..state.period() {
         for (k, masses) in states.iter().enumerate() {

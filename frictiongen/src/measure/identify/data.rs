@@ -28,8 +28,8 @@ fn turned(x: Complex<f64>) -> Complex<f64> {
     Complex::new(-x.im, x.re)
 }
 
-/// Returns the change of the compared quantities that a small change of a complex motion causes. `using` selects these
-/// quantities: amplitude and phase, or one of them.
+/// Returns the change of the compared quantities that a small change of a complex motion causes. `using` selects the
+/// compared quantities: amplitude, phase, or both amplitude and phase.
 fn seen_change(using: Using, value: Complex<f64>, change: Complex<f64>) -> Vec<f64> {
     let size = value.norm().max(f64::MIN_POSITIVE);
     match using {

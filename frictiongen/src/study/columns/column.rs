@@ -10,8 +10,8 @@ use std::borrow::Cow;
 pub enum ColumnKind<'a> {
     /// The column contains numbers.
     Number,
-    /// Numbers that the user gave. The slice contains all of them, so that a printed table can choose the number of
-    /// decimals.
+    /// Numbers that the user gave. The slice contains all given numbers, so that a printed table can choose the number
+    /// of decimals.
     Given(&'a [f64]),
     /// The column contains counts.
     Count,

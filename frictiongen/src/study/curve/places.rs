@@ -1,5 +1,5 @@
-//! Selects the first frequency ratios of a curve, called *places*. The code cuts the curve at some of them, and later
-//! adds points between them.
+//! Selects the first frequency ratios of a curve, called *places*. The code cuts the curve at some places, and later
+//! adds points between the places.
 
 use super::answer::PieceEnd;
 use super::request::CurveRequest;

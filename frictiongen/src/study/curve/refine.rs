@@ -121,7 +121,7 @@ impl<'a> Refine<'a> {
         scales.into_iter().map(|scale| scale.max(least)).collect()
     }
 
-    /// Computes the points of the first grid. The flag is true if the permitted work sufficed for all of them. The code
+    /// Computes the points of the first grid. The flag is true if the permitted work sufficed for all points. The code
     /// computes less important points last.
     fn grid(&self, places: &[CurvePlace]) -> (Vec<CurveNode>, bool) {
         let (spare, needed): (Vec<CurvePlace>, Vec<CurvePlace>) =

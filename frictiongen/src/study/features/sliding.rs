@@ -48,9 +48,10 @@ pub(super) struct Bound {
 }
 
 impl Features<'_> {
-    /// Returns the resonances of the chain with its contact stuck, in ascending order. One of these lies between every
-    /// two neighbouring resonances of modes that the contact drives. With an elastic contact, one more lies above all
-    /// of them. All further resonances belong to modes that the contact does not drive.
+    /// Returns the resonances of the chain with its contact stuck, in ascending order. One resonance of the stuck chain
+    /// lies between every two neighbouring resonances of modes that the contact drives. With an elastic contact, one
+    /// further resonance of the stuck chain lies above the resonances of all modes that the contact drives. All further
+    /// resonances belong to modes that the contact does not drive.
     #[must_use]
     pub fn held_resonances(&self) -> Vec<HeldResonance> {
         let dynamics = self.system.dynamics();

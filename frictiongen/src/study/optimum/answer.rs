@@ -20,8 +20,8 @@ pub enum OptimumKind {
     Trivial,
     /// A bound on another quantity excludes the frictions with a smaller amplitude.
     Bounded,
-    /// Several quantities, each divided by its reference value, are equally large. With more friction one of them
-    /// increases and another one decreases.
+    /// Several quantities, each divided by its reference value, are equally large. With more friction one of these
+    /// quotients increases, and another quotient decreases.
     Balanced,
 }
 

@@ -267,8 +267,8 @@ impl<'s> AmplitudeBand<'s> {
         *peaks = sorted(std::mem::take(peaks));
     }
 
-    /// Refines local maxima between their neighbouring frequencies. The method refines all of them roughly, and those
-    /// that may be the largest precisely.
+    /// Refines local maxima between their neighbouring frequencies. The method refines all maxima roughly, and
+    /// precisely those that may be the largest.
     fn refined(
         &self,
         tops: Vec<Top>,
@@ -351,8 +351,8 @@ impl<'s> AmplitudeBand<'s> {
     }
 
     /// Returns the amplitudes at both bounds of the band, and the largest local maxima. `seeds` contains the frequency
-    /// ratios of the maxima at a similar friction ratio. The search for each maximum begins at one of them. It ends
-    /// when an amplitude exceeds `cutoff`.
+    /// ratios of the maxima at a similar friction ratio. The search for each maximum begins at one of these frequency
+    /// ratios. The call ends when an amplitude exceeds `cutoff`.
     pub(super) fn followed(
         &self,
         friction: FrictionAmount,

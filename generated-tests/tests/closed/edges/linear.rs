@@ -22,8 +22,8 @@ struct Response {
     steepest: f64,
 }
 
-/// Returns the response to the load along `direction`, which maps the index of a mode to the mode shape component
-/// there.
+/// Returns the response to the load along `direction`, which maps the index of a mode to the component of its mode
+/// shape in this direction.
 fn response(modal: &Modal, r: Dd, direction: impl Fn(usize) -> Dd, relative: bool) -> Response {
     let zero = Dd::ZERO;
     let mut sum = Response {

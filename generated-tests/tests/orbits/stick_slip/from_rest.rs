@@ -253,7 +253,7 @@ fn long() {
     }
 }
 
-/// Checks states for β below both limits with μ > 1. The closed form exists there, but motion from rest may end in
+/// Checks states for β below both limits with μ > 1. The closed form exists at these β, but motion from rest may end in
 /// stick-slip. `response` must then report the stick-slip state.
 #[test]
 fn response_from_rest() {

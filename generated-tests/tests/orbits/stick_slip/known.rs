@@ -221,7 +221,7 @@ fn hardly_sliding() {
 }
 
 /// Checks states on the resonance for β between β*_lim and β_n, the friction ratio from which the motion is bounded.
-/// Friction does not bound a sliding motion there. A contact that is at rest on the base stays at rest.
+/// At these β friction does not bound a sliding motion. A contact that is at rest on the base stays at rest.
 #[test]
 fn stuck_on_a_resonance() {
     let base = block("base", "stiction: 1.5");

@@ -164,8 +164,8 @@ fn a_frame_on_which_the_search_gave_up() {
         1e3 * scale.length() * found.amplitude,
     );
     println!("{force} N, {millimetres} mm, {:?}", found.end);
-    // With the default work the search finds 14.25 mm at 68.5 N. A curve shows 14.2 mm there, and more at 65 N and at
-    // 70 N. With the work of this test the result is within 3 % of 14.25 mm.
+    // With the default work the search finds 14.25 mm at 68.5 N. A curve shows 14.2 mm at 68.5 N, and more at 65 N and
+    // at 70 N. With the work of this test the result is within 3 % of 14.25 mm.
     assert!(millimetres < 1.03 * 14.25, "{force} N: {millimetres} mm");
     // An unfinished search has verified no interval of friction.
     assert_eq!(

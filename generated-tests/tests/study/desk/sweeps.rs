@@ -165,8 +165,8 @@ fn one_state_however_it_is_reached() {
     assert!(compared > 300, "{compared}");
 }
 
-/// Checks a sweep across a pole. If friction is below the threshold of a resonance, the amplitude has a pole there. A
-/// sweep in either direction ends on one side of the pole, and continues on the other side.
+/// Checks a sweep across a pole. If friction is below the threshold of a resonance, the amplitude has a pole at this
+/// resonance. A sweep in either direction ends on one side of the pole, and continues on the other side.
 #[test]
 fn a_sweep_across_a_pole() {
     let system: System = "struct Block { masses: { block: 1 }, springs: { base - block: 1 },

@@ -124,7 +124,7 @@ pub trait Formula {
         moved.into_iter().fold(value, plus)
     }
     /// Returns the second-order effect of a relative change of ε in the arguments, divided by ε². It matters for
-    /// results that touch 0 without a change of sign, because their derivatives vanish there too.
+    /// results that touch 0 without a change of sign, because the derivative of the result vanishes with the result.
     fn curved(_a: &Arguments) -> Results<f64> {
         [0.0; 5]
     }

@@ -42,8 +42,8 @@ pub struct Lines<'a, S> {
     place: usize,
     /// The line crossing with which the piece ends that the last search has found.
     next: LineCrossing,
-    /// Number of successive pieces of length zero. After too many of them the code ends the sequence by a longer piece.
-    /// `cut` counts these longer pieces.
+    /// Number of successive pieces of length zero. After too many pieces of length zero, the code ends the sequence by
+    /// a longer piece. `cut` counts these longer pieces.
     still: u32,
     cut: u32,
 }

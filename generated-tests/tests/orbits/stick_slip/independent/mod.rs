@@ -119,7 +119,7 @@ fn of_several_cycles() {
     println!("periods and how many: {told:?}; {followed} of more than 64 segments");
     assert!(told.len() >= 12 && told.values().sum::<usize>() >= 40 && followed >= 10);
     tally.end(|kind| match kind {
-        // Over so many stops, central differences lose more digits.
+        // Central differences lose more digits over this many stops.
         "multiplier" => 1e-3,
         _ => bars(kind),
     });
