@@ -38,8 +38,8 @@ pub(crate) struct Legend {
 }
 
 impl Legend {
-    /// Adds a sample to the legend entry of a name. The entry keeps its earlier samples. Without such an entry the
-    /// function creates one.
+    /// Adds a sample to the legend entry of a name. The entry keeps its earlier samples. If the entry does not exist,
+    /// the function creates it.
     pub(crate) fn add(&mut self, name: &Label, sample: LegendSample) {
         if name.is_empty() {
             return;

@@ -20,8 +20,8 @@ const NODES: usize = 5;
 /// from both maxima.
 const JUMP: f64 = 0.05;
 /// Distance of an instant from the start of the half period, in radians of the fastest mode. If a witness (an instant
-/// near the largest velocity constraint) is closer, a Taylor series in τ may give its constraint (module `early`).
-/// For all such instants the series is valid.
+/// near the largest velocity constraint) is closer, a Taylor series in τ may give its constraint (module `early`). The
+/// series is valid at all instants up to this distance.
 const EARLY: f64 = 1.2;
 /// Distance of an instant from the start of the half period, in radians of the fastest mode. If a witness (an instant
 /// near the largest velocity constraint) is closer, only a Taylor series in τ gives its constraint (module `early`).

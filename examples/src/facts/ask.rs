@@ -44,7 +44,7 @@ pub fn sliding_limit(system: &System, r: f64) -> f64 {
 }
 
 /// Returns the result of `question` for the continuous motion at the frequency ratio r and the friction ratio β.
-/// Returns NaN if there is no such motion.
+/// Returns NaN if there is no continuous motion at r and β.
 pub fn ask(system: &System, r: f64, beta: f64, question: impl Fn(&SystemMotion) -> f64) -> f64 {
     let motion = system.at(r).ok().and_then(|at| at.motion(beta).ok());
     motion.as_ref().map_or(f64::NAN, question)
@@ -105,7 +105,7 @@ fn features(system: &System) -> Option<Features<'_>> {
     system.features(None).ok()
 }
 
-/// Finds the invariant points of a motion in a range of frequency ratios. At such a point the quantity `measured`
+/// Finds the invariant points of a motion in a range of frequency ratios. At an invariant point the quantity `measured`
 /// does not depend on friction.
 #[must_use]
 pub fn invariant_points(

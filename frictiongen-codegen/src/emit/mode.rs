@@ -1,5 +1,5 @@
-//! Emits the response of one mode at a frequency ratio r. Each kind of damping has one emitted function, and each
-//! mode has one call of such a function.
+//! Emits the response of one mode at a frequency ratio r. Each kind of damping has one emitted function, and each mode
+//! has one call of the function for its damping.
 
 use super::emission::Emission;
 use super::names::{field, local};

@@ -36,7 +36,8 @@ pub struct Dynamics<'a, S, K = Chain<S>> {
     /// 1 modes for a rigid contact, and n for an elastic contact.
     pub held: &'a [HeldMode<S>],
     /// Participation factors for the displacement y and the scaled velocity u in each mode of the chain with its
-    /// contact stuck. For each such mode, the list has one pair for each mode of the chain that the contact drives.
+    /// contact stuck. For each mode of the stuck chain, the list has one pair for each mode of the chain that the
+    /// contact drives.
     pub participations: &'a [[S; 2]],
     /// Mode shapes φ. The components of the first mass in all modes come first, and then those of the second mass, and
     /// so on.

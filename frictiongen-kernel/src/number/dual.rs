@@ -2,7 +2,7 @@
 //!
 //! A closed form that is evaluated with dual numbers gives its value and its exact derivative. Close to a resonance
 //! this derivative is a small difference of large terms. Dual numbers of [`Dd`](crate::number::dd::Dd) keep the digits
-//! of such a difference.
+//! of this difference.
 
 use crate::number::scalar::{Float, Scalar};
 use crate::number::special::{exp_m1_minus, versine_pi};

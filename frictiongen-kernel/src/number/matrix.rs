@@ -266,7 +266,7 @@ impl<'a, S: Float> SquareMatrix<'a, S> {
 }
 
 /// Returns v and τ of the reflection (1 − τ v vᵀ) that turns x into a multiple of the first unit vector. Returns `None`
-/// if x is already such a multiple.
+/// if x is already a multiple of the first unit vector.
 fn reflector<S: Float>(x: [S; 3]) -> Option<([S; 3], S)> {
     let [a, b, c] = x;
     let size = a.abs() + b.abs() + c.abs();

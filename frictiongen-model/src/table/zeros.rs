@@ -11,8 +11,8 @@ use frictiongen_kernel::{Complex, Float};
 /// far larger than the rounding error of a double-double sum, 10⁻³², and far smaller than the precision of a scene in
 /// doubles.
 pub(super) const NONE: f64 = 1e-20;
-/// Largest relative difference of two constants (resonance or damping ratio) of modes that count as equal. Rounding
-/// in double-double causes such differences.
+/// Largest relative difference of two constants (resonance or damping ratio) of modes that count as equal. Rounding in
+/// double-double causes differences of this size.
 pub(super) const EQUAL: f64 = 1e-24;
 /// Largest relative distance of two zeros that count as one common zero of V and H, the responses of the contact to
 /// the load and to a contact force. A scene in doubles cannot separate zeros that are so close.

@@ -23,7 +23,7 @@ fn bits<T: Stepping>(stepper: &T, masses: usize) -> Vec<u64> {
     bits
 }
 
-/// Random inputs of a scene. They are such that the contact stops and slips.
+/// Random inputs of a scene, with which the contact stops and slips.
 #[derive(Clone)]
 struct Inputs {
     random: Random,

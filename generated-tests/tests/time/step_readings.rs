@@ -234,8 +234,8 @@ fn all_masses_at_once_are_the_masses_one_by_one() {
 }
 
 frictiongen::friction_system! {
-    /// A scene whose step is nearly a radian of the faster mode. A series with too few terms would be wrong in such a
-    /// step.
+    /// A scene whose step is nearly a radian of the faster mode. A series with too few terms would be wrong in a step
+    /// of this length.
     struct Long {
         masses: { a: 1.0, b: 2.0 },
         springs: { base - a: 400.0, a - b: 300.0 },

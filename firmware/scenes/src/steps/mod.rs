@@ -49,7 +49,7 @@ pub trait Machine: Sized {
     }
     /// Reads the masses, with one call for each mass.
     fn read_each(&self);
-    /// Reads all masses in one call. Returns `None` if the stepper has no such call.
+    /// Reads all masses in one call, or returns `None` if the stepper has no call that reads all masses.
     fn read_all(&self) -> Option<()> {
         None
     }

@@ -117,8 +117,8 @@ pub(super) fn keeps_forcing<S: Float, D: Decay<S>>(wave: &Wave<S, D>, all: bool)
 #[derive(Clone, Copy, Debug)]
 pub(super) struct DerivativeBounds<S> {
     /// Second derivative of the sum at the instant. The field `third` is the third derivative. Only a search of sum/sin
-    /// τ needs the two derivatives. They leave out mass-controlled modes, because the sum in such a search contains
-    /// none.
+    /// τ needs the two derivatives. They leave out mass-controlled modes, because a sum that is divided by sin τ
+    /// contains none.
     pub second: S,
     pub third: S,
     pub fourth: S,

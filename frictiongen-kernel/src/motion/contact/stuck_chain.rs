@@ -77,7 +77,7 @@ impl<S: Float, K: ContactChain<S>> Dynamics<'_, S, K> {
     }
 
     /// Computes the state of one mode that the contact drives. [`release`](Self::release) calls this function for each
-    /// such mode.
+    /// mode that the contact drives.
     pub(crate) fn released(
         &self,
         receptance: S,

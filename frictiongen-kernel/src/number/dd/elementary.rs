@@ -28,7 +28,7 @@ fn series<'a>(
     })
 }
 
-/// Returns 18 inverse factorials in steps of two: 1/first!, 1/(first + 2)!, …. The series of a sine or cosine has such
+/// Returns 18 inverse factorials in steps of two: 1/first!, 1/(first + 2)!, …. The series of a sine or cosine has these
 /// coefficients.
 #[expect(
     clippy::indexing_slicing,

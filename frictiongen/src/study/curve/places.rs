@@ -24,8 +24,8 @@ pub(super) struct CurvePlace {
     pub r: f64,
     /// The reason why the curve is cut between this frequency ratio and the next. `None` without a cut.
     pub cut: Option<PieceEnd>,
-    /// True for a sub-harmonic of a resonance that is not next to a cut. The curve leaves out such a point if it
-    /// reaches its bound on work.
+    /// True for a sub-harmonic of a resonance that is not next to a cut. If the curve reaches its bound on work, it
+    /// leaves out the points for which this flag is true.
     pub spare: bool,
 }
 

@@ -116,7 +116,7 @@ impl<'a> Refine<'a> {
         };
         let scales: Vec<f64> = (0..self.request.of.len()).map(median).collect();
         // If a stuck contact isolates a mass from the load, its computed motion is rounding. The refinement must not
-        // follow bends of such a motion.
+        // follow bends of a motion that is only rounding.
         let least = ROUNDING * scales.iter().copied().fold(0.0, f64::max);
         scales.into_iter().map(|scale| scale.max(least)).collect()
     }

@@ -140,7 +140,7 @@ impl Features<'_> {
     /// motion that friction does not influence, and for an elastic contact.
     ///
     /// # Errors
-    /// [`FeatureError::Damped`] for a damped chain. For such a chain, call [`crossings`](Self::crossings) with two
+    /// [`FeatureError::Damped`] for a damped chain. For a damped chain, call [`crossings`](Self::crossings) with two
     /// friction ratios. [`FeatureError::Range`], [`FeatureError::UnknownMass`], [`FeatureError::Crowded`].
     pub fn invariant_points(
         &self,

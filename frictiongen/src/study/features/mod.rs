@@ -2,8 +2,8 @@
 //! the stuck chain, sliding ranges, regimes over frequency, and peaks.
 //!
 //! Interval arithmetic finds the zeros of functions in closed form ([`Certainty::Proven`]). Other features depend on a
-//! search over the half period, or on steady states with stops. The code samples such features in steps of a stated
-//! length, and refines them ([`Certainty::Sampled`]).
+//! search over the half period, or on steady states with stops. The code samples these other features in steps of a
+//! stated length, and refines them ([`Certainty::Sampled`]).
 
 mod functions;
 mod invariant;

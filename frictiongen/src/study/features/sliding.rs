@@ -134,8 +134,8 @@ impl Features<'_> {
                 });
             }
         }
-        // V and H have poles on an undamped resonance. At such a frequency, β*_lim can equal β although V − βμH has no
-        // zero.
+        // V and H have poles on an undamped resonance. On an undamped resonance β*_lim can equal β although V − βμH has
+        // no zero.
         let resonances = modal.resonances.iter().zip(&modal.damping_ratios);
         for (resonance, zeta) in resonances {
             let r = resonance.to_f64();

@@ -121,8 +121,8 @@ impl SystemResponse<'_> {
     }
 
     /// Returns the exact spectrum of the contact or of a mass up to the order `highest`. Returns `None` if the scene
-    /// has no such mass. If the motion does not settle, the spectrum belongs to a periodic repetition of its last 64
-    /// cycles.
+    /// does not have the mass. If the motion does not settle, the spectrum belongs to a periodic repetition of its last
+    /// 64 cycles.
     #[must_use]
     pub fn spectrum(&self, of: Of, highest: u32) -> Option<Spectrum> {
         let period = self.period();

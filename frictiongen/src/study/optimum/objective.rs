@@ -72,7 +72,7 @@ impl Objective {
     }
 
     /// Returns the quantity in a response, in the units of the load at the frequency of the response. Returns `None` if
-    /// the scene has no such motion.
+    /// the scene does not have the motion of the quantity.
     pub fn of_response(&self, response: &SystemResponse<'_>) -> Option<f64> {
         response.largest(self.of, self.size)
     }

@@ -54,7 +54,7 @@ pub(super) struct Scanned {
 }
 
 /// Returns the friction ratio up to which the amplitude at an undamped resonance of the band is unbounded. Returns 0 if
-/// the band contains no such resonance.
+/// the band contains no undamped resonance.
 pub(super) fn unbounded_to(band: &AmplitudeBand<'_>) -> f64 {
     let (system, [from, to]) = (band.amplitude.system, band.ends());
     let modal = system.modal();

@@ -15,7 +15,7 @@ use super::scan::{Scanned, scanned_at, slope, with_slope};
 /// Largest number of friction ratios that one round evaluates on the grid.
 const MOST: usize = 24;
 /// Largest lower bound of a scan point that the search checks, divided by the lowest checked amplitude. The search
-/// checks the minima between such points even if they improve the amplitude by less.
+/// checks a minimum between these scan points even if the minimum improves the amplitude by less.
 const BETTER: f64 = 0.999;
 /// Number of rounds in which the search adds friction ratios around the best one.
 const ABOUT: usize = 3;

@@ -169,8 +169,8 @@ fn grazing() {
     assert!(events > 1000);
 }
 
-/// Compares the stepper under such forces with the plain integrator. None of the forces is within a rounding unit of
-/// the break-away force.
+/// Compares the stepper under forces near the break-away force with the plain integrator. None of the forces is within
+/// a rounding unit of the break-away force.
 #[test]
 fn grazing_moves_as_the_plain_integrator_says() {
     for text in ALL {
