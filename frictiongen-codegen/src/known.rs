@@ -102,9 +102,10 @@ pub struct MotionAnswers {
 
 /// Returns the known answers at up to [`POINTS`] frequency ratios, in ascending order.
 ///
-/// The function divides the range into equal parts, and takes one frequency ratio of each part. This is the first one
-/// at which no answer depends on rounding. If there is none, it is the one at which the answers depend least on
-/// rounding. If the allowed error would then exceed [`AnswersRequest::widest`], the part has no known answer.
+/// The function divides the range into equal parts, and takes one frequency ratio of each part. It takes the first
+/// frequency ratio at which no answer depends on rounding. If an answer depends on rounding at every frequency ratio of
+/// the part, it takes the frequency ratio at which the answers depend least on rounding. If the allowed error would
+/// then exceed [`AnswersRequest::widest`], the part has no known answer.
 #[must_use]
 pub fn known(modal: &Modal, question: &AnswersRequest) -> Vec<KnownAnswers> {
     let exact = modal.reduced(|value| value);

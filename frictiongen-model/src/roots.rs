@@ -112,7 +112,8 @@ fn between(modes: &[DrivenMode], compliance: Dd, low: Dd, high: Option<Dd>) -> D
         } else {
             (b, at_b) = (c, at_c);
         }
-        // Two steps in a row replaced one bound and kept the other. The kept bound gets half its weight (Illinois rule).
+        // Two steps in a row replaced the same bound and kept the other bound. The kept bound gets half its weight
+        // (Illinois rule).
         if last == Some(lower) {
             if lower {
                 at_b = at_b * half;

@@ -243,8 +243,8 @@ where
             stuck = mark.contact_state.contact == Contact::Stuck;
         }
         match first {
-            // The segment before the first one is the last segment of the period. The code knows only after the loop
-            // whether the contact sticks in that segment.
+            // The segment before the first segment is the last segment of the period. The code knows only after the
+            // loop whether the contact sticks in that segment.
             Some(first) if !stuck => best.note(first.contact_state.t, self.signed(first.relative)),
             Some(first) if best.lag.is_none() => {
                 best.value = first.relative.abs();

@@ -116,8 +116,8 @@ fn optimum(system: &System, request: &OptimumRequest) -> (Optimum, f64) {
     (optimum, start.elapsed().as_secs_f64())
 }
 
-/// Checks an optimum at which two peaks cross. The peaks are equal to rounding. With more friction one falls and the
-/// other rises, so any other friction is worse.
+/// Checks an optimum at which two peaks cross. The peaks are equal to rounding. With more friction one peak falls and
+/// the other peak rises, so every other friction is worse.
 #[test]
 fn two_equal_peaks() {
     let (system, request) = asked(ABSORBER, "a", 0.75, 1.25);

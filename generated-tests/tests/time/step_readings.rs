@@ -175,8 +175,8 @@ fn constant_tables_say_the_same_to_rounding() {
 /// A stepper that borrows its constant tables. It is the value of a `static`.
 static SHAKEN_AT_REST: shown::ShakenDeclaredStepper = shown::Shaken::declared_stepper();
 
-/// Checks a stepper that borrows its tables against one that owns a copy. It gives the same bits, needs less memory,
-/// and reads the images of the other one.
+/// Checks a stepper that borrows its tables against one that owns a copy. The stepper with borrowed tables gives the
+/// same bits, needs less memory, and reads the images of the stepper with a copy.
 #[test]
 fn borrowed_tables_say_the_same_bits() {
     fn check(name: &str, (borrows, owns): (impl Stepping, impl Stepping), strength: &Strength) {

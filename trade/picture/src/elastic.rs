@@ -15,7 +15,8 @@ const ROUNDING: f64 = 1.1e-16;
 /// this position.
 type Place = (f64, f64, Anchor);
 
-/// How the picture shows each method: name in the table, name in the picture, colour, mark and place of its notes.
+/// Appearance of each method in the picture: name in the table, name in the picture, colour, mark and place of its
+/// notes.
 const LOOKS: [(&str, &str, usize, Marker, Place); 3] = [
     (
         "frictiongen",

@@ -38,8 +38,8 @@ pub(crate) fn safe<S: Float>(f: S, slope: S, curve: S, bound: S, most: S) -> S {
             }
         }
         if curve < zero {
-            // This is the other form of the same root of p′. In the first form the terms would cancel if the bound is
-            // small, and the root would be lost.
+            // This expression is another form of the root of p′. In the first form the terms would cancel if the bound
+            // is small, and the root would be lost.
             from = ((slope + slope) / (root - curve)).max(zero);
         } else if zero < curve + root {
             from = (curve + root) / bound;

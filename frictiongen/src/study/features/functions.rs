@@ -320,8 +320,8 @@ impl ChainNumbers<Interval> {
 const SAME: f64 = 4e-15;
 
 impl Target<Dd> {
-    /// Returns two flags for a mode: true if the target has a pole at x = 1, and true if it has poles at the other odd
-    /// x.
+    /// Returns two flags for a mode: true if the target has a pole at x = 1, and true if the target has poles at x = 3,
+    /// 5, ….
     fn poles_of(&self, numbers: &ChainNumbers<Dd>, mode: &ModeNumbers<Dd>) -> [bool; 2] {
         let drives = |a: Dd, b: Dd| !(a.is_zero() || b.is_zero());
         let undamped = mode.zeta.is_zero();

@@ -65,11 +65,11 @@ pub struct InvariantPoint {
 pub enum Edge {
     /// The requested range of frequencies begins or ends here.
     Range,
-    /// Here is an invariant point, where friction does not change the motion.
+    /// Invariant point: a frequency ratio at which friction does not change the motion.
     Invariant,
-    /// Here is a pole of the response without friction, or of the response to a square wave of friction.
+    /// Pole of the response without friction, or of the response to a square wave of friction.
     Pole,
-    /// Here V is 0: without friction the contact does not move, and with any friction it stops.
+    /// Zero of V: without friction the contact does not move, and with any friction it stops.
     Still,
 }
 

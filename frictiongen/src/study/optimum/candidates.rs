@@ -88,8 +88,8 @@ pub(super) fn between(scan: &[Scanned], best: f64) -> Vec<(Scanned, Scanned)> {
                 return Some((0.0, (below.clone(), above.clone())));
             }
             let falls = below.slope < 0.0;
-            // If the steady state changes to another one in the interval, the slope at one point does not predict the
-            // amplitude at the next point.
+            // If the steady state changes to another steady state in the interval, the slope at one point does not
+            // predict the amplitude at the next point.
             let least = SHARE * below.value.min(above.value);
             // If the tangents do not meet in the interval, the amplitude is not a convex function of friction. Its
             // tangents then give no bound.

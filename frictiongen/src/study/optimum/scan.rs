@@ -129,7 +129,7 @@ pub(super) fn scanned(band: &AmplitudeBand<'_>, free_to: f64, locked_from: f64) 
 }
 
 /// Adds friction ratios to the scan, in the order of their expected amplitude. After a low amplitude is known, closed
-/// forms alone suffice to reject most of the other friction ratios.
+/// forms alone suffice to reject most of the remaining friction ratios.
 pub(super) fn add(
     band: &AmplitudeBand<'_>,
     scan: &mut Vec<Scanned>,

@@ -216,7 +216,8 @@ impl<'s> WeightedSearch<'s> {
         let mut all: Vec<f64> = points.iter().map(|(beta, _)| *beta).collect();
         all.sort_by(f64::total_cmp);
         all.dedup();
-        // Low bounds come first. They give a cutoff that excludes most of the other friction ratios.
+        // The friction ratios with low bounds come first. They give a cutoff that excludes most of the remaining
+        // friction ratios.
         let mut points = points.to_vec();
         points.sort_by(|a, b| a.1.total_cmp(&b.1));
         let mut top = f64::INFINITY;

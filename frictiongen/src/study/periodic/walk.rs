@@ -38,7 +38,7 @@ pub(super) struct StateNumbers {
 
 impl StateNumbers {
     /// Returns the largest difference between the numbers of two states. It is infinite if the contact slides in one
-    /// state and sticks in the other.
+    /// state and sticks in the other state.
     pub fn away(&self, other: &Self) -> f64 {
         if self.contact != other.contact || self.values.len() != other.values.len() {
             return f64::INFINITY;

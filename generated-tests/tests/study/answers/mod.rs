@@ -130,8 +130,8 @@ fn optima_of_some_frames() {
     }
 }
 
-/// Checks a frame at a resonance of its stuck chain that the load does not drive and that nothing damps. If the
-/// contact sticks, the mass next to the base does not move, and neither do the others.
+/// Checks a frame at a resonance of its stuck chain that the load does not drive and that nothing damps. If the contact
+/// sticks, no mass moves.
 #[test]
 fn a_resonance_that_nothing_drives_bounds_nothing() {
     let frame = frame(6, 0);

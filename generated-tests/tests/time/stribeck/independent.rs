@@ -51,7 +51,8 @@ fn apart(text: &str, law: &[[f64; 2]], [r, beta]: [f64; 2], steps: usize) -> (f6
 }
 
 /// Compares runs with all contacts, damped and undamped: at a low frequency with many stops, near a resonance, and
-/// above it. One law falls, and the other falls and rises. The function runs one of `one_in` cases.
+/// above it. The friction of one law falls with speed, and that of the second law falls and then rises. The function
+/// runs one of `one_in` cases.
 ///
 /// The remaining difference is the error of the integrator. With four times as many steps it must be a 256th.
 /// Exceptions are runs whose coarse steps missed an event, and runs whose difference is mostly rounding, about 1e-12

@@ -49,7 +49,7 @@ fn steps_do_not_matter() {
     assert!(100 < compared);
 }
 
-/// Checks that a run which starts from the state of another run, a cycle later, equals the other run. The lines of
+/// Checks that a run which starts from the state of an earlier run, a cycle later, equals the earlier run. The lines of
 /// the law follow from the state.
 #[test]
 fn from_a_state() {

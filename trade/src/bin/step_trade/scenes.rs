@@ -1,4 +1,4 @@
-//! Chains of equal masses and springs. The last mass rubs on the wall, and the first one is excited.
+//! Chains of equal masses and springs. The last mass rubs on the wall, and the first mass is excited.
 
 /// Rayleigh coefficients of the scenes below: of the mass matrix and of the stiffness matrix. With mass m and spring
 /// k as units, both are 0.02.
