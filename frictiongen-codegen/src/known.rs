@@ -94,9 +94,10 @@ pub struct MotionAnswers {
     pub beta: f64,
     /// Kind of the motion at this friction ratio.
     pub outcome: MotionKind,
-    /// Amplitude and phase of the contact. Both are 0 if the contact does not slide all the time.
+    /// Amplitude and phase of the contact. Amplitude and phase are 0 if the contact does not slide all the time.
     pub contact: [f64; 2],
-    /// Displacement and velocity of each mass at τ = [`TAU`]. Both are 0 if the contact does not slide all the time.
+    /// Displacement and velocity of each mass at τ = [`TAU`]. The two numbers are 0 if the contact does not slide all
+    /// the time.
     pub masses: Vec<[f64; 2]>,
 }
 

@@ -169,7 +169,7 @@ fn rows(figure: &Figure, columns: usize, room: f64, y: &mut f64) -> Vec<Rect> {
 }
 
 /// Draws the sketch and the legend of a figure, side by side if `room` is wide enough. Returns the vertical position
-/// under both.
+/// under the sketch and the legend.
 fn below(canvas: &mut Canvas, figure: &Figure, legend: &Legend, room: f64, top: f64) -> f64 {
     let sketch = figure.sketch.as_ref();
     let size = sketch.and_then(|sketch| Some((sketch, sketch.size(room)?)));

@@ -106,7 +106,7 @@ pub trait Run {
     /// Returns the present friction force in the contact, divided by the load amplitude P.
     fn friction(&self) -> Self::Scalar;
     /// Returns the present displacement x̄ and velocity dx̄/dτ of a mass. `mass` is the index in the description. For
-    /// an invalid index, both are 0.
+    /// an invalid index, displacement and velocity are 0.
     fn moment(&self, mass: usize) -> Moment<Self::Scalar>;
 }
 

@@ -82,8 +82,8 @@ pub fn printed_number(text: &str) -> Option<(f64, f64)> {
 /// rounds to the printed one.
 #[must_use]
 pub fn number(what: &str, printed: &str, value: f64, decimals: usize) -> Entry {
-    // If the computed number is halfway between two decimals, rounding noise would decide. Both decimals therefore
-    // count as right.
+    // If the computed number is halfway between two decimals, rounding noise would decide. The decimal below and the
+    // decimal above the number therefore count as right.
     let agrees = printed_number(printed)
         .is_some_and(|(want, half)| (value - want).abs() <= half * (1.0 + 1e-9));
     Entry {

@@ -16,7 +16,7 @@ pub struct Input<S> {
     pub tau: S,
 }
 
-/// A call that is measured. It returns two numbers. Both are −1 if the solver returned an error.
+/// A call that is measured. It returns two numbers, or −1 twice if the solver returned an error.
 pub struct Call<S> {
     /// Name of the scene.
     pub scene: &'static str,

@@ -94,8 +94,8 @@ fn forces_and_accelerations_fit_the_displacements() {
     }
 }
 
-/// The equivalent damping ratio is E_d/(4πE_s), with the strain energy of all springs or of one. `response` has the closed
-/// form, `orbit` the motion from event to event, and `curve` both.
+/// The equivalent damping ratio is E_d/(4πE_s), with the strain energy of all springs or of one. `response` has the
+/// closed form, `orbit` the motion from event to event, and `curve` the closed form and the motion.
 #[test]
 fn equivalent_damping_is_that_of_its_formula() {
     let of = [

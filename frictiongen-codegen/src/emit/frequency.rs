@@ -50,8 +50,7 @@ pub(super) fn emit(emission: &Emission<'_>) -> Stage {
         /// Sums V, H, U, G and H_c of the contact (3.11, 5.20, 5.34, 5.37, 7.11, 7.12), and the functions of the modes.
         ///
         /// V is the response of the contact to the load, and H to a force in the contact.  U is the slope and G the value, at a
-        /// reversal, of its response to a square wave of friction.  H_c decides whether the contact breaks away at the
-        /// reversal (5.63).
+        /// reversal, of its response to a square wave of friction.  H_c decides whether the contact breaks away there (5.63).
         ///
         /// Sums over the modes, with x = √λ/r = 1/R:
         #[doc = #response]

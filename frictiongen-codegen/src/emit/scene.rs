@@ -161,8 +161,8 @@ fn shapes(emission: &Emission<'_>, wanted: &Wanted<'_>) -> Shapes {
     let moves = partly.then(|| {
         let moving = moving.into_iter().map(Literal::usize_unsuffixed);
         code! {
-            /// Returns true if the scene provides the motion of this mass.  A mass without a provided motion has mode
-            /// shapes only for the stuck response.
+            /// Returns true if the scene provides the motion of this mass.  The other masses have mode shapes only for
+            /// the stuck response.
             #[inline]
             fn moves(&self, mass: usize) -> bool {
                 match mass { #(#moving)|* => true, _ => false }

@@ -202,8 +202,8 @@ impl<S: Float> Scalar for Dual<S> {
     fn one_minus_sinc_pi(self) -> Self {
         let z = self.value;
         let value = z.one_minus_sinc_pi();
-        // The code computes the derivative (sinc − cos)/z from 1 − cos and 1 − sinc. Both of these vanish with z, and
-        // their difference loses hardly any digits.
+        // The code computes the derivative (sinc − cos)/z from 1 − cos and 1 − sinc. 1 − cos and 1 − sinc vanish with
+        // z, and their difference loses hardly any digits.
         let derivative = if z.is_zero() {
             z
         } else {

@@ -253,7 +253,8 @@ where
         }
     }
 
-    /// Returns the smallest and the largest relative displacement z̄ in a period. Both occur at events of the contact.
+    /// Returns the smallest and the largest relative displacement z̄ in a period. The smallest and the largest
+    /// displacement occur at events of the contact.
     pub(super) fn extremes_at_events(&self) -> (S, S) {
         let mut extremes: Option<(S, S)> = None;
         for mark in self.orbit.segments() {

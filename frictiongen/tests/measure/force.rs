@@ -59,7 +59,8 @@ fn within_two_per_cent_over_the_range_of_chapter_4() {
             let seen = Observation::of(&measured, &system, 1);
             for using in [Using::Complex, Using::Phase] {
                 let found = identified(&system, seen.clone(), using);
-                // At r = 1/2 the steady state is one of a continuum. The model reaches the same one from rest.
+                // At r = 1/2 the steady state is one of a continuum. From rest, the model reaches the steady state of
+                // the measurement.
                 assert_eq!(
                     found.verdict,
                     Verdict::Determined,

@@ -266,8 +266,8 @@ fn one_mode_has_its_own_maximum() {
         }
     }
     println!("{compared} values compared, worst {worst:.1e}; {searched} with a search");
-    // Both searches find S, the largest velocity constraint, to a few rounding units. The sum U² + S² may double this
-    // error.
+    // The two compared searches find S, the largest velocity constraint, to a few rounding units. The sum U² + S² may
+    // double this error.
     assert!(worst < 1e-14);
     assert_eq!(compared, 6 * 2 * 199);
     // The test counts only searches in which S exceeds its value at the start of the half period.

@@ -307,7 +307,7 @@ fn bounds_hold_on_a_map() {
     };
     assert!((value / least.amplitude - 1.0).abs() < 1e-9, "{value}");
     assert!((beta / least.beta - 1.0).abs() < 1e-6, "{beta}");
-    // Each of the two bounds alone can be satisfied, but not both.
+    // Each of the two bounds alone can be satisfied, but no friction satisfies both bounds.
     let two = [
         KeptQuantity {
             most: 1.0001 * least.amplitude,

@@ -67,7 +67,7 @@ fn over(rows: &[Row], row: &Row, by: By, method: Method) -> Option<(f64, f64)> {
     Some((other.time.median, other.time.median / row.time.median))
 }
 
-/// Formats a time and a ratio as two columns of a table. Both are empty for `None`.
+/// Formats a time and a ratio as two columns of a table. For `None` the two columns are empty.
 fn columns(compared: Option<(f64, f64)>) -> String {
     compared.map_or_else(
         || " | ".to_owned(),

@@ -57,7 +57,8 @@ fn factorials_in_twos(factorials: &[Dd], terms: usize, exact: usize, v: Dd) -> D
 /// Returns the integer q for which q/2 is nearest to h, and the exact remainder h − q/2. Only the two lowest bits of q
 /// are meaningful.
 fn reduced(h: Dd) -> (u64, Dd) {
-    // If `hi` is above 2^53, it is an integer, but `lo` still contains a fraction. The code therefore reduces both.
+    // If `hi` is above 2^53, it is an integer, but `lo` still contains a fraction. The code therefore reduces `hi` and
+    // `lo`.
     let (q, high) = double::reduced_any(h.hi);
     let (p, low) = double::reduced_any(h.lo);
     let (sum, lost) = two_sum(high, low);

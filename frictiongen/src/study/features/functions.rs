@@ -22,8 +22,8 @@ pub(super) struct ModeNumbers<T> {
     /// Component φ of the mode at the requested mass, or φᵀw for the motion of the contact.
     pub shape: T,
     /// Two numbers for the load that is 90° out of phase with the motion of the base: 2ζλΓ, where Γ is the
-    /// participation factor, and the contribution of springs to the wall. Both are 0 unless damping acts on velocities
-    /// relative to the moving base.
+    /// participation factor, and the contribution of springs to the wall. The two numbers are 0 unless damping acts on
+    /// velocities relative to the moving base.
     pub quadrature: [T; 2],
 }
 

@@ -116,7 +116,7 @@ impl From<OutOfDomain> for HistoryError {
 
 /// A motion over time, at evenly spaced instants.
 ///
-/// Both the first and the last sample are at a maximum of the excitation. A whole number of cycles lies between them.
+/// The first and the last sample are at maxima of the excitation. A whole number of cycles lies between them.
 #[derive(Clone, Debug, PartialEq)]
 pub struct History {
     /// Number of cycles of the excitation before the first sample. It is 0 for a steady state.

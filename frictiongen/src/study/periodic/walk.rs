@@ -28,8 +28,8 @@ pub(super) struct StepState {
     at: usize,
 }
 
-/// The numbers of a motion's state. Two states can be compared number by number only if the contact sticks in both or
-/// slides in both.
+/// The numbers of a motion's state. Two states can be compared number by number only if the contact sticks in both
+/// states or slides in both states.
 #[derive(Clone, Debug, PartialEq)]
 pub(super) struct StateNumbers {
     pub contact: Contact,

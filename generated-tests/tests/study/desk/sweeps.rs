@@ -152,7 +152,7 @@ fn one_state_however_it_is_reached() {
                 .swing(Of::Mass(0))
                 .expect("a mass");
             let found = point.movements[1].swing.amplitude;
-            // Both searches end Newton's method at a relative step of about 1e-12. Steep responses lose some digits.
+            // The two searches end Newton's method at a relative step of about 1e-12. Steep responses lose some digits.
             assert!(
                 (found / expected.amplitude - 1.0).abs() < 1e-8,
                 "r = {}: {found} for {}",

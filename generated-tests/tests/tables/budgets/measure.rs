@@ -155,7 +155,7 @@ fn places<T: Real>(got: Dd, want: Dd, off: f64) -> f64 {
         return 0.0;
     }
     if !got.hi.is_finite() || !want.hi.is_finite() {
-        // Both results have overflowed if both are near or beyond the largest number.
+        // If the result and the exact value are near or beyond the largest number, they count as overflowed.
         let largest = if T::FORMAT.0 == 24 {
             f64::from(f32::MAX)
         } else {

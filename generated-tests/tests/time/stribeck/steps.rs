@@ -74,8 +74,8 @@ fn from_a_state() {
             follow(&mut on, start + 1, 0.4);
             for mass in masses.clone() {
                 let (a, b) = (from.run().mass(mass), on.run().mass(mass));
-                // Both runs have rounding errors. In addition, the state of the masses does not tell whether a
-                // contact at rest sticks.
+                // The two runs have different rounding errors. In addition, the state of the masses does not tell
+                // whether a contact at rest sticks.
                 let off = (a.displacement() - b.displacement()).abs()
                     + (a.velocity() - b.velocity()).abs();
                 assert!(off < 1e-12, "{text}: {off:e}");

@@ -125,7 +125,7 @@ impl Judge<'_> {
             let questions: Vec<_> = here.iter().map(follow).collect();
             let moved = answers(&at, &place, &questions);
             // Some values in `exact` are more accurate than the formulas in double-double. The value at the displaced
-            // inputs keeps the difference between both.
+            // inputs keeps the difference between the value in `exact` and the value of the formulas.
             let better = exact.iter().zip(self.exact(&here));
             let there = moved.iter().zip(better).map(|(moved, (exact, here))| {
                 Complex::new(
