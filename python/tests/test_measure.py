@@ -163,8 +163,8 @@ def made(system, hz, friction, base, *, rate=1000, seconds=20, noise=0.0, seed=1
 
 
 def test_a_friction_that_is_known_comes_back(frame):
-    """Checks that a known friction force is found again, for two storeys at three frequencies, with the damping and
-    stiction of the description."""
+    """Checks that a known friction force is found, for two storeys at three frequencies, with the damping and stiction
+    of the description."""
     recordings = [made(frame, hz, 0.35, 0.001, noise=0.01, seed=place) for place, hz in enumerate((1.3, 2.4, 4.0))]
     found = frame.identify(recordings)
     assert found.verdict == "determined" and found.friction_N.value == pytest.approx(0.35, rel=0.01)

@@ -117,7 +117,7 @@ pub(super) fn newton<S: Float, K: ContactChain<S>>(
         };
         if (image == Contact::Stuck) != (contact_state.contact == Contact::Stuck) {
             // At the section the contact state has changed from sticking to sliding, or from sliding to sticking. The
-            // method starts again with the contact state that the contact has after the map.
+            // method restarts with the contact state that the contact has after the map.
             contact_state.contact = image;
             contact_state.t = start.t;
             cycle_map.save(workspace.other);

@@ -78,7 +78,7 @@ pub enum MeasureError {
     NoDrive(&'static str),
     /// The friction force was neither given nor recorded.
     NoFriction,
-    /// The friction force was given by the caller and also recorded.
+    /// The caller gave the friction force, although the recording contains it.
     TwoFrictions,
     /// No channel of the recording is the motion of a mass.
     NoMass,

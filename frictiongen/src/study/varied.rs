@@ -52,8 +52,8 @@ pub type Sensitive = Dual<Dd>;
 /// # }
 /// ```
 ///
-/// Steady states with stops also have derivatives ([`orbit`](Self::orbit)), and so have steppers
-/// ([`stepper`](Self::stepper)). Simulations in time do not.
+/// Derivatives exist for steady states with stops ([`orbit`](Self::orbit)) and for steppers
+/// ([`stepper`](Self::stepper)) too. Simulations in time do not.
 #[derive(Clone, Debug)]
 pub struct Varied {
     system: System<Sensitive>,

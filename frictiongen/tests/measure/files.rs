@@ -1,4 +1,4 @@
-//! CSV and UFF58 files, written and read again.
+//! Tests of CSV and UFF58 files, which are written and then read.
 
 use crate::made::Noise;
 use frictiongen::measure::{Channel, CsvColumn, CsvRequest, MeasureError, Recording, Unit};

@@ -230,7 +230,7 @@ fn with_damping_and_frequency() {
     assert!((found.unknowns[0].1.value - 0.015).abs() < 1e-7);
     let stiffness = truth.scene().springs[0].stiffness;
     assert!((found.unknowns[1].1.value / stiffness - 1.0).abs() < 1e-7);
-    // The unknown may also be a factor on the frequencies.
+    // The unknown of this test is a factor on the frequencies.
     let request = IdentifyRequest {
         unknowns: vec![Unknown::Damping, Unknown::Frequencies],
         ..IdentifyRequest::default()

@@ -150,7 +150,7 @@ fn check(system: &System, of: &str, load: Load, band: [f64; 2], shares: &[f64]) 
     }
 }
 
-/// Multiples of the best friction at which the test also compares the map.
+/// Multiples of the best friction at which the test compares the map with the search.
 const SHARES: [f64; 4] = [0.7, 0.98, 1.02, 1.4];
 /// The band of the frame, in Hz.
 const BAND: [f64; 2] = [2.5, 9.0];

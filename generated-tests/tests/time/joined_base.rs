@@ -263,7 +263,7 @@ fn a_plain_integrator_agrees() {
     );
     assert!(events > 10, "{events}");
     // The integrator is symplectic Euler with steps of 5 µs over 0.8 s, at about 30 rad/s. Its error is 30·5e-6/2 =
-    // 8e-5 of the motion, and as much again for each event.
+    // 8e-5 of the motion, plus 8e-5 of the motion for each event.
     assert!(worst < 1e-3 * size, "{worst} {size}");
 }
 

@@ -41,7 +41,7 @@ const ROUNDING: f64 = 1e-6;
 struct NodeInterval {
     left: usize,
     right: usize,
-    /// True if the interval whose halving gave this one was also straight. A single test may miss a bend, because the
+    /// True if the interval whose halving gave this interval was straight. A single test may miss a bend, because the
     /// middle of an interval may be on the straight line by chance.
     was_straight: bool,
     /// Index of the interval of the first grid that contains this interval.

@@ -75,7 +75,7 @@ fn run(scenes: usize, masses: usize) -> [Counts; 2] {
             let at = system.at(r).unwrap();
             let most = at.most_evaluations();
             assert!(most.limit.max(most.amplitude) <= MAX_EVALUATIONS);
-            // The bound at r is also valid for every larger r.
+            // The bound at r is valid for every larger r.
             let more = system.at(r * random.log_uniform(1.0, 10.0)).unwrap();
             let more = more.most_evaluations();
             assert!(more.limit <= most.limit && more.amplitude <= most.amplitude);

@@ -97,7 +97,8 @@ pub enum Unit {
     /// Error divided by ε·(|f| + Σ|a·∂f/∂a|), where the sum is over the arguments a. An error of 1 can be a relative
     /// change of ε in the result and in every argument.
     Mixed,
-    /// As [`Mixed`](Self::Mixed), but the divisor may also contain a larger term to which the result is added.
+    /// Unit of [`Mixed`](Self::Mixed), but the divisor may contain one more term: a larger number to which the result
+    /// is added.
     Size,
 }
 

@@ -56,7 +56,7 @@ fn run<S: Plain>(
         let now = [work.load, work.friction, work.damping].map(S::to_f64);
         through = through.max(work.stored.to_f64().abs());
         through = through.max((now[0] - before[0]).abs());
-        // Every part of a step rounds the state once, and therefore the energy too.
+        // Every part of a step rounds the state once, and thereby changes the energy by a rounding.
         let noise = rounding * (now[0].abs() + through) * (100.0 + f64::from(parts));
         for k in [1, 2] {
             assert!(now[k] - before[k] >= -noise, "{what}: {now:?}, {before:?}");

@@ -37,9 +37,9 @@ impl Linear {
         fit(&self.a, &self.b, bar)
     }
 
-    /// Returns the step from the present displacements `to` of the inputs to the next ones, at which the derivatives
-    /// are evaluated again. The weight of each answer above the accepted error falls with its sensitivity to the
-    /// inputs, so that the curvature of the worst answer does not outweigh the other answers.
+    /// Returns the step from the present displacements `to` of the inputs to the next displacements, at which the code
+    /// re-evaluates the derivatives. The weight of each answer above the accepted error falls with its sensitivity to
+    /// the inputs, so that the curvature of the worst answer does not outweigh the other answers.
     pub fn step(&self, to: &[f64], bar: f64) -> Option<Vec<f64>> {
         let rest = self.a.iter().zip(&self.b).map(|(row, b)| {
             let there = row.iter().zip(to);

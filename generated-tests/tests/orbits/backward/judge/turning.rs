@@ -1,8 +1,8 @@
-//! Chooses the displacements of the inputs at which the derivatives are evaluated again.
+//! Chooses the displacements of the inputs at which the code re-evaluates the derivatives.
 
 use super::linear::{BETA, Linear};
 
-/// The sequence of displacements at which the derivatives are evaluated again.
+/// Sequence of displacements at which the code re-evaluates the derivatives.
 pub(super) struct Turning {
     /// Equations at the last displacement.
     pub linear: Linear,

@@ -112,8 +112,8 @@ fn of_several_cycles() {
     for point in points(|point| point.kind() == "steady" && count(&point.expected["period"]) > 1) {
         all_values(&point, &mut tally);
         *told.entry(count(&point.expected["period"])).or_insert(0) += 1;
-        // The motion has more segments than the orbit can store, so the orbit computes some segments again when they
-        // are asked for.
+        // The motion has more segments than the orbit can store, so the orbit recomputes some segments when the test
+        // asks for them.
         followed += usize::from(count(&point.expected["segments"]) > 64);
     }
     println!("periods and how many: {told:?}; {followed} of more than 64 segments");

@@ -191,7 +191,7 @@ fn check<S: Float>(kind: &str, count: usize, damping: &str, stiction: &str) -> [
         );
     };
     same("C", "program");
-    // The source must also compile without its header.
+    // The source must compile without its header.
     let alone = c_source(&source, &name, None).expect("a form of its own");
     write("alone.c", &alone);
     cc(&folder, &["-c", "alone.c"]);
