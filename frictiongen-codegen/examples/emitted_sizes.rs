@@ -120,7 +120,7 @@ fn main() -> Result<(), Box<dyn Error>> {
         .collect();
     println!("scene    lines   bytes  in common  lines of the diff");
     for (scene, source) in &sources {
-        // A line counts as common if at least six of the seven scenes have it. The seventh scene may be the one with
+        // A line counts as common if at least six of the seven scenes have it. The seventh scene may be the scene with
         // the stepper.
         let bytes: Vec<(usize, bool)> = neutral(scene.0, source)
             .iter()

@@ -365,7 +365,7 @@ async function findBest() {
   changed();
 }
 
-// Compares frictions on a grid, for a scene without closed form, and again between the neighbours of the best one.
+// Compares frictions on a grid, for a scene without closed form, and then between the neighbours of the best friction.
 async function searched() {
   const asked = question("points");
   const even = Array.from({ length: 29 }, (_, i) => asked.from + (asked.to - asked.from) * i / 28);

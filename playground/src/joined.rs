@@ -99,7 +99,7 @@ pub fn cells(question: &Question) -> Result<Value, String> {
     let at = joined.at_any(question.r).map_err(text)?;
     let limit = at.stuck().map(|stuck| stuck.limit()).ok();
     let cell = |beta: &f64| match limit {
-        // Above the limit, motion from rest may reach another state than the stuck one. A search for it takes long
+        // Above the limit, motion from rest may reach a state other than the stuck state. A search for it takes long
         // and rarely finds one.
         Some(limit) if limit <= *beta => Some(class(Regime::Stuck)),
         _ => at.orbit(*beta).ok().map(|orbit| class(orbit.regime())),

@@ -103,7 +103,7 @@ static double motion_damped(const Thesis *s, const At *a, double beta, double ph
     return cabs(a->far_V) * cos(t + phi + carg(a->far_V)) + beta * sum;
 }
 
-/* Returns the largest |f| over (0, top): 200 points, then a golden-section search about the best one. */
+/* Returns the largest |f| over (0, top): 200 points, then a golden-section search about the best point. */
 #define LARGEST(f, top)                                                                         \
     double best = 0, place = 0, width = (top) / (GRID + 1);                                     \
     for (int k = 1; k <= GRID; k++) {                                                           \

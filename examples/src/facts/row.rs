@@ -78,8 +78,8 @@ pub fn printed_number(text: &str) -> Option<(f64, f64)> {
     Some((value, 0.5 * 10_f64.powi(-i32::try_from(decimals).ok()?)))
 }
 
-/// Compares a computed number with a printed decimal, which may begin with "about". They agree if the computed number
-/// rounds to the printed one.
+/// Compares a computed number with a printed decimal, which may begin with "about". The two numbers agree if the
+/// computed number rounds to the printed number.
 #[must_use]
 pub fn number(what: &str, printed: &str, value: f64, decimals: usize) -> Entry {
     // If the computed number is halfway between two decimals, rounding noise would decide. The decimal below and the

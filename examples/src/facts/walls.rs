@@ -23,7 +23,7 @@ pub(super) fn rows() -> Vec<Row> {
     rows
 }
 
-/// Compares the resonance thresholds β_n,i of a system with the printed ones.
+/// Compares the resonance thresholds β_n,i of a system with the printed thresholds.
 pub(super) fn thresholds(system: &System, printed: &[&str]) -> Vec<Entry> {
     (1..)
         .zip(system.resonance_thresholds())

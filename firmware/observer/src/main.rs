@@ -63,8 +63,8 @@ struct Found {
     steps: u32,
     sticking: u32,
     events: u32,
-    /// Deviations of the computed displacement from the recorded one: the largest, and the sum of their squares.
-    /// `force` has the largest deviation of the force, and the sum of the squares of its deviations.
+    /// Deviations of the computed displacement from the recorded displacement: the largest, and the sum of their
+    /// squares. `force` has the largest deviation of the force, and the sum of the squares of its deviations.
     place: [f32; 2],
     force: [f32; 2],
     /// Number of samples in which the force deviates by more than a tenth of F.

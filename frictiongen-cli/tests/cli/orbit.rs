@@ -129,7 +129,7 @@ const STUBBORN: &str = "struct Block { masses: { block: 1 }, springs: { base - b
     contact: block - base, excitation: base, stiction: 2 }";
 
 /// Checks that `--states` returns the closed form and the stuck state, one of which motion from rest reaches. Without
-/// `--states` only that one is returned.
+/// `--states` the command returns only the state that motion from rest reaches.
 #[test]
 fn states_beside_each_other() {
     let asked = ["orbit", "--r", "1.1", "--beta", "0.65", "--json"];

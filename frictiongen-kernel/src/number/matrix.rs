@@ -160,8 +160,8 @@ impl<'a, S: Float> SquareMatrix<'a, S> {
         }
     }
 
-    /// Returns the first row of the diagonal block whose last row is the one before `end`. A negligible subdiagonal
-    /// entry separates the block from the rows before it.
+    /// Returns the first row of the diagonal block whose last row is `end` − 1. A negligible subdiagonal entry
+    /// separates the block from the rows before it.
     fn last_block(&mut self, end: usize) -> usize {
         for k in (1..end).rev() {
             let size = self.at(k - 1, k - 1).abs() + self.at(k, k).abs();

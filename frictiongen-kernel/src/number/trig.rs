@@ -8,7 +8,7 @@
 
 /// Evaluates a polynomial in u by Estrin's scheme. The coefficient of the lowest power comes first. The scheme sums
 /// independent pairs of coefficients, which a processor can compute at the same time. In Horner's scheme each step
-/// waits for the previous one.
+/// waits for the previous step.
 macro_rules! polynomial {
     (@pairs $u:ident, $square:ident, $last:expr $(,)?) => { $last };
     (@pairs $u:ident, $square:ident, $first:expr, $second:expr $(,)?) => {

@@ -167,7 +167,7 @@ fn half<S: Float, const F: usize, const C: usize>(
 /// function counts the pieces that begin at or below r, first in coarse steps and then in fine steps.
 ///
 /// A compiler turns halving into branches. A large processor cannot predict these branches for an arbitrary r, and each
-/// branch waits for the previous one. In counting, the comparisons do not wait for one another.
+/// branch waits for the previous branch. In counting, the comparisons do not wait for one another.
 #[inline(always)]
 fn counted<S: Float, const F: usize, const C: usize, const W: usize>(
     window: &[Piece<S, F, C>; W],

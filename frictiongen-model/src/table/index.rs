@@ -31,7 +31,7 @@ pub struct Index<S> {
 
 impl<S: Float> Index<S> {
     /// Returns the smallest number of buckets with which a lookup needs at most `FEW` comparisons. If no tried number
-    /// suffices, returns the one that needs the fewest comparisons.
+    /// suffices, returns the number that needs the fewest comparisons.
     pub(super) fn of(pieces: &[Fitted<S>], (low, high): (S, S)) -> Self {
         let mut best: Option<Self> = None;
         let numbers: usize = pieces.iter().map(Fitted::numbers).sum();

@@ -89,7 +89,7 @@ impl FitResult {
 
 /// Returns the scale of each parameter, by which the fit divides changes of the parameter. The scale is the larger of
 /// two numbers: the absolute value of the parameter, and the change that shifts the residuals by one standard
-/// deviation. For a parameter that tends to zero, the second number is the larger one.
+/// deviation. For a parameter that tends to zero, the second number is larger.
 fn sizes(parameters: &[f64], jacobian: &DMatrix<f64>) -> Vec<f64> {
     let columns = jacobian.column_iter();
     let sizes = parameters.iter().zip(columns).map(|(value, column)| {

@@ -83,7 +83,7 @@ fn a_universal_file_comes_back_to_its_thirteen_digits() {
     for (read, written) in read.channels().iter().zip(recording.channels()) {
         assert_eq!((&read.name, read.unit), (&written.name, written.unit));
         for (a, b) in read.samples.iter().zip(&written.samples) {
-            // The file has 13 digits, so the error is half a unit of the last one.
+            // The file has 13 digits, so the error is half a unit of the last digit.
             assert!((a - b).abs() <= 5.1e-13 * b.abs(), "{a} for {b}");
         }
     }

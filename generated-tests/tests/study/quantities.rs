@@ -123,7 +123,7 @@ fn physical(system: &System, request: &OptimumRequest, optimum: &Optimum) -> (f6
     (scale.friction(optimum.beta), unit * optimum.amplitude)
 }
 
-/// Checks one optimum: at its friction the map has the same value, and no friction of the map has a smaller one.
+/// Checks one optimum: at its friction the map has its value, and no friction of the map has a smaller value.
 fn check(system: &System, of: &str, load: Load, band: [f64; 2], shares: &[f64]) {
     let request = request(system, of, load, band);
     let optimum = system.optimum(&request).expect("an optimum");

@@ -118,7 +118,7 @@ fn a_run_continues_with_the_same_bits() {
             shown::Shaken::stepper_from_image,
         ),
     );
-    // This stepper has another step than the declared one. The image contains the step.
+    // The step of this stepper differs from the declared step. The image contains the step.
     continues(
         shown::Shaken::stepper(1.3e-3).expect("a step"),
         shaken.clone(),

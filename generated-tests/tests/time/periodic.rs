@@ -59,8 +59,8 @@ fn harmonics() -> Vec<Harmonic> {
     vec![of(1, 100.0, 0.0), of(3, 20.0, 45.0)]
 }
 
-/// Returns the polynomials of a base whose acceleration changes linearly between samples. The mean displacement of
-/// the base is the one that the question prescribes.
+/// Returns the polynomials of a base whose acceleration changes linearly between samples. The mean displacement of the
+/// base has the value that the question prescribes.
 fn integrated(samples: &[f64], step: f64) -> Vec<Vec<f64>> {
     let count = samples.len() - 1;
     let from = |start: [f64; 2]| {

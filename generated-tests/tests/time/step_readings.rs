@@ -123,7 +123,7 @@ fn emitted_and_run_time_say_the_same_bits() {
         }
         println!("{name}: {} values the same, {events} events", one.len());
     }
-    // These steps have another length than the scene declares.
+    // The length of these steps differs from the length that the scene declares.
     check("Shaken", &shown::Shaken, 1.1e-3, &SHAKEN, 2);
     check("Pushed", &shown::Pushed, 1e-3, &PUSHED, 1);
     check("Bowed", &shown::Bowed, 4e-4, &BOWED, 2);

@@ -162,8 +162,8 @@ impl<S: Float> DerivativeBounds<S> {
             let y3 = turned - loss * y2 - x * x * y1;
             let y4 = -turning - loss * y3 - x * x * y2;
             let push = track.cosine.abs() + track.sine.abs();
-            // √(a² + b²) ≤ max + (√2 − 1) min, where max and min are the larger and the smaller one of |a| and |b|.
-            // This bound needs no square, which might overflow.
+            // √(a² + b²) ≤ max + (√2 − 1) min, where max is the larger and min the smaller of |a| and |b|. This bound
+            // needs no square, which might overflow.
             let (a, b) = ((x * y3).abs(), y4.abs());
             let energy = a.max(b) + a.min(b) * S::constant(0.414_213_6) + push * time;
             second = second + y2;

@@ -13,7 +13,7 @@ fn dominated_sum(large: Dd, small: Dd) -> Dd {
     Dd::joined(hi, rest + (large.lo + small.lo))
 }
 
-/// Returns the sum of the series Σ cₖvᵏ, in which each term is far smaller than the previous one. From index `exact`
+/// Returns the sum of the series Σ cₖvᵏ, in which each term is far smaller than the previous term. From index `exact`
 /// on, all terms are smaller than 2^−55 times the first term. For these terms `f64` is accurate enough.
 #[inline]
 fn series<'a>(

@@ -6,7 +6,7 @@ use crate::Complex;
 use nalgebra::{DMatrix, DVector};
 use std::f64::consts::PI;
 
-/// Largest standard deviation, in rad, of a phase that the fit uses. The fit ignores a phase with a larger one.
+/// Largest standard deviation, in rad, of a phase that the fit uses. The fit ignores a phase with a larger deviation.
 const VAGUE: f64 = 0.3;
 
 /// The quantities of one observation that the fit compares, with the covariance of their errors.

@@ -122,7 +122,7 @@ impl Sweep<'_> {
             .min_by(|a, b| a.squares.total_cmp(&b.squares))
             .ok_or(MeasureError::NoFit)?;
         // Amplitudes have no sign. If a resonance lies on the wrong side of a measured point, the sum of squares
-        // therefore has a false minimum next to the right one.
+        // therefore has a false minimum next to the right minimum.
         let mut best = best;
         for _ in 0..ROUNDS {
             let places = 0..best.parameters.len();

@@ -237,7 +237,7 @@ impl PlaceSearch<'_> {
                 (sliding, -1.0),
             ] {
                 let [a, b, c] = [a, b, c].map(|margins| sign * read(margins));
-                // All three margins are on one side of the limit, and the middle one is nearest to the limit.
+                // All three margins are on one side of the limit, and the middle margin is nearest to the limit.
                 if a < 0.0 && b < 0.0 && c < 0.0 && a <= b && c <= b {
                     found.extend(self.beyond(left, right, read, sign));
                 }

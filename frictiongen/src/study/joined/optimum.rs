@@ -27,7 +27,8 @@ pub struct JoinedOptimum {
     pub r: f64,
     /// Number of steady states that the search has computed.
     pub evaluations: usize,
-    /// False if the caller stopped the search through its function. The result is then the best one until the stop.
+    /// False if the caller stopped the search through its function. The result is then the best friction until the
+    /// stop.
     pub is_complete: bool,
 }
 

@@ -210,7 +210,7 @@ impl Descent<'_, '_> {
         self.keep(tried).map(|_| ())
     }
 
-    /// Stores a distribution if it is better than the best one so far.
+    /// Stores a distribution if it is better than the best distribution so far.
     fn keep(&mut self, mut tried: Distribution) -> Result<bool, Early> {
         tried.peak = self.peak(&tried)?;
         let better = tried.peak.0 < self.best.peak.0;

@@ -1,5 +1,5 @@
-//! Selects friction ratios that may be the best ones, and intervals of a scan over friction that may contain better
-//! ones.
+//! Selects friction ratios that may be the best, and intervals of a scan over friction that may contain better friction
+//! ratios.
 
 use super::creep::meeting;
 use super::scan::Scanned;
@@ -105,7 +105,7 @@ pub(super) fn between(scan: &[Scanned], best: f64) -> Vec<(Scanned, Scanned)> {
         .collect()
 }
 
-/// Returns friction ratios of the scan that may be the best ones, each with both neighbours. The amplitude at each of
+/// Returns friction ratios of the scan that may be the best, each with its two neighbours. The amplitude at each of
 /// them is at most that at its neighbours.
 pub(super) fn valleys(scan: &[Scanned], best: f64) -> Vec<(Scanned, Scanned, Scanned)> {
     let triples = scan.windows(3).filter_map(|triple| match triple {

@@ -54,7 +54,7 @@ pub(super) struct Look {
 pub(super) struct KnownAmplitude {
     /// The friction ratio of the latest motion at this frequency. It is NaN if no motion has been computed yet.
     pub beta: f64,
-    /// The amplitude of the latest motion. If no motion has been computed yet, it is the larger one of two amplitudes:
+    /// The amplitude of the latest motion. If no motion has been computed yet, it is the larger of two amplitudes:
     /// without friction, and with the contact stuck.
     pub value: f64,
 }
@@ -94,8 +94,8 @@ pub(super) struct OpenBand {
     pub peaks: Vec<BandPeak>,
     /// The largest amplitude from closed forms. It is a lower bound on the largest amplitude over the band.
     pub floor: f64,
-    /// Estimate of the largest amplitude over the band. It is the largest one of `floor` and of the stuck amplitudes at
-    /// those frequencies at which a stuck state exists.
+    /// Estimate of the largest amplitude over the band. It is the largest of `floor` and the stuck amplitudes at the
+    /// frequencies at which a stuck state exists.
     pub expected: f64,
 }
 

@@ -108,8 +108,8 @@ pub(super) fn minimum(
     found.at.complete.then_some(found)
 }
 
-/// Narrows an interval of friction ratios around the best one by golden sections, and returns the best friction ratio
-/// found.
+/// Narrows an interval of friction ratios around the best friction ratio by golden sections, and returns the best
+/// friction ratio found.
 ///
 /// At frictions at which steady states appear and disappear, the search cannot track peaks, and slopes are useless. It
 /// rejects a friction ratio as soon as one amplitude shows that the ratio is not better.

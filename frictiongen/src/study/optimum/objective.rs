@@ -42,7 +42,7 @@ impl Objective {
             MotionQuantity::Displacement => true,
             MotionQuantity::Velocity | MotionQuantity::Acceleration => !self.of.is_force(),
             MotionQuantity::Force | MotionQuantity::Energy => self.of == Of::Contact,
-            // The best damping ratio is the largest one. This search, however, seeks the smallest number.
+            // The best damping ratio is the largest damping ratio. This search, however, seeks the smallest number.
             MotionQuantity::Damping => false,
         }
     }

@@ -211,7 +211,8 @@ impl<'s> AmplitudeBand<'s> {
                 continue;
             };
             if promise < most {
-                // The list is in descending order of the expected amplitude. No later frequency has a larger one.
+                // The list is in descending order of the expected amplitude. No later frequency has a larger expected
+                // amplitude.
                 break;
             }
             let r = seen.place.r;

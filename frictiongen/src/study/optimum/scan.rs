@@ -31,7 +31,7 @@ const STEEPEST: f64 = 50.0;
 /// Number of rounds in which the search halves intervals of the scan that may hide a minimum.
 const CLOSER: usize = 5;
 /// Largest amplitude at which the search halves an interval of the scan, divided by the best amplitude. The amplitude
-/// is the smaller one at the two points of the interval.
+/// is the smaller of the amplitudes at the two points of the interval.
 const NEARLY: f64 = 1.2;
 /// Largest number of intervals of the scan that one round halves.
 const MOST_CLOSER: usize = 8;

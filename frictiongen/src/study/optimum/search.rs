@@ -134,7 +134,7 @@ fn about([from, to]: [f64; 2], beta: f64) -> [f64; 2] {
     [from.min(beta), to.max(beta)]
 }
 
-/// Evaluates the candidates at all frequencies of the band, and returns the best one.
+/// Evaluates the candidates at all frequencies of the band, and returns the best candidate.
 fn checked(
     band: &AmplitudeBand<'_>,
     scan: &mut Vec<Scanned>,

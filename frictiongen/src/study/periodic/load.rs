@@ -234,7 +234,7 @@ impl PeriodicLoad {
     }
 }
 
-/// Checks the samples of a table, and returns them without the last one, which repeats the first one.
+/// Checks the samples of a table, and returns them without the last sample, which repeats the first sample.
 fn closed(step: f64, samples: &[f64]) -> Result<&[f64], PeriodicError> {
     let [first, .., last] = samples else {
         return Err(PeriodicError::Short);

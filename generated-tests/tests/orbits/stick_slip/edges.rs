@@ -241,7 +241,7 @@ fn next_to_a_resonance_without_friction() {
             let mass = orbit.mass_at(0).expect("a mass");
             let (re, im) = ((1.0 - r) * (1.0 + r), 2.0 * zeta * r);
             let (size, lag) = (1.0 / re.hypot(im), im.atan2(re));
-            // ζ and r are rounded to 1.1e-16, and the detuning is a product of such numbers.
+            // ζ and r are rounded to 1.1e-16, and the detuning is a product of rounded numbers.
             let budget = 1e-12_f64.max(4e-16 * size);
             assert!(
                 (mass.amplitude() - size).abs() < budget * size,

@@ -1,5 +1,5 @@
-//! Tests which limit is the smaller one (section 10 of `docs/derivation.md`). With μ = 1 it is β_lim, so β_lim alone
-//! decides whether a continuous motion exists.
+//! Tests which of the limits β_lim and β*_lim is smaller (section 10 of `docs/derivation.md`). With μ = 1 it is β_lim,
+//! so β_lim alone decides whether a continuous motion exists.
 
 use super::random;
 use super::scenes::scenes;

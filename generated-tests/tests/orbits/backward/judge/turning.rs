@@ -26,8 +26,8 @@ impl Turning {
 
     pub fn next(&mut self, bar: f64) -> Option<&[f64]> {
         if let (true, Some(moving)) = (self.linear.stands, &self.moving) {
-            // For β > |V|/|U| the contact does not move for any displacement of the other inputs. The next
-            // displacement is halfway to the last one at which the contact moved.
+            // For β > |V|/|U| the contact does not move for any displacement of the other inputs. The next displacement
+            // is halfway to the last displacement at which the contact moved.
             for (to, moving) in self.to.iter_mut().zip(moving) {
                 *to = 0.5 * (*to + moving);
             }

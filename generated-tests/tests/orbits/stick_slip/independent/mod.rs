@@ -188,8 +188,8 @@ fn unstable() {
     assert!(points.len() >= 4 && longer >= 1 && bounded >= 3 && left <= longer);
 }
 
-/// Returns two relative displacements for each cycle of a run from rest: the one at its end, and the largest at its
-/// events.
+/// Returns two relative displacements for each cycle of a run from rest: the displacement at the end of the cycle, and
+/// the largest displacement at its events.
 fn cycles(point: &Point, count: usize) -> Vec<(f64, f64)> {
     let mut run = point.system.simulation(point.r, point.beta).expect("a run");
     let one = |_| {
