@@ -232,7 +232,7 @@ def main():
     end = len(recording.rows)
     middle = end // 2
 
-    # Two instances at once.
+    # Two instances take their steps alternately.
     units = [Unit(folder, description, start) for _ in range(2)]
     for unit in units:
         recording.apply(unit, 0)
@@ -243,7 +243,7 @@ def main():
     recording.run(units, 1, middle)
     errors(units[0], recording)
     saved(units[0], units[1], recording, middle, end)
-    # After a reset the whole run is the same again.
+    # After a reset the whole run repeats with the same results.
     units[0].fmu.reset()
     for name, value in start:
         units[0].set(name, value)
