@@ -271,7 +271,7 @@ impl RelativeChange {
         }
     }
 
-    /// Returns vᵢᵀ(dGᵀG)vⱼ for every pair of modes i and j. This is the change of the stiffness matrix K̄ = GᵀG,
+    /// Returns vᵢᵀ(dGᵀG)vⱼ for every pair of modes i and j. The result is the change of the stiffness matrix K̄ = GᵀG,
     /// scaled by the masses, in coordinates of the modes. v = √Γφ is a mode's scaled shape.
     fn between(
         &self,

@@ -82,7 +82,7 @@ impl Legend {
             .collect()
     }
 
-    /// Returns the least width that the legend needs, in pixels. This is the width with a single column.
+    /// Returns the least width that the legend needs, in pixels: the width of a single column.
     pub(crate) fn least(&self) -> f64 {
         self.widths(1).iter().sum()
     }

@@ -1,5 +1,5 @@
-//! Writes SVG documents. They have a few kinds of elements, numbers with two decimals, and text elements instead of
-//! outlines.
+//! Writes SVG documents. The documents have a few kinds of elements, numbers with two decimals, and text elements
+//! instead of outlines.
 
 use crate::geometry::{Point, Rect};
 use crate::palette::{INK, PAPER, Rgb};

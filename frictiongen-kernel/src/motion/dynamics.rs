@@ -136,8 +136,8 @@ impl<'a, S: Float, K: ContactChain<S>> Dynamics<'a, S, K> {
         shapes.nth(mass).unwrap_or_default()
     }
 
-    /// Returns true if this mass moves exactly as the contact does. This is the case for a mass that slides on a
-    /// support at rest.
+    /// Returns true if this mass moves exactly as the contact does, for example a mass that slides on a support at
+    /// rest.
     pub(crate) fn moves_as_contact(&self, mass: usize) -> bool {
         self.chain().on_moving_base.is_none() && self.rubbing == Some(mass)
     }

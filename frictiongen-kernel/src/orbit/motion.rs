@@ -143,7 +143,7 @@ where
     /// phase τ_e is 0 at a maximum of the excitation. X_0 is the mean of x̄.
     ///
     /// If a vibration has more than about 10⁴ periods within a segment, only the order of magnitude of the result is
-    /// correct. This happens for large n, and for modes far above the excitation frequency.
+    /// correct. A vibration has this many periods for large n, and in modes far above the excitation frequency.
     pub fn harmonic(&self, n: u32) -> Complex<S> {
         self.component(S::constant(f64::from(n)), n == 0, |mark| {
             mark.contact_state.t

@@ -29,7 +29,8 @@ const MOST_AGAIN: usize = 1000;
 /// precision.
 const SHORTEST: f64 = 1e-13;
 /// First length that the search tries for a piece, as a multiple of the length of the previous piece. The factor is
-/// large, so that the first length is often too long. This gives an upper bound on the length immediately.
+/// large, so that the first length is often too long. A length that is too long is an upper bound on the length of the
+/// piece.
 const LONGER: f64 = 1.5;
 /// Largest number of fits in the search for the longest polynomial piece from one start.
 const MOST_FITS: usize = 200;

@@ -167,8 +167,8 @@ impl<S: Float> System<S> {
         matches!(of, Of::Relative(of, to) if self.simplest(Of::Relative(to, of)) == Of::Contact)
     }
 
-    /// Returns true if a motion equals the contact's relative motion or its negative. This is also true for a mass that
-    /// rubs on a side at rest.
+    /// Returns true if a motion equals the contact's relative motion or its negative. The result is true for a mass
+    /// that rubs on a side at rest, too.
     pub(super) fn moves_as_contact(&self, of: Of) -> bool {
         let ends = [self.scene.contact.from, self.scene.contact.to];
         let base_moves = self.scene.excitation == Excitation::Base;

@@ -175,8 +175,7 @@ fn loads_over_frequency_as_by_a_map() {
     check(&rotor, "rotor", Load::Unbalance(0.02), [2.0, 14.0], shares);
 }
 
-/// Checks every quantity, and every load whose amplitude depends on frequency. This is the long form of the two tests
-/// above.
+/// Checks every quantity, and every load whose amplitude depends on frequency. Long form of the two tests above.
 #[test]
 #[ignore = "takes a minute"]
 fn every_quantity_as_by_a_map() {

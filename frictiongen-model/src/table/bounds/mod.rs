@@ -34,7 +34,7 @@ const UNCERTAIN: f64 = 0.1;
 /// terms.
 const SMALL: f64 = 0.1;
 /// Largest intermediate result that the proof accepts, as a multiple of the reciprocal of the smallest normal number.
-/// This is a twentieth of the largest number of the scalar type, so that the next operation does not overflow.
+/// The bound is a twentieth of the largest number of the scalar type, so that the next operation does not overflow.
 const LARGEST: f64 = 0.2;
 /// Bound on the rounding error of a pole, in rounding units of double-double. A pole follows from the constants of
 /// its mode.

@@ -57,8 +57,8 @@ pub(super) struct Refine<'a> {
 }
 
 /// Returns true if the offset of a stuck contact can jump between neighbouring frequencies. It can jump if the offset
-/// depends on every earlier slip. This is so if static friction exceeds kinetic friction (μ > 1), and for a chain
-/// without damping.
+/// depends on every earlier slip. The offset depends on every earlier slip if static friction exceeds kinetic friction
+/// (μ > 1), and in a chain without damping.
 fn offsets_jump(system: &System) -> bool {
     let scene = system.scene();
     1.0 < scene.stiction || scene.damping == Damping::None
@@ -215,8 +215,8 @@ impl<'a> Refine<'a> {
     }
 
     /// Returns true if two settled points certainly belong to the same steady state, however steep the curve between
-    /// them is. This is certain in two cases: both points belong to the closed form, or μ ≤ 1 and no other state
-    /// exists.
+    /// them is. The state is certainly the same in two cases: both points belong to the closed form, or μ ≤ 1 and no
+    /// other state exists.
     fn is_one_state(&self, a: &CurvePoint, b: &CurvePoint) -> bool {
         let slides = |point: &CurvePoint| point.regime == Regime::Continuous;
         self.system.scene().stiction <= 1.0 || (slides(a) && slides(b))

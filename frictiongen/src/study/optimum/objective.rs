@@ -83,8 +83,7 @@ impl Objective {
         resonance::limits(system, r).map(|limit| limit / factor)
     }
 
-    /// Returns true if the quantity is constant while the contact is stuck. This is the case for the contact's own
-    /// motion.
+    /// Returns true if the quantity is constant while the contact is stuck, as the contact's own motion is.
     pub fn rests_if_stuck(&self, system: &System) -> bool {
         let own = |of: Of| system.simplest(of) == Of::Contact;
         let turned = matches!(self.of, Of::Relative(of, to) if own(Of::Relative(to, of)));

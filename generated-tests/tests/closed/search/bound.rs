@@ -15,7 +15,7 @@ const USUAL: f64 = 1e5;
 struct Counts {
     /// Number of evaluations of each search that was needed.
     all: Vec<u32>,
-    /// Number of searches without a result. They may occur only for more half turns than [`USUAL`].
+    /// Number of searches without a result. A search may fail only for more half turns than [`USUAL`].
     given_up: u32,
     /// Largest ratio of the evaluations of a search to the bound on them.
     nearest: f64,

@@ -41,8 +41,8 @@ fn at_the_level_exactly() {
     println!("{seen} runs of 200 cycles at the level, none skipped");
 }
 
-/// Checks a motion without friction whose relative velocity touches zero but keeps its sign. This must not count as a
-/// reversal.
+/// Checks a motion without friction whose relative velocity touches zero but keeps its sign. The touch must not count
+/// as a reversal.
 ///
 /// At r = 1/2, x̄ = 4/3 (cos τ − ½ sin 2τ) has x̄′ = −4/3 (sin τ + cos 2τ) = −4/3 (1 − sin τ)(1 + 2 sin τ). This
 /// velocity has a zero of second order at π/2, and simple zeros at 7π/6 and 11π/6.

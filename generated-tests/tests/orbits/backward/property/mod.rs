@@ -65,9 +65,9 @@ fn run<S: Float>(scenes: &[u64], range: &Range, exact: impl Fn(S) -> Dd + Copy +
 const KINDS: usize = 17;
 /// Upper bounds on the fractions of a run's points.
 struct Shares {
-    /// Points above the accepted error. They are of two kinds: stuck responses that are differences of larger free
-    /// responses, and points whose condition number is near the largest condition number at which one displacement must
-    /// explain all answers.
+    /// Points above the accepted error. The points are of two kinds: stuck responses that are differences of larger
+    /// free responses, and points whose condition number is near the largest condition number at which one displacement
+    /// must explain all answers.
     above: f64,
     /// Points at which no common displacement of the inputs explains all answers. All these points have a condition
     /// number above 100.
