@@ -146,7 +146,7 @@ impl Region {
         Self::new(name, fill, vec![lower.chain(upper).collect()])
     }
 
-    /// Returns the same area with its name at a position inside the panel.
+    /// Returns this area with its name at a position inside the panel.
     #[must_use]
     pub const fn named_at(mut self, at: Point) -> Self {
         self.at = Some(at);

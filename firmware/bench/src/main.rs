@@ -116,11 +116,11 @@ fn nothing(input: &Input<f32>) -> [f32; 2] {
 
 /// Number of frequency ratios in a sweep.
 const FREQUENCIES: u32 = 1000;
-/// Sweep of exact limits over the frequency ratio r, from 0.05 to 5: the first r, and the ratio of each r to the one
-/// before it.
+/// Sweep of exact limits over the frequency ratio r, from 0.05 to 5: the first r, and the ratio of each r to the
+/// previous r.
 const EXACT: (f32, f32) = (0.05, 1.004_615_8);
-/// Sweep of tables over the frequency ratio r, from 0.2 to 2.5 and just inside their range: the first r, and the
-/// ratio of each r to the one before it.
+/// Sweep of tables over the frequency ratio r, from 0.2 to 2.5 and just inside their range: the first r, and the ratio
+/// of each r to the previous r.
 const TABLED: (f32, f32) = (0.2001, 1.002_53);
 
 /// Measures a call over a sweep of frequency ratios. Returns the smallest and the largest number of instructions and

@@ -50,7 +50,7 @@ pub struct Dynamics<'a, S, K = Chain<S>> {
 }
 
 impl<'a, S: Copy, K> Dynamics<'a, S, K> {
-    /// Returns the same data with other constants of the chain, which select another law of the contact.
+    /// Returns this data with other constants of the chain, which select another law of the contact.
     #[must_use]
     pub fn with<J>(&self, chain: J) -> Dynamics<'a, S, J> {
         Dynamics {

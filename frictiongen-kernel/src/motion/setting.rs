@@ -33,7 +33,7 @@ pub struct MotionSetting<'a, S, K = Chain<S>> {
 }
 
 impl<'a, S: Copy, K> MotionSetting<'a, S, K> {
-    /// Returns the same setting with other constants of the chain.
+    /// Returns this setting with other constants of the chain.
     pub(crate) fn with<J>(&self, chain: J) -> MotionSetting<'a, S, J> {
         MotionSetting {
             dynamics: self.dynamics.with(chain),

@@ -25,8 +25,8 @@ pub(super) struct Carried {
 
 #[cfg(feature = "desk")]
 impl Carried {
-    /// Returns the same state at another frequency ratio, in the units of a load. The amplitude of the load is
-    /// proportional to r⁻ⁿ, where n is `fall`.
+    /// Returns this state at another frequency ratio, in the units of a load. The amplitude of the load is proportional
+    /// to r⁻ⁿ, where n is `fall`.
     pub(super) fn under(&self, fall: i32, r: f64) -> Self {
         let factor = (r / self.r).powi(fall);
         let scaled = |values: &[f64]| values.iter().map(|value| value * factor).collect();
@@ -174,7 +174,7 @@ impl<'a> SystemAt<'a> {
         }
     }
 
-    /// Returns the response under so much friction that the contact never leaves its initial position. A rigid contact
+    /// Returns the response under a friction with which the contact never leaves its initial position. A rigid contact
     /// on a moving base stays at the relative displacement −Y. Any other contact stays at the relative displacement 0.
     pub(super) fn locked(&self) -> Result<SystemResponse<'a>, Error> {
         let offset = offset_from_rest(self.scene());

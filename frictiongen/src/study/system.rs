@@ -139,7 +139,7 @@ impl<S: Float> System<S> {
         }
     }
 
-    /// Returns the same system in double precision, without derivatives.
+    /// Returns this system in double precision, without derivatives.
     pub(super) fn without_derivatives(&self) -> System {
         System::with_data(
             self.scene.clone(),

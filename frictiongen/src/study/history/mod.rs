@@ -16,7 +16,7 @@ use crate::{Error, Of, OutOfDomain};
 use frictiongen_kernel::simulation::{Contact, Event};
 use std::f64::consts::TAU;
 
-/// Two bounds with the same number: the samples of all motions of a history together, and the skipped cycles.
+/// Largest number of samples of all motions of a history together, and largest number of skipped cycles.
 #[doc(hidden)]
 pub const MOST_SAMPLES: u64 = 10_000_000;
 

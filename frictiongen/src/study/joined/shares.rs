@@ -37,7 +37,7 @@ pub struct JoinedDistribution {
 }
 
 impl<'a> Joined<'a> {
-    /// Returns the same scene with other shares. A contact for which the list has no number keeps its share.
+    /// Returns this scene with other shares. A contact for which the list has no number keeps its share.
     #[must_use]
     pub fn with_shares(&self, shares: &[f64]) -> Self {
         let mut joined = self.clone();

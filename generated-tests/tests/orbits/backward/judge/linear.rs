@@ -216,7 +216,7 @@ impl Judge<'_> {
     }
 }
 
-/// Returns the same question at another r and β. The instant of its maximum is the instant at that r and β.
+/// Returns this question at another r and β. The instant of its maximum is the instant at that r and β.
 fn follow(
     at: &DataAt<'_, Dd>,
     place: &Place<Dd>,
