@@ -61,7 +61,7 @@ def test_identify(command, plate, names, asked, options):
     if found.verdict == "several levels":
         for place, level in enumerate(found.levels):
             assert line(theirs, f"friction force {place + 1}") == level
-        # The result has two forces, and one of them is the true force.
+        # The result has two forces, and one of these forces is the true force.
         assert len(found.levels) == 2 and any(level.holds(TRUTH) for level in found.levels)
     else:
         assert line(theirs, "friction force") == found.friction_N

@@ -15,8 +15,8 @@ pub const RATIO: &str = "frequency ratio *r*_1";
 const WIDE: (f64, f64) = (-190.0, 190.0);
 const HIGH: f64 = -45.0;
 
-/// Builds a chain of masses m1, m2, …, which begins at the base. Masses and springs are given as multiples of the
-/// first one.
+/// Builds a chain of masses m1, m2, …, which begins at the base. Masses are given as multiples of the first mass, and
+/// springs as multiples of the first spring.
 #[must_use]
 pub fn chain(
     masses: &[f64],

@@ -49,7 +49,7 @@ impl<'a, S: Copy, K> MotionSetting<'a, S, K> {
 }
 
 impl<'a, S: Float, K: ContactChain<S>> MotionSetting<'a, S, K> {
-    /// Creates a setting, which is a scene at the frequency ratio r and the friction ratio β. Also computes the
+    /// Creates a setting, which is a scene at the frequency ratio r and the friction ratio β, and computes its
     /// oscillators: `parts` receives one oscillator for each mode of the chain, and then one for each mode of the stuck
     /// chain.
     ///

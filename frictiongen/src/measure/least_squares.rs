@@ -38,7 +38,7 @@ pub(super) struct FitResult {
     /// The sum of squares of the residuals at the fitted parameters.
     pub(super) squares: f64,
     /// Number of independent directions in parameter space that the data determine. It equals the number of parameters
-    /// if the data determine all of them.
+    /// if the data determine all parameters.
     pub(super) rank: usize,
     /// Condition number of the fit: the largest singular value of the Jacobian, divided by the smallest singular value
     /// of a determined direction. The columns of this Jacobian are derivatives with respect to the scaled parameters.

@@ -370,7 +370,7 @@ fn a_stopped_search_keeps_its_best() {
         from: 1.0,
         to: 2.0,
     };
-    // Enough work for some of the 17 values, but not for all of them.
+    // Enough work for some of the 17 values, but not for all 17.
     let some = after(4 * full.evaluations);
     let tuned = system
         .tuned_optimum_watched(&request, &tuning, &some)

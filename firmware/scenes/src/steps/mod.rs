@@ -1,5 +1,5 @@
 //! Scenes for measurements of the real-time stepper: the loads of their steppers, and the trait [`Machine`] for all
-//! of them.
+//! steppers.
 
 pub mod images;
 pub mod machines;

@@ -105,8 +105,8 @@ pub(super) fn between(scan: &[Scanned], best: f64) -> Vec<(Scanned, Scanned)> {
         .collect()
 }
 
-/// Returns friction ratios of the scan that may be the best, each with its two neighbours. The amplitude at each of
-/// them is at most that at its neighbours.
+/// Returns friction ratios of the scan that may be the best, each with its two neighbours. The amplitude at each
+/// returned friction ratio is at most that at its neighbours.
 pub(super) fn valleys(scan: &[Scanned], best: f64) -> Vec<(Scanned, Scanned, Scanned)> {
     let triples = scan.windows(3).filter_map(|triple| match triple {
         [below, at, above] => {

@@ -61,8 +61,8 @@ pub enum OptimumError {
     /// The motion does not have the requested quantity. Only the contact has a contact force and an energy, and a force
     /// has neither a velocity nor an acceleration. An equivalent damping ratio has no least value to search for.
     Size,
-    /// The request contains several quantities, and the value that divides one of them is missing, 0, negative,
-    /// infinite or NaN.
+    /// The request contains several quantities, and the value that divides one of the quantities is missing, 0,
+    /// negative, infinite or NaN.
     Weight,
     /// No friction satisfies this bound together with all earlier bounds in the request.
     Unreachable {

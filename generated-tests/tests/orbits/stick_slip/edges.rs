@@ -273,7 +273,7 @@ fn a_mode_that_the_contact_does_not_touch() {
     for (r, beta) in points {
         let orbit = pair.at(r).expect("in the domain").orbit(beta);
         let orbit = orbit.expect("a steady state");
-        // The symmetric motion of both masses under a unit load on one of them is x̄₁ + x̄₂ = cos τ/(1 − r² + 2iζr).
+        // The symmetric motion of both masses under a unit load on one mass is x̄₁ + x̄₂ = cos τ/(1 − r² + 2iζr).
         let answer = frictiongen::Complex::new(1.0 - r * r, 0.16 * r).inv();
         for step in 0..40 {
             let tau = TAU * f64::from(step) / 40.0;

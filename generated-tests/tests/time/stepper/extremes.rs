@@ -263,8 +263,8 @@ fn steep_laws() {
     assert!(all.events > 1000);
 }
 
-/// Checks a law with so many lines that the speed cannot pass through all of them in one part of a step. The stepper
-/// must report this, and must create no energy.
+/// Checks a law with so many lines that the speed cannot pass through all lines in one part of a step. The stepper must
+/// report this, and must create no energy.
 #[test]
 fn more_than_is_followed() {
     let mut exceeded = 0;
