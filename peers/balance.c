@@ -4,9 +4,10 @@
  *   balance MASSES ZETA DASHPOT STIFFNESS FROM TO COUNT BETA HARMONICS [RUNS]
  *
  * The chain is that of joints.c. The displacements are sums of the odd harmonics up to HARMONICS. The exact law of each
- * contact gives its force at SAMPLES instants (1024) of a cycle, after one cycle from a slider at 0. Newton's method with
- * the derivatives of these forces solves the equations, from the solution at the frequency before, or else from the
- * response with all contacts stuck. A step that does not reduce the residual is halved.
+ * contact gives its force at SAMPLES instants (1024) of a cycle, after one cycle from a slider at 0. Newton's method
+ * with the derivatives of these forces solves the equations. It starts from the solution at the previous frequency, or,
+ * if this does not converge, from the response with all contacts stuck. A step that does not reduce the residual is
+ * halved.
  *
  * Prints: milliseconds for all frequencies (median of RUNS), the number of frequencies that converge, the mean number of
  * Newton steps, then for each frequency the amplitude of the last mass over the samples, or none.
@@ -155,7 +156,7 @@ static int balance(const Scene *s, double *x) {
     return 0;
 }
 
-/* The response with all contacts stuck: one step from 0 without a limit of the forces. */
+/* Computes the response with all contacts stuck: one Newton step from 0, without a limit of the contact forces. */
 static void stuck(const Scene *s, double *x) {
     static double left[SIZE];
     Scene free = *s;

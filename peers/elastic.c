@@ -6,15 +6,16 @@
  *   elastic balance MASSES CONTACT EXCITED ZETA STIFFNESS R BETA HARMONICS [RUNS]
  *
  * A chain of equal masses and springs on the base, with one contact of mass CONTACT with the wall and modal damping ZETA.
- * STIFFNESS is that of the contact over that of a spring. A harmonic force acts on mass EXCITED.
+ * STIFFNESS is the stiffness of the contact divided by that of a spring. A harmonic force acts on mass EXCITED.
  *
  * The stepper runs from rest and takes steps of 1/50 cycle with the exact propagator of the present phase, sliding or stuck. An
- * event is a change of sign at the end of a step, which is bisected to 1e-12 of a rad. The run ends when the state repeats from
- * cycle to cycle to REPEATS.
+ * event is a change of sign at the end of a step, which is bisected to 1e-12 of a rad. The run ends when the state
+ * repeats from cycle to cycle within REPEATS.
  *
- * The balance has HARMONICS odd harmonics of the motion of the contact, up to order 2 HARMONICS - 1. The masses follow from
- * them by the receptances of the modes. 16 samples for each order give the force of the element and its derivatives. Newton's
- * method starts from the motion without friction, halves steps that do not improve the residual, and ends at a residual of 1e-12.
+ * The balance has HARMONICS odd harmonics of the motion of the contact, up to order 2 HARMONICS - 1. The motion of the
+ * masses follows from these harmonics by the receptances of the modes. 16 samples for each order give the force of the
+ * element and its derivatives. Newton's method starts from the motion without friction, halves steps that do not
+ * improve the residual, and ends at a residual of 1e-12.
  *
  * Prints: microseconds (median of RUNS), cycles or Newton steps, "settles" or "moves-on", amplitude of the contact.
  */
@@ -221,7 +222,7 @@ static double residual(const Scene *s, Balance *b, const double *x, double *out,
         b->z[i] = 0;
         for (int k = 0; k < u; k++) b->z[i] += b->turn[i * u + k] * x[k];
     }
-    /* The second of two periods is the steady loop. */
+    /* The loop covers two periods, because the force is steady in the second. */
     double f = 0;
     for (int i = 1; i <= 2 * n; i++) {
         int now = i % n, last = (i - 1) % n;
@@ -234,7 +235,7 @@ static double residual(const Scene *s, Balance *b, const double *x, double *out,
                 b->df[now * u + k] = (i > n / 2 + 1 ? b->df[last * u + k] : 0) + s->kappa * (b->turn[now * u + k] - b->turn[last * u + k]);
         }
     }
-    /* Samples to harmonics: products with the matrix of cosines and sines, with the longest loop over neighbours in memory. */
+    /* Computes harmonics from samples, as products with a matrix.  The longest loop runs over neighbours in memory. */
     memset(b->force, 0, u * sizeof *b->force);
     if (slopes) memset(b->system, 0, u * u * sizeof *b->system);
     for (int i = 0; i < n; i++) for (int k = 0; k < u; k++) {

@@ -4,9 +4,9 @@
  *   joints MASSES ZETA DASHPOT STIFFNESS FROM TO COUNT BETA REPEATS [RUNS]
  *
  * A chain of equal masses and springs on the base, with modal damping ZETA. Each storey has a contact and a dashpot
- * between its two floors. STIFFNESS is that of each contact over that of a spring. DASHPOT is the coefficient of each
- * dashpot over the square root of spring times mass. Storey i has the friction (1.1 - 0.1 i) BETA over the load. A
- * harmonic force acts on the last mass, at COUNT frequency ratios from FROM to TO.
+ * between its two floors. STIFFNESS is the stiffness of each contact divided by that of a spring. DASHPOT is the
+ * coefficient of each dashpot divided by the square root of spring times mass. The friction of storey i divided by the
+ * load is (1.1 - 0.1 i) BETA. A harmonic force acts on the last mass, at COUNT frequency ratios from FROM to TO.
  *
  * At each frequency the stepper runs from rest. It takes STEPS_A_CYCLE (50) steps in a cycle, with the exact propagator
  * of the present pattern of sliding and stuck contacts. It computes a propagator when its pattern first occurs. An event

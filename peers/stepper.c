@@ -4,14 +4,15 @@
  *   stepper MASSES CONTACT EXCITED ZETA - MU [MOST_CYCLES]
  *
  * A chain of equal masses and springs on the base, with one contact of mass CONTACT with the wall and modal damping
- * ZETA. A harmonic force acts on mass EXCITED. With EXCITED = 0 the base moves, and the wall with it. mu is 1 unless MU
- * is given. The run starts from rest in relative motion and takes steps of 1/50 cycle with the exact propagator of the
- * present phase, sliding or stuck. An event is a change of sign at the end of a step, which is bisected to 1e-12. The
- * run ends when the state repeats from cycle to cycle to 1e-9.
+ * ZETA. A harmonic force acts on mass EXCITED. With EXCITED = 0 the base moves, and the wall moves with the base. mu is
+ * 1 unless MU is given. The run starts from rest in relative motion and takes steps of 1/50 cycle with the exact
+ * propagator of the present phase, sliding or stuck. An event is a change of sign at the end of a step, which is
+ * bisected to 1e-12. The run ends when the state repeats from cycle to cycle within 1e-9.
  *
  * Prints: microseconds (median of RUNS), number of cycles, whether the state repeats, stops and reversals of the last
- * cycle, amplitude of the relative motion in the contact, amplitude of the mass in contact. With - it reads pairs of r
- * and beta from standard input, and prints a line for each without the time. The total time goes to standard error.
+ * cycle, amplitude of the relative motion in the contact, amplitude of the mass in contact. With - in place of R, the
+ * program reads pairs of r and beta from standard input, and prints a line for each pair, without the time. The total
+ * time goes to standard error.
  */
 #include <complex.h>
 #include <math.h>

@@ -12,10 +12,10 @@
  *                 the velocity has changed its sign, and released if the force is too large
  *   rk4-located   rk4 with the sign change and the break-away located within the step by bisection
  *
- * Every method gets the exact force, the Runge-Kutta methods also in the middle of a step.
+ * Every method gets the exact force at the ends of a step, and the Runge-Kutta methods also get it in the middle.
  *
- * Prints nanoseconds a step (median of RUNS), and stops and reversals of the last cycle. A line follows for each step
- * of the last cycle, with the displacements at its end of the contact's mass and of the first mass.
+ * Prints nanoseconds a step (median of RUNS), and stops and reversals of the last cycle. Then prints a line for each
+ * step of the last cycle. It has the displacements of the contact's mass and of the first mass at the end of the step.
  */
 #include <math.h>
 #include <stdio.h>

@@ -108,7 +108,7 @@ impl FileArgument {
         Ok(self.constant_level_with_text(limits)?.0)
     }
 
-    /// Reads and parses a description as [`constant_level`](Self::constant_level) does. Also returns its text.
+    /// Reads and parses a description as [`constant_level`](Self::constant_level) does, and returns it with its text.
     pub fn constant_level_with_text(
         &self,
         limits: &SizeLimits,
@@ -119,7 +119,7 @@ impl FileArgument {
         Ok((description, text))
     }
 
-    /// Reads and parses a description for a command that needs the macro's code. Also returns its text.
+    /// Reads and parses a description for a command that needs the macro's code, and returns it with its text.
     pub fn exported(&self, limits: &SizeLimits) -> Result<(Description, String), Failure> {
         let text = self.text()?;
         let description = self.single(self.parsed(&text, limits)?)?;

@@ -8,7 +8,7 @@ fn main() -> ExitCode {
     let lines = match run(std::env::args_os(), &mut io::stdout().lock()) {
         Ok(()) | Err(Ended::Closed) => return ExitCode::SUCCESS,
         Err(Ended::Usage(error)) => {
-            // If this output also fails, the program has no other way to report the error.
+            // If this output fails, the program has no way left to report the error.
             let _ = error.print();
             return ExitCode::from(if error.use_stderr() { 2 } else { 0 });
         }

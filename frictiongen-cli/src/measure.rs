@@ -36,7 +36,7 @@ pub fn of(arguments: &LoadArguments, system: &System) -> Result<Measure, Failure
             Err(problem) if problem.starts_with("the unit") && !text.contains(',') => {
                 return Err(wrong("--base", text, &problem));
             }
-            // As in all other options, a length is a number without a unit.
+            // In every option, a length is a number without a unit.
             _ => Load::Base(number("--base", text)?),
         };
         measure = under(load, "--base", text)?;

@@ -72,7 +72,7 @@ pub fn computed(value: f64) -> String {
 /// [`computed`], but it leaves out the digits that the width makes meaningless.
 pub fn within(value: f64, width: f64) -> String {
     let size = value.abs();
-    // The last printed decimal is the first one that the width of the interval changes.
+    // The last printed decimal is the first decimal that the width of the interval changes.
     let decimals = (-width.log10()).ceil();
     if size == 0.0 || size.is_infinite() || !width.is_finite() {
         computed(value)

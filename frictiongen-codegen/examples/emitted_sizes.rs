@@ -1,8 +1,9 @@
 //! Prints the sizes of the emitted Rust of seven scenes: the lines, the bytes, and the fraction of the bytes that the
-//! scenes have in common. Also prints the lines of the diff after one spring becomes 1 % stiffer.
+//! scenes have in common. The program then makes one spring 1 % stiffer, and prints how many lines of the emitted files
+//! differ.
 //!
-//! `scripts/emitted-sizes [FOLDER]` runs this program. With a folder, the program also writes the emitted files
-//! there.
+//! `scripts/emitted-sizes [FOLDER]` runs this program. With a folder, the program also writes the emitted files into
+//! this folder.
 
 use frictiongen_codegen::{SizeLimits, parse_text, pretty};
 use std::collections::BTreeSet;
@@ -119,7 +120,7 @@ fn main() -> Result<(), Box<dyn Error>> {
         .collect();
     println!("scene    lines   bytes  in common  lines of the diff");
     for (scene, source) in &sources {
-        // A line counts as common if at least six of the seven scenes have it. The seventh scene may be the one with
+        // A line counts as common if at least six of the seven scenes have it. The seventh scene may be the scene with
         // the stepper.
         let bytes: Vec<(usize, bool)> = neutral(scene.0, source)
             .iter()

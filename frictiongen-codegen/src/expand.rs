@@ -42,7 +42,7 @@ fn file(input: &TokenStream) -> Option<(Literal, String)> {
 }
 
 /// Expands `friction_system!("frame.friction")`. The path is relative to the folder of Cargo.toml. If the file changes,
-/// the compiler expands the call again.
+/// the compiler repeats the expansion of the call.
 fn expand_file(path: &Literal, relative: &str) -> TokenStream {
     let folder = std::env::var_os("CARGO_MANIFEST_DIR")
         .map(PathBuf::from)

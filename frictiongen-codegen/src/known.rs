@@ -94,17 +94,19 @@ pub struct MotionAnswers {
     pub beta: f64,
     /// Kind of the motion at this friction ratio.
     pub outcome: MotionKind,
-    /// Amplitude and phase of the contact. Both are 0 if the contact does not slide all the time.
+    /// Amplitude and phase of the contact. Amplitude and phase are 0 if the contact does not slide all the time.
     pub contact: [f64; 2],
-    /// Displacement and velocity of each mass at τ = [`TAU`]. Both are 0 if the contact does not slide all the time.
+    /// Displacement and velocity of each mass at τ = [`TAU`]. The two numbers are 0 if the contact does not slide all
+    /// the time.
     pub masses: Vec<[f64; 2]>,
 }
 
 /// Returns the known answers at up to [`POINTS`] frequency ratios, in ascending order.
 ///
-/// The function divides the range into equal parts, and takes one frequency ratio of each part. This is the first one
-/// at which no answer depends on rounding. If there is none, it is the one at which the answers depend least on
-/// rounding. If the allowed error would then exceed [`AnswersRequest::widest`], the part has no known answer.
+/// The function divides the range into equal parts, and takes one frequency ratio of each part. It takes the first
+/// frequency ratio at which no answer depends on rounding. If an answer depends on rounding at every frequency ratio of
+/// the part, it takes the frequency ratio at which the answers depend least on rounding. If the allowed error would
+/// then exceed [`AnswersRequest::widest`], the part has no known answer.
 #[must_use]
 pub fn known(modal: &Modal, question: &AnswersRequest) -> Vec<KnownAnswers> {
     let exact = modal.reduced(|value| value);
@@ -212,7 +214,7 @@ fn beta(question: &AnswersRequest, [continuous, sliding]: [f64; 2], place: usize
     question.rounded(wanted).clamp(least, most)
 }
 
-/// Returns β_lim and β*_lim at a frequency. Returns `None` if one of them is 0 or infinite.
+/// Returns β_lim and β*_lim at a frequency, or `None` if one of the limits is 0 or infinite.
 fn limits(at: &At<&Reduced<Dd>>) -> Option<[f64; 2]> {
     let limits = at.limits();
     let both = [limits.continuous, limits.sliding].map(Float::to_f64);

@@ -50,7 +50,7 @@ fn mutate(text: &mut Vec<char>, random: &mut Random) {
     }
 }
 
-/// Checks that neither parser panics. Both must give the same verdict on a text of Rust tokens.
+/// Checks that neither parser panics. The two parsers must give the same verdict on a text of Rust tokens.
 fn check(text: &str) -> bool {
     let from_text = parse_text(text, &SizeLimits::RUN_TIME);
     if let Err(diagnostics) = &from_text {

@@ -1,5 +1,5 @@
-//! Tests that one error neither hides another nor is reported twice. Also tests what a macro can still emit for a
-//! faulty description.
+//! Tests that one error neither hides another nor is reported twice. Other tests of this file check what a macro can
+//! still emit for a faulty description.
 #![allow(
     clippy::expect_used,
     clippy::panic,

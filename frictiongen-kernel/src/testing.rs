@@ -18,8 +18,8 @@ pub type TestWave = Wave<f64, Damped<f64>>;
 /// Number of derivatives of a wave that the tests compute. A search uses no higher derivative in its Taylor series.
 pub const ORDERS: usize = 18;
 
-/// Modal damping ratios ζ of every kind of damping. At some ζ the closed form changes, and the list has values on both
-/// sides of each of them.
+/// Modal damping ratios ζ of every kind of damping. At some ζ the closed form changes. The list has values on both
+/// sides of each of these ζ.
 pub const ZETAS: [f64; 12] = [
     0.0, 1e-6, 0.01, 0.1, 0.3, 0.49, 0.6, 0.9, 1.0, 1.2, 3.0, 20.0,
 ];

@@ -251,7 +251,7 @@ fn what_is_admitted_is_below_the_limit() {
         "{compared} β, {differing:?} otherwise than the limit says, {exhausted} searches given up"
     );
     assert_eq!(compared, 3840);
-    // Both searches then end with the best value that the same walk has found.
+    // The two searches then end with the best value of one and the same walk.
     assert!(exhausted >= 2, "{exhausted}");
     assert!(
         differing.is_empty(),

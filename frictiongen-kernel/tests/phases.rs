@@ -1,5 +1,5 @@
-//! The phase of a motion with several equal maxima is the lag of smallest size.  If two such lags differ in sign, the
-//! positive lag counts.
+//! The phase of a motion with several equal maxima is the lag of smallest size.  If two lags of smallest size differ in
+//! sign, the positive lag counts.
 
 use frictiongen_kernel::Complex;
 use frictiongen_kernel::modal_sum::wave::Wave;

@@ -93,7 +93,7 @@ fn rayleigh(scene: &Scene, mass: f64, stiffness: f64) -> Vec<Vec<Dd>> {
 
 /// Returns the numbers of the two nodes of a spring, dashpot or contact. The masses count first, then the wall, then
 /// the base. The node whose motion counts as positive comes first: the later mass, or the mass if the other node is a
-/// support. Returns `None` unless both are nodes of the chain and one is a mass.
+/// support. Returns `None` unless the two names are nodes of the chain, and at least one node is a mass.
 #[must_use]
 pub fn numbered(masses: usize, from: Node, to: Node) -> Option<(usize, usize)> {
     let number = |node| match node {

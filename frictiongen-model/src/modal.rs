@@ -63,8 +63,8 @@ fn dd(value: f64) -> Dd {
     Dd::from(value)
 }
 
-/// Returns the contact direction w as pairs (index of a mass, sign). Of two masses, the one with the lower index has
-/// the sign −1.
+/// Returns the contact direction w as pairs (index of a mass, sign). In a contact between two masses, the mass with the
+/// lower index has the sign −1.
 fn direction(contact: ContactSides) -> Vec<(usize, f64)> {
     match (contact.from, contact.to) {
         (Node::Mass(a), Node::Mass(b)) => vec![(a.min(b), -1.0), (a.max(b), 1.0)],

@@ -29,7 +29,7 @@ pub struct Reduced<S> {
     pub compliance: Option<S>,
     /// Index of the mass that slides on a support. `None` if two masses slide on each other.
     pub rubbing: Option<usize>,
-    /// True if masses beyond the stuck contact may act as an absorber. This is possible only in a chain without
+    /// True if masses beyond the stuck contact may act as an absorber. An absorber is possible only in a chain without
     /// damping.
     pub absorbs: bool,
     /// Frequency ratios of the undamped resonances that the load drives. The response at these resonances may be

@@ -80,8 +80,8 @@ fn between(modes: &[DrivenMode], compliance: Dd, low: Dd, high: Option<Dd>) -> D
             sum + mode.inverse_mass * weight
         })
     };
-    // Returns an upper bound on the root above the last resonance. There Σ c_i/(ω² − λ_i) = 1/κ, and no denominator is
-    // smaller than that of the last resonance.
+    // Returns an upper bound on the root above the last resonance. At the root, Σ c_i/(ω² − λ_i) = 1/κ, and no
+    // denominator is smaller than that of the last resonance.
     let last = || {
         let sum = modes
             .iter()
@@ -112,7 +112,8 @@ fn between(modes: &[DrivenMode], compliance: Dd, low: Dd, high: Option<Dd>) -> D
         } else {
             (b, at_b) = (c, at_c);
         }
-        // Two steps in a row replaced one bound and kept the other. The kept bound gets half its weight (Illinois rule).
+        // Two steps in a row replaced the same bound and kept the other bound. The kept bound gets half its weight
+        // (Illinois rule).
         if last == Some(lower) {
             if lower {
                 at_b = at_b * half;

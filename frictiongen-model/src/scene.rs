@@ -127,7 +127,8 @@ pub enum Provide {
     Simulation,
     /// The stepper, which advances the motion by a fixed step in physical time, under any force.
     Stepper,
-    /// The self-check. It compares checksums of the constants, and results of the other groups, with known values.
+    /// The self-check. The self-check compares checksums of the constants, and results of the other groups, with known
+    /// values.
     SelfCheck,
 }
 

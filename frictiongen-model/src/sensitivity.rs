@@ -154,7 +154,7 @@ impl Modal<Dual<Dd>> {
     }
 }
 
-/// Returns the factors a and b of Rayleigh damping. One of them may be the variable of the derivative.
+/// Returns the factors a and b of Rayleigh damping. Factor a or b may be the variable of the derivative.
 fn factors(scene: &Scene, along: Option<Quantity>) -> Option<(Dual<Dd>, Dual<Dd>)> {
     let Damping::Rayleigh { mass, stiffness } = scene.damping else {
         return None;
@@ -271,7 +271,7 @@ impl RelativeChange {
         }
     }
 
-    /// Returns vᵢᵀ(dGᵀG)vⱼ for every pair of modes i and j. This is the change of the stiffness matrix K̄ = GᵀG,
+    /// Returns vᵢᵀ(dGᵀG)vⱼ for every pair of modes i and j. The result is the change of the stiffness matrix K̄ = GᵀG,
     /// scaled by the masses, in coordinates of the modes. v = √Γφ is a mode's scaled shape.
     fn between(
         &self,

@@ -20,7 +20,7 @@ impl<T: Float> Modal<T> {
             .collect()
     }
 
-    /// Returns the displacement x̄ of every mass for r → 0 at the friction ratio β (6.5). This is the static
+    /// Returns the displacement x̄ of every mass for r → 0 at the friction ratio β (6.5). The result is the static
     /// displacement under the load and an opposing friction force. Returns `None` if the contact is stuck at r = 0.
     #[must_use]
     pub fn quasi_static_start(&self, beta: T) -> Option<Vec<T>> {

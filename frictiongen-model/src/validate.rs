@@ -75,7 +75,7 @@ pub fn validate_known(scene: &Scene, checks: &Checks) -> Result<(), Vec<SceneErr
     }
 }
 
-/// Checks that the contact joins two different nodes, and that at least one of them can move.
+/// Checks that the contact joins two different nodes, and that at least one of the two nodes can move.
 fn check_contact(scene: &Scene, errors: &mut Vec<SceneError>) {
     let contact = scene.contact;
     check_node(scene, contact.from, Path::ContactFrom, errors);

@@ -89,7 +89,7 @@ impl Axis {
         )
     }
 
-    /// Returns the same axis with ticks in degrees.
+    /// Returns this axis with ticks in degrees.
     #[must_use]
     pub fn degrees(self) -> Self {
         Self {
@@ -98,7 +98,7 @@ impl Axis {
         }
     }
 
-    /// Returns the same axis with ticks in multiples of π.
+    /// Returns this axis with ticks in multiples of π.
     #[must_use]
     pub fn in_pi(self) -> Self {
         Self {

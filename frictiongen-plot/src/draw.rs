@@ -23,7 +23,7 @@ const CAPTION: f64 = 13.0;
 const LEADING: f64 = 1.3;
 
 impl Figure {
-    /// Returns the figure as an SVG document. The same figure gives the same bytes on every machine.
+    /// Returns the figure as an SVG document. A figure gives the same bytes on every machine.
     #[must_use]
     pub fn svg(&self) -> String {
         figure(self).0
@@ -54,8 +54,8 @@ impl Figure {
         (svg, frames.collect())
     }
 
-    /// Returns the figure as a PNG picture, with `scale` pixels for each pixel of the SVG. The same figure gives the
-    /// same bytes on every machine.
+    /// Returns the figure as a PNG picture, with `scale` pixels for each pixel of the SVG. A figure gives the same
+    /// bytes on every machine.
     ///
     /// # Errors
     /// Fails if the scale is not positive, or if the picture would be larger than 16384 pixels.
@@ -169,7 +169,7 @@ fn rows(figure: &Figure, columns: usize, room: f64, y: &mut f64) -> Vec<Rect> {
 }
 
 /// Draws the sketch and the legend of a figure, side by side if `room` is wide enough. Returns the vertical position
-/// under both.
+/// under the sketch and the legend.
 fn below(canvas: &mut Canvas, figure: &Figure, legend: &Legend, room: f64, top: f64) -> f64 {
     let sketch = figure.sketch.as_ref();
     let size = sketch.and_then(|sketch| Some((sketch, sketch.size(room)?)));

@@ -51,28 +51,28 @@ impl Figure {
         }
     }
 
-    /// Returns the same figure with a caption.
+    /// Returns this figure with a caption.
     #[must_use]
     pub fn with_caption(mut self, caption: impl Into<Label>) -> Self {
         self.caption = caption.into();
         self
     }
 
-    /// Returns the same figure with a sketch of the system.
+    /// Returns this figure with a sketch of the system.
     #[must_use]
     pub fn with_sketch(mut self, sketch: Sketch) -> Self {
         self.sketch = Some(sketch);
         self
     }
 
-    /// Returns the same figure with additional entries in the legend.
+    /// Returns this figure with additional entries in the legend.
     #[must_use]
     pub fn with_keys(mut self, keys: impl IntoIterator<Item = Key>) -> Self {
         self.keys.extend(keys);
         self
     }
 
-    /// Returns the same figure for a narrow page, in one column.
+    /// Returns this figure for a narrow page, in one column.
     #[must_use]
     pub fn narrow(mut self) -> Self {
         self.page = Page::Narrow;
@@ -132,14 +132,14 @@ impl Panel {
         }
     }
 
-    /// Returns the same panel with another layer on top.
+    /// Returns this panel with another layer on top.
     #[must_use]
     pub fn with(mut self, layer: impl Into<Layer>) -> Self {
         self.layers.push(layer.into());
         self
     }
 
-    /// Returns the same panel with a smaller panel inside.
+    /// Returns this panel with a smaller panel inside.
     #[must_use]
     pub fn with_inset(mut self, inset: Inset) -> Self {
         self.insets.push(inset);

@@ -146,7 +146,7 @@ impl Region {
         Self::new(name, fill, vec![lower.chain(upper).collect()])
     }
 
-    /// Returns the same area with its name at a position inside the panel.
+    /// Returns this area with its name at a position inside the panel.
     #[must_use]
     pub const fn named_at(mut self, at: Point) -> Self {
         self.at = Some(at);
@@ -217,7 +217,7 @@ pub struct Note {
     pub at: Point,
     /// The text.
     pub text: Label,
-    /// Which part of the text is at the position `at`: its start, middle or end.
+    /// The part of the text that is at the position `at`: its start, middle or end.
     pub anchor: Anchor,
     /// Colour of the text.
     pub colour: Colour,

@@ -38,8 +38,8 @@ pub(crate) struct Legend {
 }
 
 impl Legend {
-    /// Adds a sample to the legend entry of a name. The entry keeps its earlier samples. Without such an entry the
-    /// function creates one.
+    /// Adds a sample to the legend entry of a name. The entry keeps its earlier samples. If the entry does not exist,
+    /// the function creates it.
     pub(crate) fn add(&mut self, name: &Label, sample: LegendSample) {
         if name.is_empty() {
             return;
@@ -82,7 +82,7 @@ impl Legend {
             .collect()
     }
 
-    /// Returns the least width that the legend needs, in pixels. This is the width with a single column.
+    /// Returns the least width that the legend needs, in pixels: the width of a single column.
     pub(crate) fn least(&self) -> f64 {
         self.widths(1).iter().sum()
     }

@@ -152,7 +152,7 @@ fn note(canvas: &mut Canvas, layer: &Note, frame: &Frame, halo: bool) {
         Anchor::Middle => 0.5 * width,
         Anchor::End => width,
     };
-    // The text is moved into the frame if it fits there.
+    // The text is moved into the frame if it fits into the frame.
     let (least, most) = (frame.rect.left + 4.0, frame.rect.right() - 4.0 - width);
     let left = if least < most {
         (x - before).clamp(least, most)

@@ -77,8 +77,8 @@ impl<'a> Plan<'a> {
         if !(1..=most).contains(&count) {
             return None;
         }
-        // The elements from left to right are the base, the masses and the wall. The code calls each of them a
-        // station.
+        // The elements from left to right are the base, the masses and the wall. The code calls each of these elements
+        // a station.
         let station = |end: End| match end {
             End::Base => Some(0),
             End::Mass(index) => (index < count).then_some(index + 1),

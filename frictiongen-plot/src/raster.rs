@@ -84,7 +84,7 @@ fn runs(raster: &Raster, shown: &[bool], grid: CellGrid, frame: &Frame) -> Vec<R
     let within = |index: usize, origin: f64, cell: f64, (low, high): (f64, f64)| {
         let (low, high) = ((low - origin) / cell, (high - origin) / cell);
         let (low, high) = (low.min(high), low.max(high));
-        // The frame may cut off a very small part of a cell by rounding. Such a cell stays whole.
+        // By rounding, the frame may cut off a very small part of a cell. The rectangle then contains the whole cell.
         let inside = (index as f64).clamp(low, high);
         if (inside - index as f64).abs() < CUT {
             index as f64

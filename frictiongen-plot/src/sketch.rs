@@ -93,9 +93,9 @@ pub struct Sketch {
     pub springs: Vec<Spring>,
     /// Dashpots parallel to the springs.
     pub dashpots: Vec<Spring>,
-    /// The contacts of a system with several of them.
+    /// The contacts of a system with several contacts.
     pub sliders: Vec<Slider>,
-    /// The friction contact of a system with a single one, below the row of masses. `None` for a system without
+    /// The friction contact of a system with a single contact, below the row of masses. `None` for a system without
     /// contact, or with several contacts.
     pub contact: Option<SketchContact>,
     /// The excitation: none, a force on a mass, or the motion of the base.

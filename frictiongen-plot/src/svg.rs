@@ -1,5 +1,5 @@
-//! Writes SVG documents. They have a few kinds of elements, numbers with two decimals, and text elements instead of
-//! outlines.
+//! Writes SVG documents. The documents have a few kinds of elements, numbers with two decimals, and text elements
+//! instead of outlines.
 
 use crate::geometry::{Point, Rect};
 use crate::palette::{INK, PAPER, Rgb};
@@ -49,7 +49,7 @@ impl Canvas {
         );
         for (name, content) in [("title", title), ("desc", description)] {
             if !content.is_empty() {
-                // Writing to a string cannot fail. The same is true for the other writes of this file.
+                // Writing to a string cannot fail, here and in the functions below.
                 let _ = writeln!(text, "<{name}>{}</{name}>", escaped(content));
             }
         }

@@ -16,12 +16,12 @@ use std::f64::consts::PI;
 /// instants give a polynomial of degree 4 in r.
 const NODES: usize = 5;
 /// Distance in half-turns of τ. Two instants that are farther apart belong to different maxima of the velocity
-/// constraint, and so not to one witness. The value is tuned. A polynomial through two maxima would be near neither
-/// of them.
+/// constraint, and so not to one witness. The value is tuned. A polynomial through instants of two maxima would be far
+/// from both maxima.
 const JUMP: f64 = 0.05;
 /// Distance of an instant from the start of the half period, in radians of the fastest mode. If a witness (an instant
-/// near the largest velocity constraint) is closer, a Taylor series in τ may give its constraint (module `early`).
-/// For all such instants the series is valid.
+/// near the largest velocity constraint) is closer, a Taylor series in τ may give its constraint (module `early`). The
+/// series is valid at all instants up to this distance.
 const EARLY: f64 = 1.2;
 /// Distance of an instant from the start of the half period, in radians of the fastest mode. If a witness (an instant
 /// near the largest velocity constraint) is closer, only a Taylor series in τ gives its constraint (module `early`).

@@ -112,7 +112,7 @@ impl<'a> HalfPeriodCells<'a> {
     }
 
     /// Returns F, the sum of the velocity constraint over the modes, over intervals of t and r. Its series has the
-    /// slope in r. Also returns the derivatives F′, F″ and F‴ in τ = πt, then sin τ and cos τ.
+    /// slope in r. The remaining results are the derivatives F′, F″ and F‴ in τ = πt, then sin τ and cos τ.
     pub fn boxed(&self, t: Interval) -> (IntervalSeries<2>, [Interval; 3], (Interval, Interval)) {
         let at = IntervalSeries::<2>::fixed(t);
         let (sine, cosine) = t.sine_cosine();

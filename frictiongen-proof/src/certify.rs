@@ -41,7 +41,7 @@ const LONGER: f64 = 1.4;
 /// mode. The value is tuned. A longer range saves cells, but its bound is wider.
 const EARLY: f64 = 0.3;
 /// Largest number of lengths that the code tries for the range of [`EARLY`]. The value is tuned. The last length is
-/// about a sixth of the first one.
+/// about a sixth of the first length.
 const EARLY_STEPS: usize = 6;
 /// Factor by which the code shortens the range of [`EARLY`] if its bound fails. The value is tuned together with
 /// `EARLY_STEPS`.

@@ -116,7 +116,8 @@ impl PieceProof {
     }
 }
 
-/// What a proof has shown over an interval of r: for β_lim and, if proven, for amplitude and phase.
+/// Errors of the tables that a proof has found over an interval of r. `motion` contains the error of amplitude and
+/// phase, or `None` without a proof of amplitude and phase.
 pub(crate) struct IntervalProof {
     pub limit: ComparedLimit,
     pub motion: Option<Worst>,

@@ -79,8 +79,8 @@ pub fn prove_if_small<S: Float>(tables: &mut Tables<S>, modal: &Modal, work: Pro
     }
 }
 
-/// Proves β_lim in one piece of the tables. Also proves amplitude and phase of the contact in this piece, if the tables
-/// contain them.
+/// Proves β_lim in one piece of the tables. If the tables contain amplitude and phase of the contact, the function
+/// proves these in this piece too.
 #[must_use]
 pub fn prove_piece<S: Float>(
     tables: &Tables<S>,

@@ -19,8 +19,7 @@ use frictiongen_model::table::building::{ANGLE, SIZE, rounding};
 use std::f64::consts::PI;
 
 /// Ends of the intervals of β over which the code bounds the errors of amplitude and phase, as fractions of the
-/// largest β. The values are tuned. Near the largest β the amplitude changes fast, so the intervals are shorter
-/// there.
+/// largest β. The values are tuned. The intervals are shorter near the largest β, because the amplitude changes faster.
 const SHARES: [f64; 11] = [
     0.0, 0.4, 0.65, 0.8, 0.88, 0.93, 0.96, 0.98, 0.99, 0.997, 1.0,
 ];
@@ -322,8 +321,8 @@ impl<S: Float> MotionProof<'_, S> {
         (sign != 0).then(|| Interval::point(f64::from(sign)))
     }
 
-    /// Returns the angle arg V as series at the centre and over the interval of r, up to whole turns. Also returns
-    /// the error of arg V, in rad, by the uncertain position of a zero.
+    /// Returns the angle arg V as series at the centre and over the interval of r, up to whole turns. The last result
+    /// is the error of arg V, in rad, by the uncertain position of a zero.
     fn angle(
         &self,
         at: &ChainStage<ORDER>,

@@ -134,7 +134,7 @@ fn largest(
 }
 
 /// Checks that the proof rejects every piece with a wrong coefficient. The test changes each coefficient of each
-/// function of several pieces by ten times the accuracy. It then changes each coefficient by so little that the error
+/// function of several pieces by ten times the accuracy. A second change of each coefficient is so small that the error
 /// exceeds the accuracy only just, at one r.
 #[test]
 fn wrong_coefficients_are_not_proven() {

@@ -1,5 +1,5 @@
-//! Finds other instants whose velocity constraint is close to the constraint of the witness. Near a kink of β_lim two
-//! such instants exist.
+//! Finds other instants whose velocity constraint is close to the constraint of the witness. Near a kink of β_lim, two
+//! instants have almost equal constraints.
 
 use crate::cells::{BENT, Flank, HalfPeriodCells, ROUNDING};
 use crate::force;

@@ -55,8 +55,8 @@ impl<A> Shared<A> {
     }
 }
 
-/// Locks the data that the threads share, even if another thread has panicked. Such a panic ends the whole call, so
-/// nobody uses the data afterwards.
+/// Locks the data that the threads share, even if another thread has panicked. The panic of a thread ends the whole
+/// call, so that the data is not used afterwards.
 fn locked<T>(shared: &Mutex<T>) -> MutexGuard<'_, T> {
     shared.lock().unwrap_or_else(PoisonError::into_inner)
 }

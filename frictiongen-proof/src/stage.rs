@@ -1,8 +1,9 @@
 //! All functions from which the limits follow, as Taylor series in r with intervals as coefficients (section 3 of
 //! `docs/derivation.md`).
 //!
-//! All functions are multiplied by r². Near a pole of U at an undamped mode, they are also multiplied by κ, the
-//! product of cos(πx/2) over such modes, with x = √λ/r. The limits are quotients, in which κ cancels.
+//! All functions are multiplied by r². Near a pole of U at an undamped mode, they are also multiplied by κ, the product
+//! of cos(πx/2) over the undamped modes with a pole of U nearby, with x = √λ/r. The limits are quotients, in which κ
+//! cancels.
 
 use crate::series::IntervalSeries;
 use frictiongen_kernel::number::dd::Dd;

@@ -1,4 +1,4 @@
-//! Defines the witness, an instant near the largest velocity constraint, as a polynomial in r. Also evaluates the
+//! Defines the witness, an instant near the largest velocity constraint, as a polynomial in r, and evaluates the
 //! functions at the witness.
 
 use crate::series::IntervalSeries;

@@ -11,8 +11,7 @@ use crate::parse_text;
 
 /// Returns the warnings about a valid description, or `None` if there are none.
 ///
-/// A warning marks a mode whose damping is critical or above. The author of such a damping ratio has probably written
-/// a percentage.
+/// A warning marks a mode whose damping is critical or above. A damping ratio of 1 or more is probably a percentage.
 ///
 /// ```
 /// let text = "struct Block {

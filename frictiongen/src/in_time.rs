@@ -87,7 +87,7 @@ pub trait SteadyState {
     /// period.
     fn multipliers(&self) -> &[Complex<Self::Scalar>];
     /// Calls `question` with the motion of the contact or of a mass, and returns its result. Returns `None` if the
-    /// scene has no such mass.
+    /// scene does not have the mass.
     fn ask<T>(
         &self,
         of: Of,

@@ -62,7 +62,7 @@ pub trait Steps {
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct StepLoad<'l, S> {
-    /// Displacement and velocity of the base at this instant. Both are 0 for a base that does not move.
+    /// Displacement and velocity of the base at this instant, or 0 and 0 for a base that does not move.
     pub base: [S; 2],
     /// Forces on masses. Each entry has the index of a mass in the description, and the force. Forces on the same mass
     /// add up. A mass without an entry carries no force.

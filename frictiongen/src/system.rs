@@ -1,5 +1,5 @@
 //! Traits that emitted solvers and the run-time `System` implement. A sweep, map or fit that uses these traits works
-//! with both.
+//! with emitted solvers and with a `System`.
 
 pub use crate::steady::{Of, Steady};
 use crate::targets::{HeldStill, InParts, Limited, Moved};

@@ -69,7 +69,8 @@ impl<S: Float, const N: usize> Watch<S, N> {
         let Some(slot) = self.samples.get_mut(self.place) else {
             return;
         };
-        // N samples contain whole cycles. The sample N steps ago therefore has the same factor e^{−iωt} as the new one.
+        // N samples contain whole cycles. The sample N steps ago therefore has the same factor e^{−iωt} as the new
+        // sample.
         let change = sample - *slot;
         *slot = sample;
         let turn = self.turn;

@@ -20,8 +20,8 @@ pub struct Mutator {
 }
 
 impl Mutator {
-    /// Creates a source of inputs. It inserts the tokens `words` and the tokens of the corpus. The same seed gives
-    /// the same inputs.
+    /// Creates a source of inputs. It inserts the tokens `words` and the tokens of the corpus. Two sources with equal
+    /// seeds give equal inputs.
     #[must_use]
     pub fn new(corpus: Vec<Vec<u8>>, words: &[&str], seed: u64) -> Self {
         let corpus: Vec<Tokens> = corpus.iter().map(|input| tokens(input)).collect();

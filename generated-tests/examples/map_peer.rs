@@ -1,8 +1,8 @@
 //! This library's part of `scripts/map-peers`: figure 3.12 of the thesis, a map over r and β of the stops in a cycle.
 //!
 //! `map_peer points` prints the points (r, β) of the map. `map_peer MU FILE STEPPER` reads the results of the plain
-//! stepper at these points, one line each. It then prints this library's time in seconds, the number of points where
-//! the results differ, and the reason at each such point. STEPPER is the stepper with steps a tenth as long.
+//! stepper at these points, one line each. Then it prints this library's time in seconds, the number of points where
+//! the results differ, and the reason for each difference. STEPPER is the stepper with steps a tenth as long.
 
 use frictiongen::kernel::simulation::Event;
 use frictiongen::study::{

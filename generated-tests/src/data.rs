@@ -35,7 +35,7 @@ pub type DataMotion<'a, S> = MotionOf<&'a Reduced<S>>;
 
 impl<S: Float> Data<S> {
     /// Converts the data to another scalar type. If a mode stores a constant in two forms, the more accurate form is
-    /// converted, and the other form is computed from it.
+    /// converted, and the second form is computed from the first.
     pub fn read<T: Float>(&self, to: impl Fn(S) -> T) -> Data<T> {
         let Reduced {
             modes,
@@ -100,8 +100,8 @@ impl<S: Float> Data<S> {
     }
 }
 
-/// Returns ζ and q = √|1 − ζ²| in the other scalar type. Near critical damping the function computes ζ from q,
-/// because q determines ζ there within the rounding of q. Elsewhere it computes q from ζ.
+/// Returns ζ and q = √|1 − ζ²|, converted to the scalar type of the result. Near critical damping the function computes
+/// ζ from q, because q then determines ζ within the rounding of q. Elsewhere it computes q from ζ.
 fn damping<S: Float, T: Float>(mode: &Mode<S>, to: impl Fn(S) -> T) -> (T, T) {
     let (zeta, q) = (to(mode.zeta), to(mode.q));
     let one = T::constant(1.0);

@@ -40,7 +40,7 @@ fn of_a_text() {
                 .to_string();
             assert_eq!(told, case.told.join("\n"), "{}", case.name);
         } else if case.door == Door::Macro {
-            // The macro must refuse the faulty text too. It reads texts with its own limits.
+            // The macro must refuse the faulty text. It reads texts with its own limits.
             parse_text(&case.faulty, &SizeLimits::MACRO).expect_err(&case.name);
         }
         if case.door.is_description() {

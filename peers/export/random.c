@@ -71,7 +71,7 @@ static struct OF(input) draw(void)
     return input;
 }
 
-/* Continues a copy from an image: its next step has to have the same bits.  Gives changed images. */
+/* Continues a copy of a stepper from an image.  Its next step must have the same bits.  A changed image must fail. */
 static void disturb_image(const struct OF(stepper) *stepper, struct OF(input) input)
 {
     static unsigned bit = 0;

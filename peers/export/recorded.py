@@ -161,7 +161,7 @@ def errors(unit, recording):
 
 
 def saved(unit, fresh, recording, middle, end):
-    """A state continues with the same bits in the same instance and in another one."""
+    """A state continues with the same bits in its own instance and in another instance."""
     state = unit.fmu.getFMUState()
     data = unit.fmu.serializeFMUState(state)
     recording.run([unit], middle, end)
@@ -186,7 +186,7 @@ def saved(unit, fresh, recording, middle, end):
 
 
 def several_steps(one, other, recording, hold):
-    """One call over three steps does the same as three calls with the inputs between the samples."""
+    """One call over three steps gives the results of three calls with the inputs between the samples."""
     last = [recording.rows[1][place] for place in range(len(recording.inputs))]
     new = [recording.rows[2][place] for place in range(len(recording.inputs))]
     for unit in (one, other):
@@ -232,7 +232,7 @@ def main():
     end = len(recording.rows)
     middle = end // 2
 
-    # Two instances at once.
+    # Two instances take their steps alternately.
     units = [Unit(folder, description, start) for _ in range(2)]
     for unit in units:
         recording.apply(unit, 0)
@@ -243,7 +243,7 @@ def main():
     recording.run(units, 1, middle)
     errors(units[0], recording)
     saved(units[0], units[1], recording, middle, end)
-    # After a reset the whole run is the same again.
+    # After a reset the whole run repeats with the same results.
     units[0].fmu.reset()
     for name, value in start:
         units[0].set(name, value)

@@ -22,7 +22,7 @@ class Editor {
     return this.area.value;
   }
 
-  // Shows all messages below the text. Also shows the message of the line with the cursor under this line.
+  // Shows all messages below the text, and the message of the line with the cursor under this line.
   tell(faults) {
     this.faults = faults;
     this.list.replaceChildren(...faults.slice(0, 8).map((fault) => {

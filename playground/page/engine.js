@@ -1,4 +1,5 @@
-// Runs a worker with the solver. If a question takes too long, the worker ends, and the next question starts another one.
+// Runs a worker with the solver. If a question takes too long, the worker ends, and the next question starts another
+// worker.
 class Engine {
   constructor(module, patience) {
     this.module = module;

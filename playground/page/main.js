@@ -1,4 +1,4 @@
-// Connects the parts of the page. There is one state, and every picture shows an answer about this state.
+// Connects the parts of the page. The page has one state, and every picture shows an answer about this state.
 const at = (id) => document.getElementById(id);
 const examples = JSON.parse(at("examples").textContent);
 const state = { r: null, beta: null, of: null, sweep: false, from: null, to: null };
@@ -15,7 +15,8 @@ function question(ask, more = {}) {
   return { ask, text: editor.text, r, beta, of, from, to, ...more };
 }
 
-// Asks the questions whose answers a change affects. Changes that occur meanwhile are answered together afterwards.
+// Asks the questions whose answers a change affects. Changes that occur before the answer are answered together after
+// it.
 async function changed(what) {
   if (what === "text") state.fresh = true;
   again = true;
@@ -55,7 +56,8 @@ async function refresh() {
   timing.first ??= performance.now() - timing.start;
 }
 
-// Draws as many points of the curve as there is time for in a frame. Later `refine` replaces this curve by a finer one.
+// Draws as many points of the curve as there is time for in a frame. Later `refine` replaces this curve by a finer
+// curve.
 async function quickCurve() {
   const [end, points] = [performance.now() + 10, []];
   const places = halves(97).map((part) => state.from + (state.to - state.from) * part);
@@ -174,7 +176,8 @@ function over(id, height, line) {
   layer.innerHTML = `<svg viewBox="${box}"><line x1="${x}" x2="${x}" y1="${frame.top}" y2="${frame.top + frame.height}" stroke="#1c2126" stroke-dasharray="2 4"/>${rule}<circle cx="${x}" cy="${place}" r="6" fill="${inside ? "#b3261e" : "none"}" stroke="${inside ? "#fff" : "#b3261e"}" stroke-width="2"/></svg>`;
 }
 
-// Computes what takes longer: finer curves, and scenes with several contacts. A newer change ends the computation.
+// Computes answers that take longer: finer curves, and scenes with several contacts. A newer change ends the
+// computation.
 let turn = 0;
 let timer = 0;
 function later() {
@@ -204,7 +207,8 @@ async function emitted() {
   else at("code").textContent = told.error ? `// ${told.error.replaceAll("\n", "\n// ")}` : told.code;
 }
 
-// Returns numbers from 0 to 1. Each is halfway between earlier ones, so that a curve is coarse first and fine later.
+// Returns numbers from 0 to 1. Each number is halfway between two earlier numbers, so that a curve is coarse first and
+// fine later.
 function halves(count) {
   const places = [0, 1];
   for (let step = 1; places.length < count; step *= 2) for (let i = 1; i < 2 * step; i += 2) places.push(i / (2 * step));
@@ -365,7 +369,7 @@ async function findBest() {
   changed();
 }
 
-// Compares frictions on a grid, for a scene without closed form, and again between the neighbours of the best one.
+// Compares frictions on a grid, for a scene without closed form, and then between the neighbours of the best friction.
 async function searched() {
   const asked = question("points");
   const even = Array.from({ length: 29 }, (_, i) => asked.from + (asked.to - asked.from) * i / 28);

@@ -14,7 +14,8 @@ thread_local! {
     static TEXT: RefCell<Vec<u8>> = const { RefCell::new(Vec::new()) };
 }
 
-/// Provides memory for a question of `length` bytes and returns its address. The page writes the question there.
+/// Provides memory for a question of `length` bytes and returns its address. The page writes the question into this
+/// memory.
 #[unsafe(no_mangle)]
 pub extern "C" fn room(length: usize) -> *mut u8 {
     TEXT.with_borrow_mut(|text| {

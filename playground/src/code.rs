@@ -6,7 +6,7 @@ use serde_json::{Value, json};
 
 /// Returns the Rust code that the macro emits for the description of the question.
 pub fn answer(question: &Question) -> Result<Value, String> {
-    // As for all other questions, the page refuses long chains and long texts.
+    // The page refuses long chains and long texts, as it does for every question.
     question.system()?;
     let description = parse_text(&question.text, &SizeLimits::MACRO).map_err(|faults| {
         let lines = faults.list.into_iter();

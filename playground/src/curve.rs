@@ -20,7 +20,7 @@ pub fn answer(question: &Question) -> Result<Value, String> {
     for start in &question.starts {
         curves.push(asked(&system, question, question.beta, start)?);
     }
-    // The picture also shows the curve without friction, for comparison.
+    // For comparison, the picture contains the curve without friction.
     let free = asked(&system, question, 0.0, "rest")?;
     let refined = curves.iter().all(|curve| curve.refined);
     let points: Vec<Value> = curves.iter().map(points).collect();

@@ -91,15 +91,15 @@ pub fn line(question: &Question) -> Result<Value, String> {
     Ok(picture(panel, crate::curve::HEIGHT))
 }
 
-/// Returns the regime at one frequency ratio for each friction ratio of the question. Also returns the friction ratio
-/// above which all contacts can stay stuck.
+/// Returns the regime at one frequency ratio for each friction ratio of the question, and the friction ratio above
+/// which all contacts can stay stuck.
 pub fn cells(question: &Question) -> Result<Value, String> {
     let system = question.system()?;
     let joined = system.joined().map_err(text)?;
     let at = joined.at_any(question.r).map_err(text)?;
     let limit = at.stuck().map(|stuck| stuck.limit()).ok();
     let cell = |beta: &f64| match limit {
-        // Above the limit, motion from rest may reach another state than the stuck one. A search for it takes long
+        // Above the limit, motion from rest may reach a state other than the stuck state. A search for it takes long
         // and rarely finds one.
         Some(limit) if limit <= *beta => Some(class(Regime::Stuck)),
         _ => at.orbit(*beta).ok().map(|orbit| class(orbit.regime())),

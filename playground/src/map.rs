@@ -8,7 +8,7 @@ use serde_json::{Value, json};
 
 /// Height of the frame of a map's picture, in pixels.
 pub const HEIGHT: f64 = 260.0;
-/// Largest deviation of the drawn limits from the exact ones, measured in β/(1 + β) with the friction ratio β.
+/// Largest deviation of the drawn limits from the exact limits, measured in β/(1 + β) with the friction ratio β.
 const ACCURACY: f64 = 2e-3;
 
 /// Returns the picture of the limits β_lim and β*_lim over frequency, and of the regimes between them.

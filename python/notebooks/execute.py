@@ -25,7 +25,7 @@ def told(outputs) -> str:
 
 
 def tidy(cell) -> None:
-    """Leaves out of a cell what differs from run to run."""
+    """Removes from a cell everything that differs from run to run."""
     cell.metadata.pop("execution", None)
     for output in cell.outputs:
         output.get("data", {}).pop("text/html", None)

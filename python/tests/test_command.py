@@ -165,7 +165,7 @@ def test_simulate_from_a_state(command):
         "--cycles", 2,
     )  # fmt: skip
     hold(ours.to_frame(), theirs)
-    # Without a load, times are in seconds here too.
+    # Without a load, the method gives times in seconds, as the command does.
     ours = one.simulate(r=0.4, beta=0.3, cycles=1).to_frame().drop(columns="time_s")
     hold(ours, command("time", "frame.friction", "--r", 0.4, "--beta", 0.3, "--cycles", 1), but=("time_s",))
 

@@ -61,7 +61,7 @@ def test_identify(command, plate, names, asked, options):
     if found.verdict == "several levels":
         for place, level in enumerate(found.levels):
             assert line(theirs, f"friction force {place + 1}") == level
-        # The result has two forces, and one of them is the true force.
+        # The result has two forces, and one of these forces is the true force.
         assert len(found.levels) == 2 and any(level.holds(TRUTH) for level in found.levels)
     else:
         assert line(theirs, "friction force") == found.friction_N
@@ -163,8 +163,8 @@ def made(system, hz, friction, base, *, rate=1000, seconds=20, noise=0.0, seed=1
 
 
 def test_a_friction_that_is_known_comes_back(frame):
-    """Checks that a known friction force is found again, for two storeys at three frequencies, with the damping and
-    stiction of the description."""
+    """Checks that a known friction force is found, for two storeys at three frequencies, with the damping and stiction
+    of the description."""
     recordings = [made(frame, hz, 0.35, 0.001, noise=0.01, seed=place) for place, hz in enumerate((1.3, 2.4, 4.0))]
     found = frame.identify(recordings)
     assert found.verdict == "determined" and found.friction_N.value == pytest.approx(0.35, rel=0.01)

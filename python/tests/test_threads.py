@@ -81,7 +81,7 @@ def test_an_interrupt_ends_a_search(ctrl_c):
     with pytest.raises(KeyboardInterrupt):
         tower.optimum("m5", r=(0.1, 2.2), vary=("k m0 - m1", 1.0, 2.0))
     assert time.perf_counter() - start < 5.0
-    # A search for several quantities consists of several searches, and an interrupt ends it too.
+    # A search for several quantities consists of several searches, and an interrupt must end the whole search.
     threading.Timer(0.3, lambda: os.kill(os.getpid(), signal.SIGINT)).start()
     start = time.perf_counter()
     with pytest.raises(KeyboardInterrupt):

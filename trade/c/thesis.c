@@ -1,5 +1,5 @@
-/* The formulas of the thesis, written by hand to compare with. Modal data are given. All other formulas are as printed,
- * with the corrections of docs/corrections.md, without which the results would be wrong.
+/* Computes the formulas of the thesis, written by hand, for a comparison with frictiongen. Modal data are given. All
+ * other formulas are as printed, with the corrections of docs/corrections.md, without which the results would be wrong.
  *
  * The file is compiled once for each number of masses (-DMASSES=n), so that every loop has a constant length. All modes
  * have the same zeta. Undamped scenes have their own, shorter formulas.
@@ -24,7 +24,7 @@ typedef struct {
 } NAME(Thesis);
 typedef NAME(Thesis) Thesis;
 
-/* Values that depend on the frequency alone. */
+/* Numbers that depend on the frequency alone. */
 typedef struct {
     double r, R[N], u[N], g[N], weight[N]; /* weight: residue from friction to the observed mass over cos(pi/2R) */
     double U, G, Hc;
@@ -103,7 +103,7 @@ static double motion_damped(const Thesis *s, const At *a, double beta, double ph
     return cabs(a->far_V) * cos(t + phi + carg(a->far_V)) + beta * sum;
 }
 
-/* Returns the largest |f| over (0, top): 200 points, then a golden-section search about the best one. */
+/* Returns the largest |f| over (0, top): 200 points, then a golden-section search about the best point. */
 #define LARGEST(f, top)                                                                         \
     double best = 0, place = 0, width = (top) / (GRID + 1);                                     \
     for (int k = 1; k <= GRID; k++) {                                                           \

@@ -2,8 +2,8 @@
 //! with `plain`. It continues with the name, the number of masses, the index of the observed mass, the description, and
 //! what an exact scene provides.
 //!
-//! Masses and springs are equal, because `peers/stepper.c` supports no others. The observed mass is the one whose
-//! amplitude is measured.
+//! Masses and springs are equal, because `peers/stepper.c` supports no others. The observed mass is the mass whose
+//! amplitude is computed.
 
 /// Passes the list of all chains to the macro `$then`.
 macro_rules! chains {

@@ -11,7 +11,8 @@ use crate::tables::pools;
 use std::fmt::{Result as Written, Write};
 use table::{Table, Tally, cell, verdict};
 
-/// Smallest ratio that is aimed for, of the time of C to the time of this library. With 1 both are equally fast.
+/// Smallest ratio that is aimed for, of the time of C to the time of this library. At a ratio of 1, C and this library
+/// are equally fast.
 const EVEN: f64 = 1.0;
 /// Smallest ratios that are aimed for, of the time of the event stepper to that of the closed form: without search,
 /// and with search.

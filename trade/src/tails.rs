@@ -11,12 +11,12 @@ use std::time::Instant;
 pub const RANGE: [f64; 2] = [0.02, 10.0];
 /// Number of calls at each point. The shortest of their times is taken.
 const CALLS: usize = 3;
-/// Number of the slowest points that are timed again with more calls. In this way an interruption of a call does not
-/// count.
+/// Number of the slowest points that the program times a second time, with more calls. In this way an interruption of a
+/// call does not count.
 const SLOWEST: usize = 100;
 const CALLS_OF_SLOWEST: usize = 20;
-/// Largest number of rounds in which the slowest points are timed again. After a round, other points may be the
-/// slowest.
+/// Largest number of rounds in which the program repeats the timing of the slowest points. After a round, other points
+/// may be the slowest.
 const TIMES_ANEW: usize = 10;
 
 /// Distribution of the times of single calls over the points of a scene, in ns.

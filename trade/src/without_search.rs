@@ -1,5 +1,5 @@
-//! Computes limits without search. They are closed formulas, which use the velocity constraint at the reversal in
-//! place of its largest value. The program in `before/` has its own version of this file, because its commit has no
+//! Computes limits without search. These limits are closed formulas, which use the velocity constraint at the reversal
+//! in place of its largest value. The program in `before/` has its own version of this file, because its commit has no
 //! function for these limits.
 
 use frictiongen::FrictionSystem;

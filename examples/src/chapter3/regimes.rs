@@ -66,8 +66,8 @@ pub fn map() -> Result<Figure, Box<dyn Error>> {
     let mut inner = desk::regimes("", &lines, 1.0, &Scales::groups(&system));
     (inner.x.label, inner.y.label) = ("".into(), "".into());
     for layer in &mut inner.layers {
-        // The inset covers the name of one regime, but has room for this name. The outer panel names the other
-        // regimes.
+        // The inset covers the name of one regime, but has room for this name. The outer panel has the names of the
+        // remaining regimes.
         if let Layer::Region(region) = layer
             && region.name.plain() != "stuck"
         {

@@ -70,7 +70,7 @@ impl Recorded {
     }
 
     /// Returns about `each` samples of the plate in each of `cycles` cycles, which begin at the phase angle `from`.
-    /// The angles in the result count from there.
+    /// The angles in the result count from the start of the first of these cycles.
     fn samples(&self, from: f64, cycles: f64, each: u32) -> Vec<(f64, f64)> {
         let per_sample = TAU * self.measured.hertz / self.measured.rate;
         let wait = (from - self.angle(0)).rem_euclid(TAU);

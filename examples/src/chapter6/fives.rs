@@ -1,4 +1,4 @@
-//! Figures of five equal masses. The lowest one is loaded, and one of them rubs on a fixed wall.
+//! Figures of five equal masses. The lowest mass is loaded, and one mass rubs on a fixed wall.
 
 use super::systems::{FIVE, five, motions};
 use frictiongen::System;

@@ -39,7 +39,7 @@ pub fn invariant(system: &System, of: Of, (from, to): (f64, f64)) -> Vec<f64> {
             }
         }
         let root = 0.5 * (low + high);
-        // The sign also changes at a pole, which is not a root.
+        // A pole changes the sign too, but is not a root.
         if gain(system, of, root).is_some_and(|value| value.abs() < 1e-6) {
             roots.push(root);
         }

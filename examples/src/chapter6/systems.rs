@@ -9,7 +9,7 @@ pub const M2: Of = Of::Mass(1);
 pub const M3: Of = Of::Mass(2);
 pub const FIVE: [Of; 5] = [M1, M2, M3, Of::Mass(3), Of::Mass(4)];
 
-/// Returns a chain of three equal masses. The first one is loaded, and the middle one rubs on a wall.
+/// Returns a chain of three equal masses. The first mass is loaded, and the middle mass rubs on a wall.
 pub fn three() -> System {
     chain(&[1.0; 3], &[1.0; 3], "m2 - wall", "m1", "")
 }

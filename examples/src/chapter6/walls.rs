@@ -241,7 +241,7 @@ pub fn upper_responses() -> Drawn {
         ))
 }
 
-/// Returns four panels: the regimes for each of three values of μ, and the limits for all of them.
+/// Returns four panels: the regimes for each of three values of μ, and the limits for all three values.
 fn regimes(contact: usize, top: f64) -> Result<Vec<Panel>, Box<dyn Error>> {
     let stictions = [1.0, 1.2, 1.5];
     let mut panels = Vec::new();

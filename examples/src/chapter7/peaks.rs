@@ -14,8 +14,8 @@ type Drawn = Result<Figure, Box<dyn Error>>;
 /// Number of intervals of a line between its points.
 const STEPS: u32 = 400;
 
-/// Returns the amplitude of the mass at the frequency ratio r of the undamped resonance. Returns `None` if the
-/// contact stops there.
+/// Returns the amplitude of the mass at the frequency ratio r of the undamped resonance, or `None` if the contact stops
+/// at this r.
 fn at_resonance(system: &System, r: f64, beta: f64) -> Option<f64> {
     Some(system.at(r).ok()?.motion(beta).ok()?.contact().amplitude())
 }

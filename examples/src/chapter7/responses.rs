@@ -126,8 +126,8 @@ pub fn upper() -> Drawn {
         ))
 }
 
-/// Returns a panel with the limits β_lim and β*_lim of each system. If β*_lim is the same for all of them, it is
-/// drawn once.
+/// Returns a panel with the limits β_lim and β*_lim of each system. If all systems have the same β*_lim, it is drawn
+/// once.
 fn limits(
     systems: &[(String, System)],
     label: &str,

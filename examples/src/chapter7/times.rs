@@ -36,7 +36,7 @@ fn cycles(contact: usize) -> Result<Vec<Panel>, Box<dyn Error>> {
         let panel = cycle(title, &five(contact, zeta), (0.9, 0.2), &parts, times);
         panels.push(panel.ok_or("no motion")?);
     }
-    // Both panels have the same range of displacements, so that they can be compared.
+    // The panels have equal ranges of displacements, so that they can be compared.
     let reach = panels.iter().map(|panel| panel.y.high).fold(0.0, f64::max);
     for panel in &mut panels {
         (panel.y.low, panel.y.high) = (-reach, reach);

@@ -10,13 +10,13 @@ use frictiongen_plot::{Key, Layer, Marker, Panel, Scale, Sketch, Stroke};
 /// Label of the frequency axis for a system of several masses.
 pub const RATIO: &str = "frequency ratio *r*_1";
 
-/// Range of the phase axis in degrees: a whole turn with a margin. If all phases of a panel are above `HIGH`, its
-/// axis begins there.
+/// Range of the phase axis in degrees: a whole turn with a margin. If all phases of a panel are above `HIGH`, its axis
+/// begins at `HIGH`.
 const WIDE: (f64, f64) = (-190.0, 190.0);
 const HIGH: f64 = -45.0;
 
-/// Builds a chain of masses m1, m2, …, which begins at the base. Masses and springs are given as multiples of the
-/// first one.
+/// Builds a chain of masses m1, m2, …, which begins at the base. Masses are given as multiples of the first mass, and
+/// springs as multiples of the first spring.
 #[must_use]
 pub fn chain(
     masses: &[f64],

@@ -14,7 +14,7 @@ use frictiongen_plot::{Colour, Layer, Line, Marker, Markers, Panel, Point};
 /// Lowest frequency ratio at which the response at β_lim is drawn. Below it the peaks are too close together.
 const LOWEST_LIMIT: f64 = 0.2;
 
-/// Largest amplitude that is computed, unless the caller gives another one. Larger amplitudes occur only near an
+/// Largest amplitude that is computed, unless the caller gives another limit. Larger amplitudes occur only near an
 /// infinite resonance.
 const LARGEST: f64 = 200.0;
 
@@ -262,7 +262,7 @@ fn settled(piece: &CurvePiece) -> Vec<CurvePiece> {
     runs.iter().enumerate().map(part).collect()
 }
 
-/// Returns the stuck pieces of a curve if `stuck` is true, and otherwise the other pieces.
+/// Returns the pieces of a curve in the stuck regime if `stuck` is true, and otherwise the pieces in all other regimes.
 #[must_use]
 pub fn only_regimes(curve: &Curve, stuck: bool) -> Curve {
     let pieces = curve.pieces.iter();

@@ -44,7 +44,7 @@ pub fn sliding_limit(system: &System, r: f64) -> f64 {
 }
 
 /// Returns the result of `question` for the continuous motion at the frequency ratio r and the friction ratio β.
-/// Returns NaN if there is no such motion.
+/// Returns NaN if there is no continuous motion at r and β.
 pub fn ask(system: &System, r: f64, beta: f64, question: impl Fn(&SystemMotion) -> f64) -> f64 {
     let motion = system.at(r).ok().and_then(|at| at.motion(beta).ok());
     motion.as_ref().map_or(f64::NAN, question)
@@ -105,7 +105,7 @@ fn features(system: &System) -> Option<Features<'_>> {
     system.features(None).ok()
 }
 
-/// Finds the invariant points of a motion in a range of frequency ratios. At such a point the quantity `measured`
+/// Finds the invariant points of a motion in a range of frequency ratios. At an invariant point the quantity `measured`
 /// does not depend on friction.
 #[must_use]
 pub fn invariant_points(
@@ -217,8 +217,9 @@ pub fn peak(f: impl Fn(f64) -> f64, mut low: f64, mut high: f64) -> f64 {
     0.5 * (low + high)
 }
 
-/// Finds the frequency ratio at which the contact's motion does not depend on the friction ratio β (6.9). There the
-/// phase of the contact is 0 or π for every β, and its sine changes sign. `share` is β/β_lim.
+/// Finds the frequency ratio at which the contact's motion does not depend on the friction ratio β (6.9). At this
+/// frequency ratio the phase of the contact is 0 or π for every β, and the sine of the phase changes sign. `share` is
+/// β/β_lim.
 #[must_use]
 pub fn contact_invariant(system: &System, share: f64, low: f64, high: f64) -> f64 {
     let sine = |r| {

@@ -78,12 +78,12 @@ pub fn printed_number(text: &str) -> Option<(f64, f64)> {
     Some((value, 0.5 * 10_f64.powi(-i32::try_from(decimals).ok()?)))
 }
 
-/// Compares a computed number with a printed decimal, which may begin with "about". They agree if the computed number
-/// rounds to the printed one.
+/// Compares a computed number with a printed decimal, which may begin with "about". The two numbers agree if the
+/// computed number rounds to the printed number.
 #[must_use]
 pub fn number(what: &str, printed: &str, value: f64, decimals: usize) -> Entry {
-    // If the computed number is halfway between two decimals, rounding noise would decide. Both decimals therefore
-    // count as right.
+    // If the computed number is halfway between two decimals, rounding noise would decide. The decimal below and the
+    // decimal above the number therefore count as right.
     let agrees = printed_number(printed)
         .is_some_and(|(want, half)| (value - want).abs() <= half * (1.0 + 1e-9));
     Entry {

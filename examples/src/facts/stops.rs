@@ -32,8 +32,8 @@ pub fn count(mu: f64) -> Stops {
         for j in 1..=400_u32 {
             let beta = 0.01 * f64::from(j);
             let regime = system.at(r).ok().and_then(|at| at.regime(beta).ok());
-            // On the grid β often equals β*_lim as a decimal number. Such a point counts as stuck, whichever way the
-            // numbers round.
+            // On the grid β often equals β*_lim as a decimal number. A point with β = β*_lim counts as stuck, whichever
+            // way the numbers round.
             let on_limit = (beta - sliding_limit(&system, r)).abs() < ROUNDING;
             if regime != Some(Regime::StickSlip) || on_limit {
                 continue;

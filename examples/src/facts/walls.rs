@@ -23,7 +23,7 @@ pub(super) fn rows() -> Vec<Row> {
     rows
 }
 
-/// Compares the resonance thresholds β_n,i of a system with the printed ones.
+/// Compares the resonance thresholds β_n,i of a system with the printed thresholds.
 pub(super) fn thresholds(system: &System, printed: &[&str]) -> Vec<Entry> {
     (1..)
         .zip(system.resonance_thresholds())
@@ -171,7 +171,8 @@ fn lower() -> Vec<Row> {
     ]
 }
 
-/// Finds the frequency ratios at which H = 0. There the contact does not respond to a harmonic force in the contact.
+/// Finds the frequency ratios at which H = 0. At these frequency ratios the contact does not respond to a harmonic
+/// force in the contact.
 fn receptance(system: &System) -> Vec<f64> {
     let features = system.features(None).ok();
     let points = features.and_then(|all| {

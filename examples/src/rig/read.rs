@@ -32,7 +32,7 @@ impl Point {
     }
 }
 
-/// Returns frequency ratios in a range at intervals `step`. They are not round numbers, so that none of them is a
+/// Returns frequency ratios in a range at intervals `step`. The ratios are not round numbers, so that no ratio is a
 /// resonance.
 #[must_use]
 pub fn frequencies((from, to): (f64, f64), step: f64) -> Vec<f64> {

@@ -1,9 +1,9 @@
-//! Computes the motion of four inertias with clutches between them. This is the example `CoupledClutches` of the
-//! Modelica Standard Library.
+//! Computes the motion of four inertias with clutches between them, the example `CoupledClutches` of the Modelica
+//! Standard Library.
 //!
 //! Four inertias of 1 kg·m² are in a row, and nothing holds them. The first one rotates at 10 rad/s, and a torque of
 //! 10 sin 10πt N·m acts on it. The first clutch has the kinetic friction torque 10 cos 0.4πt N·m while this is positive,
-//! and then none. The second clutch engages at 0.4 s with 10 N·m, and the third one at 0.9 s.
+//! and then none. The second clutch engages at 0.4 s with 10 N·m, and the third clutch at 0.9 s.
 
 use frictiongen::System;
 use frictiongen::study::joints::{Motion, Wave};

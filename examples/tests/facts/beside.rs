@@ -138,7 +138,7 @@ fn f17_f22_f24_for_every_friction() {
     }
 }
 
-/// Checks both sides of r = 1, where mass m₁ has its antiresonance. V₁ changes sign there, and with it the growth of
+/// Checks both sides of r = 1, where mass m₁ has its antiresonance. At r = 1 V₁ changes sign, and with V₁ the growth of
 /// the estimate with β.
 #[test]
 fn f18_either_side_of_one() {

@@ -73,7 +73,7 @@ impl Mode {
 
 impl Typed {
     /// Finds the largest |x̄| of the mass over half a period. It compares 400 instants and searches next to the best
-    /// one.
+    /// instant.
     fn amplitude(&self, r: f64, beta: f64) -> f64 {
         let mut mass = Complex(0.0, 0.0);
         let mut contact = Complex(-self.of_base, 0.0);

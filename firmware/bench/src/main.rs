@@ -116,11 +116,11 @@ fn nothing(input: &Input<f32>) -> [f32; 2] {
 
 /// Number of frequency ratios in a sweep.
 const FREQUENCIES: u32 = 1000;
-/// Sweep of exact limits over the frequency ratio r, from 0.05 to 5: the first r, and the ratio of each r to the one
-/// before it.
+/// Sweep of exact limits over the frequency ratio r, from 0.05 to 5: the first r, and the ratio of each r to the
+/// previous r.
 const EXACT: (f32, f32) = (0.05, 1.004_615_8);
-/// Sweep of tables over the frequency ratio r, from 0.2 to 2.5 and just inside their range: the first r, and the
-/// ratio of each r to the one before it.
+/// Sweep of tables over the frequency ratio r, from 0.2 to 2.5 and just inside their range: the first r, and the ratio
+/// of each r to the previous r.
 const TABLED: (f32, f32) = (0.2001, 1.002_53);
 
 /// Measures a call over a sweep of frequency ratios. Returns the smallest and the largest number of instructions and
@@ -169,8 +169,8 @@ fn sweep(timer: &mut SYST, call: &Call<f32>) {
     print_swept(call, "worst", most);
 }
 
-/// Measures a call that reads tables over a sweep. Such a call takes equally long everywhere. The friction ratio is
-/// half the smaller limit of the five masses, so that their motion is continuous.
+/// Measures a call that reads tables over a sweep. The call takes equally long at every frequency. The friction ratio
+/// is half the smaller limit of the five masses, so that their motion is continuous.
 fn sweep_tabled(timer: &mut SYST, call: &Call<f32>) {
     let [least, most] = swept(timer, call, TABLED, |input| {
         let [continuous, sliding] = tabled_five_limits(input);

@@ -32,7 +32,7 @@ pub fn depth_within(painted: usize, call: impl FnOnce()) -> usize {
     }
     call();
     let mut at = bottom;
-    // SAFETY: the same memory as above.
+    // SAFETY: the loop above has written this memory.
     while at < top && unsafe { core::ptr::read_volatile(at as *const u32) } == PAINT {
         at += 4;
     }

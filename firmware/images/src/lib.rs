@@ -26,8 +26,8 @@ macro_rules! image {
     };
 }
 
-/// Defines a program that advances a machine from rest under the given input. As in `image!`, the linker fails if any
-/// step could panic.
+/// Defines a program that advances a machine from rest under the given input. The linker fails if any step could panic,
+/// as it does with [`image!`].
 #[macro_export]
 macro_rules! stepping {
     ($machine:ident) => {

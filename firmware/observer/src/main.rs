@@ -1,6 +1,6 @@
 //! An observer: a program that computes quantities which no sensor measures. From the recorded motion of the base it
-//! computes the position of the upper floor and the force in the damper. It compares both with the recordings of
-//! other sensors.
+//! computes the position of the upper floor and the force in the damper. The program compares the position and the
+//! force with the recordings of other sensors.
 #![no_std]
 #![no_main]
 
@@ -63,8 +63,8 @@ struct Found {
     steps: u32,
     sticking: u32,
     events: u32,
-    /// Deviations of the computed displacement from the recorded one: the largest, and the sum of their squares.
-    /// `force` has the same for the force.
+    /// Deviations of the computed displacement from the recorded displacement: the largest, and the sum of their
+    /// squares. `force` has the largest deviation of the force, and the sum of the squares of its deviations.
     place: [f32; 2],
     force: [f32; 2],
     /// Number of samples in which the force deviates by more than a tenth of F.

@@ -16,7 +16,7 @@ pub struct Input<S> {
     pub tau: S,
 }
 
-/// A call that is measured. It returns two numbers. Both are −1 if the solver returned an error.
+/// A call that is measured. It returns two numbers, or −1 twice if the solver returned an error.
 pub struct Call<S> {
     /// Name of the scene.
     pub scene: &'static str,
@@ -86,12 +86,12 @@ macro_rules! calls {
             #[inline(never)]
             #[cfg_attr(feature = "prove", no_panic::no_panic)]
             pub fn $name($input: &Input<$scalar>) -> [$scalar; 2] {
-                // The closure allows `?`.
+                // The closure is necessary so that its body can use `?`.
                 let call = || -> Result<[$scalar; 2], Error> { Ok($body) };
                 call().unwrap_or([-1.0, -1.0])
             }
         )*
-        /// All calls in this scalar.
+        /// All calls whose scenes have this scalar type.
         pub const $list: [Call<$scalar>; $count] = [
             $(Call { scene: $scene, question: $question, run: $name },)*
         ];

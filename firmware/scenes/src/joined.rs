@@ -1,4 +1,4 @@
-//! A scene with two contacts, an elastic one and a rigid one.
+//! A scene with an elastic contact and a rigid contact.
 
 frictiongen::friction_system! {
     /// Two storeys with a brace and pads.

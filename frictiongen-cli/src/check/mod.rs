@@ -22,7 +22,8 @@ pub fn run(arguments: &CheckArguments, out: &mut dyn Write) -> Result<(), Failur
         if arguments.json {
             let answer =
                 json!({ "file": name, "errors": listed(&diagnostics.list), "warnings": [] });
-            // The command also writes the errors to standard error. The user then sees them even if this write fails.
+            // In addition the command writes the errors to standard error. The user then sees them even if this write
+            // fails.
             let _ = writeln!(out, "{answer:#}");
             let _ = out.flush();
         }

@@ -1,10 +1,10 @@
-//! Text of the command in the head of an emitted file, in a form that a user can run once more.
+//! Writes the command line that stands in the head of an emitted file. A user can copy the line to emit the file again.
 
 use crate::args::{CompileArguments, FileArgument, TableFormat};
 use std::path::Path;
 
-/// Returns the command with its options. The text contains file names without folders, so that the same description
-/// gives the same text on every machine.
+/// Returns the command line of `frictiongen compile` with the options of this call. File names stand in it without
+/// their folders, so that the emitted file has the same bytes on every machine.
 pub(super) fn written(arguments: &CompileArguments) -> String {
     let mut words = vec!["frictiongen".to_owned(), "compile".to_owned()];
     words.push(description(&arguments.file));

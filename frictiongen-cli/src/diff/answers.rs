@@ -13,7 +13,7 @@ const BAND: (f64, f64) = (0.2, 1.5);
 /// Largest value that is treated as 0, divided by the largest value of the same result over the frequencies. If the
 /// exact result is 0, rounding causes values of this size.
 const NOISE: f64 = 1e-12;
-/// Friction for the comparison of motions, divided by the smaller one of β_lim and β*_lim of the old scene.
+/// Friction for the comparison of motions, divided by the smaller of the limits β_lim and β*_lim of the old scene.
 const FRICTION: f64 = 0.5;
 
 /// Words for the frequencies at which a limit is finite in both scenes.
@@ -32,7 +32,7 @@ pub struct Difference {
     pub hertz: f64,
     /// Value in the old scene and value in the new scene at this frequency.
     pub values: (f64, f64),
-    /// Difference of the two values at this frequency, divided by the larger one of them.
+    /// Difference of the two values at this frequency, divided by the larger value.
     pub relative: f64,
     /// Median of the relative differences over the compared frequencies.
     pub median: f64,

@@ -1,5 +1,5 @@
 //! The functions and structs that an exported crate offers to C. The command writes the header and the Rust file from
-//! this list. Both therefore declare the same functions.
+//! this list. The header and the Rust file therefore declare the same functions.
 
 /// Type of a field or a parameter in the C interface.
 #[derive(Clone, Debug, PartialEq, Eq)]

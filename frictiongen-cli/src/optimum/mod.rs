@@ -117,7 +117,7 @@ impl OptimumArguments {
         weigh::parsed(system, &self.of, measure)
     }
 
-    /// Returns the quantity of `--of`, or the first one if the user gives several.
+    /// Returns the quantity of `--of`, or the first quantity if the user gives several.
     fn first(&self, system: &System, several: &[QuantityArgument]) -> Result<MovingPart, Failure> {
         match several.first() {
             Some(valued) => Ok(valued.part.clone()),

@@ -32,8 +32,8 @@ pub fn parsed(
 }
 
 /// Finds the best friction for all quantities together, and returns the lines of the result. The decisive quantity is
-/// the one with the largest quotient of the quantity and its value. `table` creates the table for the decisive
-/// quantity.
+/// the quantity whose quotient, the quantity divided by its value, is largest. `table` creates the table for the
+/// decisive quantity.
 pub fn lines<'a>(
     table: &dyn Fn(&'a MovingPart) -> OptimumTable<'a>,
     request: &OptimumRequest,

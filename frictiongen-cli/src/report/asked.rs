@@ -1,4 +1,5 @@
-//! Contents of the report page. They come from the user's options, or from defaults if the user gives no option.
+//! Contents of the report page. The contents follow from the user's options, or from defaults if the user gives no
+//! option.
 
 use super::words::PageUnits;
 use crate::args::ReportArguments;

@@ -79,8 +79,8 @@ pub fn search(asked: &ReportRequest) -> Result<Vec<Best>, String> {
     Ok(at_once(parts, best))
 }
 
-/// Returns two friction ratios. Up to the first one, the contact slides all the time at every frequency of the range.
-/// From the second one upwards, a stuck state exists at every frequency of the range.
+/// Returns two friction ratios. Up to the first friction ratio, the contact slides all the time at every frequency of
+/// the range. From the second friction ratio upwards, a stuck state exists at every frequency of the range.
 pub fn limits(best: &Result<Vec<Best>, String>) -> Option<(f64, f64)> {
     let mut all = best.iter().flatten();
     let found = all.find_map(|best| best.found.as_ref().ok())?;

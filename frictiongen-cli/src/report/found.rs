@@ -1,4 +1,4 @@
-//! Computes the motion at one frequency and one friction. Also runs several computations in parallel.
+//! Computes the motion at one frequency and one friction, and runs several computations in parallel.
 
 use super::asked::ReportRequest;
 use frictiongen::study::{

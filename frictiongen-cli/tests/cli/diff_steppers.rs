@@ -27,7 +27,7 @@ fn answer<'j>(found: &'j Value, name: &str) -> &'j Value {
 }
 
 /// Checks scenes with twice the masses and twice the stiffnesses under the same force and the same friction. Every
-/// displacement is then exactly half of the old one, every friction force is the same, and so is every event.
+/// displacement is then exactly half of the old displacement. Friction forces and events do not change.
 #[test]
 fn half_of_each_displacement() {
     for (name, text, contacts) in [

@@ -29,8 +29,8 @@ fn drive(scene: &str, path: &str, options: &[&str]) -> String {
     output(scene, &command)
 }
 
-/// A frame with one contact, as the field `contact` and as the field `contacts`. Both solvers are independent: one has
-/// modes in closed form, the other one power series.
+/// A frame with one contact, as the field `contact` and as the field `contacts`. The two solvers are independent: the
+/// solver for `contact` has modes in closed form, and the solver for `contacts` has power series.
 #[test]
 fn one_contact_moves_as_with_the_solver_of_one_contact() {
     let chain = "masses: { lower: 3.27, upper: 3.25 },

@@ -35,7 +35,7 @@ impl Drop for Folder {
     }
 }
 
-/// Everything, on a shaking base.
+/// Returns a scene on a moving base whose export has all functions.
 fn whole() -> String {
     let frame = fs::read_to_string(FRAME).unwrap();
     let provide = "stiction: 1.2,\n    provide: [limits, motion(lower), stuck, orbit, simulation, stepper, self_check],";

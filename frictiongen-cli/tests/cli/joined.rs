@@ -236,7 +236,7 @@ fn derivatives_are_differences_of_orbits() {
             .iter()
             .all(|answer| *answer == "difference")
     );
-    // The energy of a contact has derivatives too, in every format.
+    // The energy of a contact has derivatives in every format.
     let json = output(
         FRAME,
         &split(&format!("sensitivity {point} --of pads --json")),

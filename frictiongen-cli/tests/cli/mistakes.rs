@@ -14,8 +14,9 @@ const RECORD: &str = "time_s,base_mm\n0,0\n0.01,1\n0.02,0\n";
 /// Frequency, friction and load of the frame.
 const POINT: &str = "--hz 2 --friction 0.4 --base 0.001";
 
-/// A mistake: the words of the command, and parts of the line that the command prints. `FRAME` is the description, and
-/// `FORCED` the same with a force on the upper floor. `RECORD` is a file with the text of the field `record`.
+/// A mistake: the words of the command, and parts of the line that the command prints. `FRAME` stands for the
+/// description, and `FORCED` for the description with a force on the upper floor. `RECORD` is a file with the text of
+/// the field `record`.
 struct Mistake {
     command: String,
     record: &'static [u8],

@@ -129,7 +129,7 @@ const STUBBORN: &str = "struct Block { masses: { block: 1 }, springs: { base - b
     contact: block - base, excitation: base, stiction: 2 }";
 
 /// Checks that `--states` returns the closed form and the stuck state, one of which motion from rest reaches. Without
-/// `--states` only that one is returned.
+/// `--states` the command returns only the state that motion from rest reaches.
 #[test]
 fn states_beside_each_other() {
     let asked = ["orbit", "--r", "1.1", "--beta", "0.65", "--json"];
@@ -164,8 +164,8 @@ fn states_beside_each_other() {
 /// Amplitude over Y of the closed form, from z̄₀² = V² − β²U² at r = 1.1, β = 0.65, with the load r²Y.
 const CLOSED_FORM: f64 = 4.038_387_375_443_518;
 
-/// Checks a contact with the moving base that starts at z̄ = −Y and sticks there. The block moves by at most 2Y, and by
-/// Y about its middle.
+/// Checks a contact with the moving base that starts at z̄ = −Y and sticks at this position. The block moves by at most
+/// 2Y, and by Y about its middle.
 #[test]
 fn a_contact_stuck_off_its_centre() {
     let point = &json(&output(

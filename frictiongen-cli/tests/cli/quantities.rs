@@ -94,8 +94,8 @@ fn forces_and_accelerations_fit_the_displacements() {
     }
 }
 
-/// The equivalent damping ratio is E_d/(4πE_s), with the strain energy of all springs or of one. `response` has the closed
-/// form, `orbit` the motion from event to event, and `curve` both.
+/// The equivalent damping ratio is E_d/(4πE_s), with the strain energy of all springs or of one. `response` has the
+/// closed form, `orbit` the motion from event to event, and `curve` the closed form and the motion.
 #[test]
 fn equivalent_damping_is_that_of_its_formula() {
     let of = [
@@ -143,8 +143,8 @@ fn equivalent_damping_is_that_of_its_formula() {
         let want = 2.0 * 0.3 / (std::f64::consts::PI * size);
         assert!((ratio / want - 1.0).abs() < 1e-13, "{ratio} {want}");
     }
-    // A stuck contact takes no energy, and a search for the least ratio would end there.
-    // The block on its only spring has no ratio then, because nothing moves.
+    // A stuck contact takes no energy, and a search for the least ratio would end with a stuck contact. The block on
+    // its only spring has no ratio then, because nothing moves.
     let frame: System = std::fs::read_to_string(FRAME).unwrap().parse().unwrap();
     for (system, ratio) in [(&system, None), (&frame, Some(0.0))] {
         let stuck = system.at(0.6).unwrap().response(9.0).unwrap();

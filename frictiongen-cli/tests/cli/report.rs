@@ -119,8 +119,8 @@ fn the_numbers_are_the_librarys() {
                     continue;
                 };
                 let exact = response.swing(Of::Mass(0)).unwrap().amplitude;
-                // Next to a pole or a bound the amplitude changes by more than that in the sixth digit of r, so such
-                // points are left out.
+                // Next to a pole or a bound, a change of the sixth digit of r changes the amplitude by more than the
+                // tolerance. The test leaves out points next to a pole or a bound.
                 if !(0.99..=1.01).contains(&r) && 0.05 < exact {
                     assert!((y - exact).abs() <= 2e-3 * exact, "{beta} {r}: {y} {exact}");
                     compared += 1;
@@ -276,8 +276,8 @@ fn nothing_runs_from_a_name_or_a_comment() {
             .unwrap()
             .ends_with("a<b>&\"onclick=.friction")
     );
-    // Names in a description consist of letters, also of other alphabets. The longest chain has such names, and one
-    // scene has markup in its description.
+    // Names in a description consist of letters of any alphabet. The longest chain has names with German letters, and
+    // one scene has markup in its description.
     let masses: Vec<String> = (1..=64).map(|i| format!("größe_ß{i}: 1")).collect();
     let springs: Vec<String> = (1..=64).map(|i| format!("größe_ß{i} - base: 1")).collect();
     let scene = format!(

@@ -3,7 +3,7 @@
 use crate::common::{BLOCK, FRAME, cells, json, output};
 use std::f64::consts::{FRAC_PI_2, PI};
 
-/// Description of two masses in a row, of which the first one rubs.
+/// Description of two masses in a row, of which the first mass rubs.
 const PAIR: &str = "struct Pair {
     masses: { a: 1, b: 1 },
     springs: { base - a: 1, a - b: 1 },

@@ -61,7 +61,7 @@ fn samples_are_those_of_the_library() {
     for state in ["stuck", "forward", "backward"] {
         assert!(states.contains(&state), "{state}");
     }
-    // The events must equal those of the library, too.
+    // The events must equal those of the library.
     let csv = output("", &words(&format!("{arguments} --events --of lower")));
     let header = "tau,event,contact.state,lower.displacement";
     assert_eq!(csv.lines().next().unwrap(), header);

@@ -57,7 +57,7 @@ fn samples_and_events_are_those_of_the_library() {
     let close = |found: Vec<f64>, want: Vec<f64>| {
         assert_eq!(found.len(), want.len());
         for (found, want) in found.iter().zip(&want) {
-            // Both products are rounded in a different order.
+            // The compared numbers are products whose factors are multiplied in different orders.
             assert!(
                 (found - want).abs() <= 1e-14 * want.abs(),
                 "{found}, {want}"

@@ -100,7 +100,7 @@ fn taken(input: &Input, file: &Path) -> Result<(), String> {
     if words.iter().any(|word| dense(word)) && words.first() != Some(&"limits") {
         return Ok(());
     }
-    // A run of many cycles would also take long.
+    // A run of many cycles would take long.
     let many = |word: &&str| word.bytes().filter(u8::is_ascii_digit).count() > 4;
     if words.first() == Some(&"time") && words.iter().any(many) {
         return Ok(());

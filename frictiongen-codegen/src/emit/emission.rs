@@ -44,8 +44,8 @@ pub(super) struct Wanted<'a> {
 }
 
 impl Wanted<'_> {
-    /// Returns true if the scene provides a method that returns the motion of one mass at one frequency. Such a method
-    /// needs the mode shapes.
+    /// Returns true if the scene provides a method that returns the motion of one mass at one frequency. A method for
+    /// one mass needs the mode shapes.
     pub fn shapes(&self) -> bool {
         let moves = |masses: &Vec<(usize, &Ident)>| !masses.is_empty();
         self.stuck || self.motion.as_ref().is_some_and(moves)

@@ -1,5 +1,5 @@
-//! Emits the response of one mode at a frequency ratio r. Each kind of damping has one emitted function, and each
-//! mode has one call of such a function.
+//! Emits the response of one mode at a frequency ratio r. Each kind of damping has one emitted function, and each mode
+//! has one call of the function for its damping.
 
 use super::emission::Emission;
 use super::names::{field, local};
@@ -98,7 +98,7 @@ pub(super) fn function_of(kind: Kind, with_g: &TokenStream) -> TokenStream {
     }
 }
 
-/// Emits the call of the function for one mode. Also returns the number of operations of the call.
+/// Emits the call of the function for one mode. The second result is the number of operations of the call.
 pub(super) fn call(emission: &Emission<'_>, index: usize) -> (TokenStream, OperationCount) {
     let Some(mode) = emission.reduced.modes.get(index) else {
         return (TokenStream::new(), OperationCount::default());

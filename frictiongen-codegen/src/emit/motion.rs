@@ -237,8 +237,8 @@ fn of_contact(emission: &Emission<'_>, tracer: &Tracer<'_>) -> (TokenStream, Ope
     (body, count)
 }
 
-/// Emits the statements that all masses share, then the statements of each mass. Also returns the number of
-/// operations for the mass that needs most.
+/// Emits the statements that all masses share, then the statements of each mass. The number in the result is the number
+/// of operations for the mass that needs most.
 fn of_masses(
     emission: &Emission<'_>,
     tracer: &Tracer<'_>,

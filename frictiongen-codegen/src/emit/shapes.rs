@@ -1,5 +1,5 @@
 //! Emits mode shapes in the kernel's order: the components of the first mass in all modes, then of the second mass, and
-//! so on. If `MODE_SHAPES` has the same numbers, the emitted code reads them from there.
+//! so on. If `MODE_SHAPES` has the same numbers, the emitted code reads them from `MODE_SHAPES`.
 
 use super::emission::{Emission, rounded};
 use proc_macro2::{Literal, TokenStream};
@@ -19,8 +19,8 @@ pub(super) fn by_masses(emission: &Emission<'_>, shapes: &[f64]) -> TokenStream 
             let places = places.into_iter().map(Literal::usize_unsuffixed);
             code!(transposed(&[#(Self::MODE_SHAPES[#places]),*]))
         }
-        // Modes of equal frequency are rotated so that the contact drives only one of them, so `MODE_SHAPES` has other
-        // numbers.
+        // Modes of equal frequency are rotated so that the contact drives only one of these modes. `MODE_SHAPES`
+        // therefore has other numbers.
         None => {
             let masses = shapes.chunks(modes.max(1));
             let masses = masses.map(|shape| emission.list(shape.iter().copied()));

@@ -31,16 +31,16 @@ pub(super) fn emit(items: &TokenStream) -> TokenStream {
 /// Types that emitted code writes without a path. The code that collects names excludes keywords by another check.
 const TYPES: [&str; 4] = ["bool", "f32", "f64", "usize"];
 
-/// Returns true if a name has a form like `mode_3_decay`. Such names need no hiding function: users do not give them
-/// to constants, and each mode has dozens of them.
+/// Returns true if a name has a form like `mode_3_decay`. A name of this form needs no hiding function: users do not
+/// give it to a constant, and each mode has dozens of these names.
 fn is_of_a_mode(text: &str) -> bool {
     let rest = text.strip_prefix("mode_").unwrap_or_default();
     let rest = rest.trim_start_matches(|letter: char| letter.is_ascii_digit());
     rest.starts_with('_')
 }
 
-/// Collects every word that a pattern may bind. Such a word begins with a small letter, is not in a path, and is not
-/// the name of a function.
+/// Collects every word that a pattern may bind. A word that a pattern may bind begins with a small letter, is not in a
+/// path, and is not the name of a function.
 fn collect(tokens: TokenStream, names: &mut BTreeSet<String>) {
     let tokens: Vec<TokenTree> = tokens.into_iter().collect();
     let sign = |index: Option<usize>, sign: char| matches!(index.and_then(|index| tokens.get(index)), Some(TokenTree::Punct(punct)) if punct.as_char() == sign);

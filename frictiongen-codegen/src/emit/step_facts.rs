@@ -25,8 +25,8 @@ pub struct StepFacts {
     pub numbers: Vec<(String, f64)>,
 }
 
-/// Returns facts about the emitted stepper of a description. Returns `None` if the description provides no stepper.
-/// Also returns `None` for several contacts or dashpots, because their stepper has no tables and no stated cost.
+/// Returns facts about the emitted stepper of a description. Returns `None` if the description provides no stepper, or
+/// has several contacts or dashpots: the stepper of several contacts or dashpots has no tables and no stated cost.
 #[must_use]
 pub fn step_facts(description: &Description) -> Option<StepFacts> {
     let scene = &description.scene;

@@ -33,8 +33,8 @@ impl Sizes {
     }
 }
 
-/// Emits the tables. Also returns their checksum. Returns `None` for a step that the kernel refuses; `lower` has
-/// already reported that error.
+/// Emits the tables, and returns them with their checksum. Returns `None` for a step that the kernel refuses; `lower`
+/// has already reported that error.
 pub(super) fn emit(
     emission: &Emission<'_>,
     scene: &StepScene<'_, Dd, AnyContact<Dd>>,

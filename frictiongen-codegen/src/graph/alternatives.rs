@@ -15,8 +15,8 @@ pub struct Alternative {
 }
 
 impl Alternative {
-    /// Takes the operations on which `outputs` depend, and then clears all names in the graph. The formula of the
-    /// next alternative gives new names, because an operation that it shares may have another meaning there.
+    /// Takes the operations on which `outputs` depend, and then clears all names in the graph. The formula of the next
+    /// alternative gives new names, because a shared operation may have another meaning in the next alternative.
     #[must_use]
     pub fn of(graph: &Graph, outputs: Vec<Operand>) -> Self {
         let nodes = graph.reachable(&outputs);
@@ -57,8 +57,8 @@ pub fn grouped<T>(all: impl Iterator<Item = (T, Alternative)>) -> (Vec<Vec<T>>, 
     (groups, alternatives)
 }
 
-/// Prints alternatives as Rust code. The first result has the statements that all of them share. The second has the
-/// other statements and the outputs of each alternative.
+/// Prints alternatives as Rust code. The first result has the statements that all alternatives share. The second has
+/// the remaining statements and the outputs of each alternative.
 #[must_use]
 pub fn print(
     alternatives: &[Alternative],

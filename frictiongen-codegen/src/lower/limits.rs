@@ -20,7 +20,7 @@ pub struct SizeLimits {
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[non_exhaustive]
 pub enum ProofAt {
-    /// No proof. A check of a description needs none.
+    /// No proof is made. A check of a description needs no proof.
     Never,
     /// The proof that the description requests. It requires the feature `proof`.
     Requested,

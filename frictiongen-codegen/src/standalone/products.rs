@@ -1,4 +1,4 @@
-//! Writes products over zeros and poles as expressions in r. The same expressions are valid in C and Rust.
+//! Writes products over zeros and poles as expressions in r. Each expression is valid in C and in Rust.
 
 use super::{ConstantForm, FileConstants};
 use frictiongen_kernel::Float;

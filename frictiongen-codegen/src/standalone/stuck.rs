@@ -1,4 +1,4 @@
-//! Expressions for the responses while the contact is stuck. The same expressions are valid in C and Rust.
+//! Expressions for the responses while the contact is stuck. Each expression is valid in C and in Rust.
 
 use super::constants::{ConstantForm, FileConstants};
 use super::products::{factors, quotient_over, roots};

@@ -269,7 +269,7 @@ fn fill<S: Float, D: Decay<S>>(
 /// p′) − 2ζx·sin τ), with m = (φᵀw)². p is the free displacement of the mode, and u and g are its damping functions.
 /// The function leaves out −2ζx·m·u·sin τ, which the caller adds for all modes together. Close to a resonance the two
 /// functions are nearly proportional. Their subtraction would leave mainly rounding error. The formula of the term
-/// contains no such subtraction.
+/// contains no subtraction of nearly equal numbers.
 fn constraint_wave<S: Float, D: Decay<S>>(
     mode: &Mode<S>,
     at: &ModeAt<S>,

@@ -136,10 +136,10 @@ impl<S: Scalar> DominantSums<S> {
         self
     }
 
-    /// Returns two values of V, the response of the contact of a damped chain to the load. The first one determines the
-    /// phase of the dominant mode, and the second one the phases of all other modes. A mode is in phase with its own
-    /// term of V. The full V and V without this term therefore give the same phase. The function uses the smaller one
-    /// of them, because its phase is more accurate.
+    /// Returns two values of V, the response of the contact of a damped chain to the load. The first value determines
+    /// the phase of the dominant mode, and the second value the phases of all other modes. A mode is in phase with its
+    /// own term of V. The full V and V without this term therefore give the same phase. The function uses the smaller
+    /// of V and V without this term, because its phase is more accurate.
     pub fn turning(&self, contact: &ContactAt<S>) -> (Complex<S>, Complex<S>) {
         let size = |v| complex::size(v, true);
         let all = size(contact.v).named("v_size", "(|Re V| + |Im V|)·r²E", None);

@@ -14,8 +14,8 @@ impl<S: Scalar + PartialEq> Chain<S> {
         self.on_moving_base.is_none() && modes.all(|mode| mode.residue == mode.contact_squared)
     }
 
-    /// Returns true if β*_lim = |V|/(μ|H|) is exactly 1. This is the case if μ = 1 and the response V of the contact to
-    /// the load equals its receptance H. For μ ≠ 1 the quotient has a rounding error.
+    /// Returns true if β*_lim = |V|/(μ|H|) is exactly 1. β*_lim is exactly 1 if μ = 1 and the response V of the contact
+    /// to the load equals its receptance H. For μ ≠ 1 the quotient has a rounding error.
     #[must_use]
     pub fn sliding_limit_is_one(&self, modes: &[Mode<S>]) -> bool {
         self.stiction == S::constant(1.0) && self.loads_contact(modes)

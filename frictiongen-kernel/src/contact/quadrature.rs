@@ -18,7 +18,7 @@ pub struct Quadrature<S> {
 
 /// Loads of all modes in quadrature (90° out of phase) with the motion of the base.
 pub trait Quadratures<S>: Copy {
-    /// Returns the load of a mode in quadrature with the base, or `None` if the mode has no such load.
+    /// Returns the load of a mode in quadrature with the base, or `None` if the mode has no load in quadrature.
     fn of(self, mode: usize) -> Option<Quadrature<S>>;
 }
 

@@ -1,5 +1,5 @@
-//! Traits for methods that a scene does not provide. If a user calls such a method, the compiler's message says what to
-//! add to the scene.
+//! Traits for methods that a scene does not provide. If a user calls a method that the scene does not provide, the
+//! compiler's message says what to add to the scene.
 //!
 //! Emitted code contains a method even if the scene does not provide it, but the method then requires a trait of this
 //! module. Because no type implements the trait, a call does not compile. The compiler's message names the text to add,

@@ -5,8 +5,8 @@ pub mod locals;
 pub mod missing;
 mod shapes;
 
-// A constant of the user may have the name of a local variable in emitted code. The functions of `locals` hide such a
-// constant.
+// A constant of the user may have the name of a local variable in emitted code. The functions of `locals` hide a
+// constant of this name.
 pub use crate::Complex;
 pub use crate::Scalar;
 pub use crate::contact::regime::Limits;

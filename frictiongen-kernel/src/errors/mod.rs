@@ -64,7 +64,8 @@ pub enum NoOrbit {
     /// The load drives a mode, but neither damping nor the contact dissipates energy of this mode. Its free vibration
     /// never decays. The number is the index of the mode, counted from 0 in ascending order of natural frequency.
     Undamped(usize),
-    /// Every steady state that the search found is unstable, and the motion in time did not settle on another one.
+    /// Every steady state that the search found is unstable, and the motion in time did not settle on another steady
+    /// state.
     Unstable,
     /// The motion did not repeat after up to [`MAX_PERIOD`](crate::orbit::MAX_PERIOD) cycles. The search ends after
     /// [`MAX_CYCLES`](crate::orbit::MAX_CYCLES) cycles or [`MAX_STEPS`](crate::orbit::MAX_STEPS) steps.

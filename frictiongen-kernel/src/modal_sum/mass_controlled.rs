@@ -20,8 +20,8 @@ use crate::number::scalar::{Float, Scalar};
 use crate::oscillator::decay::{Basis, Instant};
 use crate::oscillator::mode::Kind;
 
-/// Upper bound on x = √λ/r of a mass-controlled mode. Such a mode resonates far below the excitation frequency. For an
-/// overdamped mode the bound applies to 2ζx.
+/// Upper bound on x = √λ/r of a mass-controlled mode. A mass-controlled mode resonates far below the excitation
+/// frequency. For an overdamped mode the bound applies to 2ζx.
 const SLOW: f64 = 0.5;
 /// Returns true if a mode is mass-controlled: its resonance x = √λ/r is far below the excitation frequency. For a
 /// scalar without Euler polynomials the result is false.

@@ -36,7 +36,8 @@ pub struct Dynamics<'a, S, K = Chain<S>> {
     /// 1 modes for a rigid contact, and n for an elastic contact.
     pub held: &'a [HeldMode<S>],
     /// Participation factors for the displacement y and the scaled velocity u in each mode of the chain with its
-    /// contact stuck. For each such mode, the list has one pair for each mode of the chain that the contact drives.
+    /// contact stuck. For each mode of the stuck chain, the list has one pair for each mode of the chain that the
+    /// contact drives.
     pub participations: &'a [[S; 2]],
     /// Mode shapes φ. The components of the first mass in all modes come first, and then those of the second mass, and
     /// so on.
@@ -49,7 +50,7 @@ pub struct Dynamics<'a, S, K = Chain<S>> {
 }
 
 impl<'a, S: Copy, K> Dynamics<'a, S, K> {
-    /// Returns the same data with other constants of the chain, which select another law of the contact.
+    /// Returns this data with other constants of the chain, which select another law of the contact.
     #[must_use]
     pub fn with<J>(&self, chain: J) -> Dynamics<'a, S, J> {
         Dynamics {
@@ -135,8 +136,8 @@ impl<'a, S: Float, K: ContactChain<S>> Dynamics<'a, S, K> {
         shapes.nth(mass).unwrap_or_default()
     }
 
-    /// Returns true if this mass moves exactly as the contact does. This is the case for a mass that slides on a
-    /// support at rest.
+    /// Returns true if this mass moves exactly as the contact does, for example a mass that slides on a support at
+    /// rest.
     pub(crate) fn moves_as_contact(&self, mass: usize) -> bool {
         self.chain().on_moving_base.is_none() && self.rubbing == Some(mass)
     }

@@ -33,7 +33,7 @@ pub struct MotionSetting<'a, S, K = Chain<S>> {
 }
 
 impl<'a, S: Copy, K> MotionSetting<'a, S, K> {
-    /// Returns the same setting with other constants of the chain.
+    /// Returns this setting with other constants of the chain.
     pub(crate) fn with<J>(&self, chain: J) -> MotionSetting<'a, S, J> {
         MotionSetting {
             dynamics: self.dynamics.with(chain),
@@ -49,7 +49,7 @@ impl<'a, S: Copy, K> MotionSetting<'a, S, K> {
 }
 
 impl<'a, S: Float, K: ContactChain<S>> MotionSetting<'a, S, K> {
-    /// Creates a setting, which is a scene at the frequency ratio r and the friction ratio β. Also computes the
+    /// Creates a setting, which is a scene at the frequency ratio r and the friction ratio β, and computes its
     /// oscillators: `parts` receives one oscillator for each mode of the chain, and then one for each mode of the stuck
     /// chain.
     ///

@@ -83,8 +83,8 @@ pub fn reciprocal<S: Scalar>(a: Complex<S>, damped: bool) -> Complex<S> {
     }
 }
 
-/// Returns 1/a for a complex a ≠ 0. Also returns two numbers of about 1/|a|, whose product is 1/|a|². The product
-/// itself could overflow.
+/// Returns 1/a for a complex a ≠ 0, and two numbers of about 1/|a| whose product is 1/|a|². The product itself could
+/// overflow.
 #[inline(always)]
 pub(crate) fn inverse<S: Scalar>(a: Complex<S>) -> (Complex<S>, (S, S)) {
     let inverse = (S::constant(1.0) / size(a, true)).named(

@@ -2,7 +2,7 @@
 //!
 //! A closed form that is evaluated with dual numbers gives its value and its exact derivative. Close to a resonance
 //! this derivative is a small difference of large terms. Dual numbers of [`Dd`](crate::number::dd::Dd) keep the digits
-//! of such a difference.
+//! of this difference.
 
 use crate::number::scalar::{Float, Scalar};
 use crate::number::special::{exp_m1_minus, versine_pi};
@@ -202,8 +202,8 @@ impl<S: Float> Scalar for Dual<S> {
     fn one_minus_sinc_pi(self) -> Self {
         let z = self.value;
         let value = z.one_minus_sinc_pi();
-        // The code computes the derivative (sinc − cos)/z from 1 − cos and 1 − sinc. Both of these vanish with z, and
-        // their difference loses hardly any digits.
+        // The code computes the derivative (sinc − cos)/z from 1 − cos and 1 − sinc. 1 − cos and 1 − sinc vanish with
+        // z, and their difference loses hardly any digits.
         let derivative = if z.is_zero() {
             z
         } else {

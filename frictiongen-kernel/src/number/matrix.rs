@@ -160,8 +160,8 @@ impl<'a, S: Float> SquareMatrix<'a, S> {
         }
     }
 
-    /// Returns the first row of the diagonal block whose last row is the one before `end`. A negligible subdiagonal
-    /// entry separates the block from the rows before it.
+    /// Returns the first row of the diagonal block whose last row is `end` − 1. A negligible subdiagonal entry
+    /// separates the block from the rows before it.
     fn last_block(&mut self, end: usize) -> usize {
         for k in (1..end).rev() {
             let size = self.at(k - 1, k - 1).abs() + self.at(k, k).abs();
@@ -266,7 +266,7 @@ impl<'a, S: Float> SquareMatrix<'a, S> {
 }
 
 /// Returns v and τ of the reflection (1 − τ v vᵀ) that turns x into a multiple of the first unit vector. Returns `None`
-/// if x is already such a multiple.
+/// if x is already a multiple of the first unit vector.
 fn reflector<S: Float>(x: [S; 3]) -> Option<([S; 3], S)> {
     let [a, b, c] = x;
     let size = a.abs() + b.abs() + c.abs();

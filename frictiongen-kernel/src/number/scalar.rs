@@ -202,9 +202,9 @@ pub trait Float:
         }
         found
     }
-    /// Returns true if `self` ≤ `other`. Neither number may be negative or NaN. `f64` and `f32` compare the bits of the
-    /// numbers as integers, which have the same order. This comparison is cheaper on a small processor and needs no
-    /// floating-point unit.
+    /// Returns true if `self` ≤ `other`. `self` and `other` must not be negative or NaN. `f64` and `f32` compare the
+    /// bits of the numbers as integers, which have the same order. This comparison is cheaper on a small processor and
+    /// needs no floating-point unit.
     #[must_use]
     #[inline]
     fn at_most(self, other: Self) -> bool {

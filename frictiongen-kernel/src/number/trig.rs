@@ -8,7 +8,7 @@
 
 /// Evaluates a polynomial in u by Estrin's scheme. The coefficient of the lowest power comes first. The scheme sums
 /// independent pairs of coefficients, which a processor can compute at the same time. In Horner's scheme each step
-/// waits for the previous one.
+/// waits for the previous step.
 macro_rules! polynomial {
     (@pairs $u:ident, $square:ident, $last:expr $(,)?) => { $last };
     (@pairs $u:ident, $square:ident, $first:expr, $second:expr $(,)?) => {
@@ -172,8 +172,8 @@ macro_rules! half_turns {
                 turned(q.wrapping_add(p), s, c)
             }
 
-            /// Subtracts a multiple of 4 from each number that is too large for [`reduced`]. The other numbers of the
-            /// array do not change.
+            /// Subtracts a multiple of 4 from each number that is too large for [`reduced`]. A number that is not too
+            /// large does not change.
             #[inline(always)]
             fn near_of<const N: usize>(mut h: [$float; N]) -> [$float; N] {
                 // The code has one branch for all numbers of the array, instead of one branch for each number. The

@@ -256,8 +256,8 @@ pub(super) fn stuck<S: Float, K: ContactChain<S>>(
     // While the contact sticks, small deviations of the modes decay independently of each other.
     let two_pi = S::pi() + S::pi();
     let mut out = workspace.multipliers.iter_mut();
-    // `zip` takes an item of its first argument before it finds that the second one is empty. `lost` therefore comes
-    // first, so that no element of `out` is skipped.
+    // `zip` takes an item of its first argument before it finds that its second argument is empty. `lost` therefore
+    // comes first, so that no element of `out` is skipped.
     let lost = cycle_map.setting.dynamics.chain.stuck_multipliers();
     for (is_one, out) in lost.iter().zip(out.by_ref()) {
         let re = if *is_one { S::constant(1.0) } else { zero };

@@ -44,7 +44,8 @@ pub enum NoDerivative {
     /// The steady state belongs to a continuum of steady states, or lies at the end of one. The initial state decides
     /// which state of the continuum the motion reaches.
     Marginal,
-    /// At this motion an event of the contact appears or vanishes. The results have a kink there, and no derivative.
+    /// At this motion an event of the contact appears or vanishes. The results have a kink at this motion, and no
+    /// derivative.
     Graze,
     /// The modes of the scene themselves have no derivative. One possible reason is that two modes have the same
     /// constants. They may be modes of the chain, or modes of the chain with its contact stuck. Another possible reason

@@ -1,7 +1,7 @@
 //! Computes the state of a steady motion with two reversals and no stops, from the closed form.
 //!
 //! Near a resonance, rounding errors of the period map change its fixed point strongly. The closed form loses no
-//! precision there.
+//! precision near a resonance.
 
 use super::cycle_map::CycleMap;
 use crate::contact::dominant::Partner;

@@ -4,7 +4,7 @@
 //! Two members of the continuum differ by a free vibration. Its frequency is an even multiple of the excitation
 //! frequency, and it is in phase with the reversals. A motion that never stops keeps the amplitude of this vibration.
 //! Each stop of the contact reduces the amplitude, by less than the previous stop did. A motion with stops therefore
-//! tends to a member without stops, namely the one with the largest amplitude.
+//! tends to a member without stops, namely the member with the largest amplitude.
 
 use super::cycle_map::CycleMap;
 use super::cycle_map::unit;

@@ -1,7 +1,7 @@
 //! Nodes and weights of Gaussian quadrature, for the harmonics of a motion between two events.
 
-/// Positive nodes on [−1, 1] of the Gaussian rule with sixteen points, each with its weight. The other eight nodes are
-/// the negatives of these.
+/// Positive nodes on [−1, 1] of the Gaussian rule with sixteen points, each with its weight. The remaining eight nodes
+/// are the negatives of these eight nodes.
 pub(super) const SIXTEEN: [(f64, f64); 8] = [
     (0.095_012_509_837_637_44, 0.189_450_610_455_068_5),
     (0.281_603_550_779_258_9, 0.182_603_415_044_923_58),

@@ -38,7 +38,7 @@ pub(super) struct Hold<S> {
     /// one cycle ago.
     before: [S; 2],
     /// Relative displacement z̄ of a stuck contact, computed once after the contact stopped. A stuck contact does not
-    /// move, but rounding would change z̄ if the code computed it again from the modes.
+    /// move, but rounding would change z̄ if the code recomputed it from the modes.
     resting: Option<S>,
 }
 

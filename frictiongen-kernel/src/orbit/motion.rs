@@ -143,7 +143,7 @@ where
     /// phase τ_e is 0 at a maximum of the excitation. X_0 is the mean of x̄.
     ///
     /// If a vibration has more than about 10⁴ periods within a segment, only the order of magnitude of the result is
-    /// correct. This happens for large n, and for modes far above the excitation frequency.
+    /// correct. A vibration has this many periods for large n, and in modes far above the excitation frequency.
     pub fn harmonic(&self, n: u32) -> Complex<S> {
         self.component(S::constant(f64::from(n)), n == 0, |mark| {
             mark.contact_state.t
@@ -243,8 +243,8 @@ where
             stuck = mark.contact_state.contact == Contact::Stuck;
         }
         match first {
-            // The segment before the first one is the last segment of the period. The code knows only after the loop
-            // whether the contact sticks in that segment.
+            // The segment before the first segment is the last segment of the period. The code knows only after the
+            // loop whether the contact sticks in that segment.
             Some(first) if !stuck => best.note(first.contact_state.t, self.signed(first.relative)),
             Some(first) if best.lag.is_none() => {
                 best.value = first.relative.abs();
@@ -253,7 +253,8 @@ where
         }
     }
 
-    /// Returns the smallest and the largest relative displacement z̄ in a period. Both occur at events of the contact.
+    /// Returns the smallest and the largest relative displacement z̄ in a period. The smallest and the largest
+    /// displacement occur at events of the contact.
     pub(super) fn extremes_at_events(&self) -> (S, S) {
         let mut extremes: Option<(S, S)> = None;
         for mark in self.orbit.segments() {

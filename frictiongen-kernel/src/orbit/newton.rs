@@ -117,7 +117,7 @@ pub(super) fn newton<S: Float, K: ContactChain<S>>(
         };
         if (image == Contact::Stuck) != (contact_state.contact == Contact::Stuck) {
             // At the section the contact state has changed from sticking to sliding, or from sliding to sticking. The
-            // method starts again with the contact state that the contact has after the map.
+            // method restarts with the contact state that the contact has after the map.
             contact_state.contact = image;
             contact_state.t = start.t;
             cycle_map.save(workspace.other);
@@ -186,8 +186,8 @@ pub(super) fn negate<S: Float>(numbers: &mut [S]) {
     }
 }
 
-/// Computes the Floquet multipliers of the period. The cycle map must be at a fixed point, and stays there. Returns the
-/// largest absolute value of the map's multipliers.
+/// Computes the Floquet multipliers of the period. The cycle map must be at a fixed point, and is at this point after
+/// the call too. Returns the largest absolute value of the map's multipliers.
 pub(super) fn multipliers<S: Float, K: ContactChain<S>>(
     cycle_map: &mut CycleMap<'_, '_, S, K>,
     workspace: &mut Workspace<'_, S>,

@@ -13,7 +13,7 @@ impl<T: ProvidesOrbit> At<T> {
     ///
     /// At the start the excitation is at its maximum, and every mass has the displacement x̄ = 0 and no velocity. A
     /// moving base is then at Y. A contact with the moving base therefore starts at the relative displacement z = −Y,
-    /// and may stick there.
+    /// and may stick at this displacement.
     ///
     /// # Errors
     /// [`NoOrbit`] gives the reason why there is no steady state.

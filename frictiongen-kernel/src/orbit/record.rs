@@ -1,8 +1,8 @@
 //! Records a steady state, segment by segment.
 //!
 //! A record has room for [`MAX_SEGMENTS`] marks. A mark is the start of a segment. If a period has more segments, the
-//! record keeps every second mark, then every fourth, and so on. The code computes a segment without a mark again when
-//! it needs the segment.
+//! record keeps every second mark, then every fourth, and so on. The code recomputes a segment without a mark when it
+//! needs the segment.
 
 use super::cycle_map::CycleMap;
 use super::newton::agreement;

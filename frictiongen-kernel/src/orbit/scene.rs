@@ -26,7 +26,7 @@ pub trait KnownState {
     /// Scalar type of the numbers of the steady state.
     type Scalar: Float;
 
-    /// Returns the numbers with which the code compares the steady state to another one.
+    /// Returns the numbers with which the code compares this steady state with another steady state.
     fn print(&self) -> Print<Self::Scalar>;
 }
 

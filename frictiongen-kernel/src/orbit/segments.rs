@@ -1,7 +1,7 @@
 //! Iterates over the segments of a steady state.
 //!
-//! A *mark* is a segment whose initial state is stored. If a period has many segments, only some of them are marks. The
-//! iterator computes the other segments again.
+//! A *mark* is a segment whose initial state is stored. If a period has many segments, only some segments are marks.
+//! The iterator recomputes the segments between two marks.
 
 use super::cycle_map::MOST_EVENTS;
 use super::record::{passed, slack, within};
@@ -46,8 +46,8 @@ where
         }
     }
 
-    /// Returns the segment that contains the instant τ, where τ = 0 is the origin of the orbit. Also returns the time
-    /// from the start of the segment to the instant.
+    /// Returns the segment that contains the instant τ, and the time from the start of this segment to τ. τ = 0 is the
+    /// origin of the orbit.
     pub(super) fn at(
         orbit: &'o Orbit<'a, S, P, V, C, K>,
         tau: S,

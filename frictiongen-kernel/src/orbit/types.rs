@@ -27,7 +27,7 @@ pub(super) struct SegmentStart<S> {
     pub(super) length: S,
     /// Relative displacement z̄ of the contact at the start of the segment.
     pub(super) relative: S,
-    /// Number of segments after this one that are not stored. The code computes these segments again from this one.
+    /// Number of segments after this segment that are not stored. The code recomputes these segments from this segment.
     pub(super) more: u32,
 }
 

@@ -63,8 +63,8 @@ pub trait Decay<S: Float>: Copy {
     fn kind(&self) -> Kind;
     /// Returns the modal damping ratio ζ of the mode.
     fn zeta(&self) -> S;
-    /// Evaluates the functions of time [`Basis`] of a mode at one instant. One of them is the free displacement p. x is
-    /// the natural frequency divided by the excitation frequency.
+    /// Evaluates the functions of time in [`Basis`] of a mode at one instant. x is the natural frequency divided by the
+    /// excitation frequency.
     fn basis(&self, x: S, at: &Instant<S>) -> Basis<S>;
     /// Evaluates the free displacement p and its derivative p′ of a mode at one instant, without the other functions of
     /// [`Basis`]. x is the natural frequency divided by the excitation frequency.

@@ -33,8 +33,7 @@ pub enum Kind {
 pub struct Mode<S> {
     /// Kind of damping of the mode, which selects the closed form.
     pub kind: Kind,
-    /// True if the contact drives the mode. This is the case if φᵀw ≠ 0, where φ is the mode shape and w the contact
-    /// direction.
+    /// True if the contact drives the mode: φᵀw ≠ 0, where φ is the mode shape and w the contact direction.
     pub in_contact: bool,
     /// Natural frequency √λ of the mode, as a frequency ratio: the mode resonates at r = √λ.
     pub resonance: S,

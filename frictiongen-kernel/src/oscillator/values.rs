@@ -138,8 +138,8 @@ pub(super) fn complement_and_factor<S: Scalar>(decay: S, at: Option<usize>) -> (
     )
 }
 
-/// Returns x·sin τ − sin xτ and cos τ − cos xτ. Close to the resonance x = 1 both are differences of nearly equal
-/// terms, and the damping functions that multiply them are large. The code therefore computes products instead of
+/// Returns x·sin τ − sin xτ and cos τ − cos xτ. Close to the resonance x = 1 each result is a difference of nearly
+/// equal terms, and the damping function that multiplies it is large. The code therefore computes products instead of
 /// differences. For τ → 0 the code also keeps the digits of cos τ − cos xτ, because the velocity constraint divides
 /// this difference by sin τ.
 #[inline]

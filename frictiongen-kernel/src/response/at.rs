@@ -194,8 +194,8 @@ impl<T: Scene> At<T> {
     ///
     /// The bounds at the smallest r of a sweep are therefore valid for the whole sweep. For slow modes, the bound is
     /// 256 evaluations for β_lim and 1024 for an amplitude. Fast modes add max √λ(1 + 2ζ)/(16r) evaluations to both
-    /// bounds. This is one evaluation for every 16 half turns of the fastest mode in a half period. Neither bound
-    /// exceeds [`MAX_EVALUATIONS`](search::MAX_EVALUATIONS).
+    /// bounds. The added number is one evaluation for every 16 half turns of the fastest mode in a half period. The
+    /// bounds are at most [`MAX_EVALUATIONS`](search::MAX_EVALUATIONS).
     ///
     /// A search counts its evaluations. It stops before it would exceed its bound, and then reports
     /// [`Effort::Exceeded`]. In an undamped scene β_lim needs no search for r ≥ √λ_max/2, where √λ_max is the largest

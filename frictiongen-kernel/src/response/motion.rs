@@ -275,7 +275,7 @@ impl<S: Float, D: Decay<S>, W: AsRef<[Wave<S, D>]>> Motion<S, D, W> {
 }
 
 /// Returns the instant of the half period from 0 to π that corresponds to the phase τ. The second result is true if τ
-/// is in the other half period, where the motion has the opposite sign.
+/// is in the half period from π to 2π, where the motion has the opposite sign.
 fn instant<S: Float>(tau: S) -> (Instant<S>, bool) {
     let half_turns = tau * S::inverse_pi();
     let whole = half_turns.floor();

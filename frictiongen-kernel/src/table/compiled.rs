@@ -50,8 +50,8 @@ impl<T: Tabled> Compiled<T> {
     /// Creates the scene at the frequency ratio r = ω√(m₁/k₁), and checks whether its tables are valid at r.
     ///
     /// # Errors
-    /// [`OutOfDomain`] for NaN and negative r. The same error occurs for an r outside the range of the tables, unless
-    /// `exact_beyond` is true in the domain.
+    /// [`OutOfDomain`] for NaN and negative r, and for an r outside the range of the tables unless `exact_beyond` is
+    /// true in the domain.
     #[inline]
     pub fn new(scene: T, r: T::Scalar) -> Result<Self, OutOfDomain> {
         let Domain {

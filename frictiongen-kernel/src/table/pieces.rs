@@ -1,6 +1,6 @@
 //! Tables of piecewise polynomials in the frequency ratio r. Each table divides its range of r into buckets of equal
-//! width. A lookup finds the bucket of r first. It then halves the list of the bucket's pieces a few times, until only
-//! the polynomial that is valid at r is left.
+//! width. A lookup finds the bucket of r first. Then the lookup halves the list of the bucket's pieces a few times,
+//! until only the polynomial that is valid at r is left.
 
 use crate::number::scalar::Float;
 
@@ -19,8 +19,8 @@ pub struct Piece<S, const F: usize, const C: usize> {
 
 /// Table of `F` functions of the frequency ratio r over a range of r, as piecewise polynomials.
 ///
-/// A lookup has no branch that depends on r. It takes the index of a first piece from the bucket of r. It then finds
-/// the piece that contains r with `halvings` comparisons.
+/// A lookup has no branch that depends on r. It takes the index of a first piece from the bucket of r. From this piece,
+/// `halvings` comparisons lead to the piece that contains r.
 #[derive(Clone, Copy, Debug)]
 pub struct Table<'a, S, B, const F: usize, const C: usize> {
     /// Smallest frequency ratio r of the table, at which the first bucket starts.
@@ -167,7 +167,7 @@ fn half<S: Float, const F: usize, const C: usize>(
 /// function counts the pieces that begin at or below r, first in coarse steps and then in fine steps.
 ///
 /// A compiler turns halving into branches. A large processor cannot predict these branches for an arbitrary r, and each
-/// branch waits for the previous one. In counting, the comparisons do not wait for one another.
+/// branch waits for the previous branch. In counting, the comparisons do not wait for one another.
 #[inline(always)]
 fn counted<S: Float, const F: usize, const C: usize, const W: usize>(
     window: &[Piece<S, F, C>; W],

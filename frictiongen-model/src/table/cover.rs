@@ -29,7 +29,8 @@ const MOST_AGAIN: usize = 1000;
 /// precision.
 const SHORTEST: f64 = 1e-13;
 /// First length that the search tries for a piece, as a multiple of the length of the previous piece. The factor is
-/// large, so that the first length is often too long. This gives an upper bound on the length immediately.
+/// large, so that the first length is often too long. A length that is too long is an upper bound on the length of the
+/// piece.
 const LONGER: f64 = 1.5;
 /// Largest number of fits in the search for the longest polynomial piece from one start.
 const MOST_FITS: usize = 200;
@@ -74,11 +75,12 @@ pub(super) struct NotCovered {
 }
 
 impl<S: Float> Cover<'_, '_, S> {
-    /// Returns polynomial pieces that cover a range of r, after a check at points that the fits did not use. Also
-    /// returns the largest error divided by the allowed error, and the number of compared points.
+    /// Returns polynomial pieces that cover a range of r, after a check at points that the fits did not use. The second
+    /// result has the largest error, divided by the allowed error, and its r. The third is the number of compared
+    /// points.
     ///
-    /// If the check finds an error that is too large, the function covers the interval of this piece once more. All
-    /// later fits are also compared at the r of this error.
+    /// If the error of a piece is too large, the function replaces the piece: it fits new pieces to its interval. Every
+    /// later fit is also compared with the exact value at the r of this error.
     pub fn checked(
         &mut self,
         low: f64,

@@ -77,7 +77,7 @@ impl<S: Float> Comparison<'_, '_, S> {
     }
 
     /// Returns the error of a polynomial piece at the number of the type `S` that is nearest to r and within the
-    /// piece, divided by the allowed error. Returns 0 if the piece contains no such number.
+    /// piece, divided by the allowed error. Returns 0 if the piece contains no number of the type `S`.
     fn error_within(
         &mut self,
         piece: &Fitted<S>,

@@ -18,7 +18,7 @@ const ON_RESONANCE: f64 = 1e-12;
 /// double-double.
 const FIRST_STEPS: (usize, f64) = (100, 1e-11);
 /// Upper bound on the number of corrections of a zero in double-double, and the relative correction at which the
-/// iteration ends. Each correction is about the cube of the previous one, so after a correction of 10⁻²³ only
+/// iteration ends. Each correction is about the cube of the previous correction, so after a correction of 10⁻²³ only
 /// rounding errors remain.
 const LAST_STEPS: (usize, f64) = (60, 1e-23);
 

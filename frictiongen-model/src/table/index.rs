@@ -3,7 +3,8 @@
 use super::fit::Fitted;
 use frictiongen_kernel::Float;
 
-/// Smallest number of buckets of r, by which a lookup finds a piece. Even a small table has so many.
+/// Smallest number of buckets of r, by which a lookup finds a piece. Even a table with few pieces has this number of
+/// buckets.
 const FEWEST: usize = 8;
 /// Numbers of buckets of r that `Index::of` tries, in this order. With a power of two, a lookup computes its bucket
 /// without a comparison.
@@ -30,7 +31,7 @@ pub struct Index<S> {
 
 impl<S: Float> Index<S> {
     /// Returns the smallest number of buckets with which a lookup needs at most `FEW` comparisons. If no tried number
-    /// suffices, returns the one that needs the fewest comparisons.
+    /// suffices, returns the number that needs the fewest comparisons.
     pub(super) fn of(pieces: &[Fitted<S>], (low, high): (S, S)) -> Self {
         let mut best: Option<Self> = None;
         let numbers: usize = pieces.iter().map(Fitted::numbers).sum();

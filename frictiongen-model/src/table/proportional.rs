@@ -96,8 +96,8 @@ impl Proportional {
             }
             return 1;
         }
-        // The four zeros ±x ± iy of the undamped chain have two values −s² = y² − x² ∓ 2ixy. One of them suffices,
-        // because the other gives the complex conjugates.
+        // The four zeros ±x ± iy of the undamped chain have two values −s² = y² − x² ∓ 2ixy. One value suffices,
+        // because the zeros of the second value are the complex conjugates of the zeros of the first.
         let square = (
             (zero.y - zero.x) * (zero.y + zero.x),
             -(Dd::from(2.0) * zero.x * zero.y),

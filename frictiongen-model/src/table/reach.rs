@@ -50,7 +50,7 @@ impl<S: Float> Tables<S> {
         }
         let always_continuous = self.limit_is_above(most);
         let sliding = self.sliding.as_ref();
-        // As in the kernel, for μ ≤ 1 no stuck state exists at a β below β_lim.
+        // For μ ≤ 1 no stuck state exists at a β below β_lim. The kernel uses this fact too.
         let decides = always_continuous && stiction <= 1.0;
         Reach {
             always_continuous,

@@ -46,7 +46,8 @@ const MOST: usize = 10_000;
 pub struct Landmarks {
     /// The zeros of β_lim within the range and just outside, ascending.
     pub zeros: Vec<LimitZero>,
-    /// Resonances of undamped modes within the range of r. The phase of the contact's response jumps there.
+    /// Resonances of undamped modes within the range of r. The phase of the contact's response jumps at each of these
+    /// resonances.
     pub jumps: Vec<f64>,
     /// Frequency ratios, in ascending order, at which the error of a table is checked, in addition to the points of
     /// the fit and of the check. They are at and near zeros of β_lim, resonances and subharmonics.

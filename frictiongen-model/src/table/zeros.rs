@@ -11,8 +11,8 @@ use frictiongen_kernel::{Complex, Float};
 /// far larger than the rounding error of a double-double sum, 10⁻³², and far smaller than the precision of a scene in
 /// doubles.
 pub(super) const NONE: f64 = 1e-20;
-/// Largest relative difference of two constants (resonance or damping ratio) of modes that count as equal. Rounding
-/// in double-double causes such differences.
+/// Largest relative difference of two constants (resonance or damping ratio) of modes that count as equal. Rounding in
+/// double-double causes differences of this size.
 pub(super) const EQUAL: f64 = 1e-24;
 /// Largest relative distance of two zeros that count as one common zero of V and H, the responses of the contact to
 /// the load and to a contact force. A scene in doubles cannot separate zeros that are so close.
@@ -26,7 +26,7 @@ const ABOVE: f64 = 1.4;
 /// point on an axis, the iteration would stay on that axis.
 const LEAST_ANGLE: f64 = 0.1;
 /// Range of the angles, in rad, of the points from which the search for zeros starts. It begins at `LEAST_ANGLE` and
-/// is divided into elevenths. Each angle is seven elevenths beyond the previous one, so that neighbouring points have
+/// is divided into elevenths. Each angle is seven elevenths beyond the previous angle, so that neighbouring points have
 /// very different angles.
 const ANGLES: f64 = 0.7;
 

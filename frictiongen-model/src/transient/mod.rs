@@ -194,8 +194,8 @@ impl Transient<Dual<Dd>> {
     /// Creates the data from modal data with derivatives, including the derivatives of the held modes (contact stuck).
     /// The weights get no derivatives, because they only give first guesses of a state.
     ///
-    /// Returns `None` if single modes have no derivative. This happens in three cases: two equal modes become
-    /// different, two held modes are equal, or the contact begins to drive a mode.
+    /// Returns `None` if single modes have no derivative. Single modes have no derivative in three cases: two equal
+    /// modes become different, two held modes are equal, or the contact begins to drive a mode.
     #[must_use]
     pub fn along(scene: &Scene, modal: &Modal<Dual<Dd>>) -> Option<Self> {
         let plain = plain_modes(modal);

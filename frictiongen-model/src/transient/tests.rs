@@ -162,7 +162,8 @@ fn an_elastic_contact_is_one_more_spring() {
                     stiffness,
                 });
                 let expected = Modal::of(&scene).resonances;
-                // The longer chain also has the modes that the contact does not drive. They do not occur in `found`.
+                // The longer chain has additional modes, which the contact does not drive. They do not occur in
+                // `found`.
                 for frequency in found {
                     let nearest = expected.iter().map(|of| (of.to_f64() - frequency).abs());
                     let error = nearest.fold(f64::INFINITY, f64::min);

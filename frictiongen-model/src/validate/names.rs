@@ -1,7 +1,8 @@
 //! Names that a mass may have, and names that are reserved.
 
 /// Reserved words, which cannot be the name of a mass: the words of a description, and all methods of the generated
-/// types. The name of a mass becomes a method of the generated types. This is the only list of reserved words.
+/// types. The name of a mass becomes a method of the generated types. The words below are the only list of reserved
+/// words.
 pub const RESERVED: &[&str] = &[
     // Words of a description.
     "base",

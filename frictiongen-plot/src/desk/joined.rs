@@ -119,9 +119,9 @@ impl ContactTrack {
     }
 }
 
-/// Returns the pieces of a path in which the contact sticks if `wanted` is true, and the other pieces otherwise. The
-/// contact sticks in an interval if it sticks at both samples. An interval in which sticking begins or ends therefore
-/// counts as sliding.
+/// Returns the pieces of a path in which the contact sticks if `wanted` is true, and otherwise the pieces in which it
+/// slides. The contact sticks in an interval if it sticks at both samples. An interval in which sticking begins or ends
+/// therefore counts as sliding.
 fn pieces(path: &[Point], sticks: &[bool], wanted: bool) -> Vec<Vec<Point>> {
     let mut pieces: Vec<Vec<Point>> = Vec::new();
     let mut open = false;

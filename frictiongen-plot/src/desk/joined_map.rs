@@ -14,7 +14,7 @@ pub enum JoinedClasses {
     Slide,
     /// Some contacts stick for a part of the period, and every contact slides for a part of it.
     Stick,
-    /// The named contacts never slide, and the other contacts do.
+    /// The named contacts never slide, and all other contacts slide.
     Held(String),
     /// No contact slides.
     Stuck,

@@ -4,7 +4,7 @@ use super::scales::Scales;
 use crate::{Axis, Colour, Fill, Label, Line, Panel, Point, Region, Stroke};
 use frictiongen::study::map::LimitLines;
 
-/// Name of the area above β*_lim and below β_lim. There the motion depends on the initial state.
+/// Name of the area above β*_lim and below β_lim, where the motion depends on the initial state.
 const BISTABLE: &str = "sliding or stuck, by the start";
 /// A figure shows the area whose motion depends on the initial state only if its height is at least this fraction of
 /// the height of the axis.

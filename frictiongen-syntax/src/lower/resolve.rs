@@ -144,7 +144,7 @@ fn report_missing(syntax: &Syntax, problems: &mut Problems) {
     }
 }
 
-/// The masses of a scene by name. If two masses have the same name, the name refers to the first one.
+/// The masses of a scene by name. If two masses have the same name, the name refers to the first of the two masses.
 struct Names<'s> {
     index: HashMap<&'s str, usize>,
     order: Vec<&'s str>,

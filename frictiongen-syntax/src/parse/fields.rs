@@ -217,8 +217,8 @@ fn field(
     }
 }
 
-/// Words for a friction force or friction ratio. A description must not contain such a field, because the user gives
-/// the friction with each computation.
+/// Words that users may take for the name of a field with the friction force or friction ratio. A description must not
+/// contain a field with this name, because the user gives the friction with each computation.
 const AMOUNTS: [&str; 4] = ["friction_force", "friction_ratio", "beta", "coulomb"];
 
 /// Words that users write by mistake in place of a field's name. Each group of words has its own message.

@@ -11,8 +11,8 @@ use crate::diagnostics::{Problems, TokenPosition};
 const FORM: &str =
     "write `struct Name { masses: { … }, springs: { … }, contact: …, excitation: … }`";
 
-/// Attributes that may precede a description: documentation, lint levels and deprecation. The macro replaces the
-/// struct by several items, and any other attribute would apply to only one of them.
+/// Attributes that may precede a description: documentation, lint levels and deprecation. The macro replaces the struct
+/// by several items, and any other attribute would apply to only one of the items.
 const ATTRIBUTES: [&str; 7] = [
     "doc",
     "allow",

@@ -222,7 +222,7 @@ impl<'t> TokenReader<'t> {
         }
     }
 
-    /// Parses entries that are separated by commas. After a faulty entry the function continues with the next one.
+    /// Parses entries that are separated by commas. After a faulty entry the function continues with the next entry.
     /// `begins` returns true if an entry begins at the next token although the comma before it is missing. After an
     /// error that leaves the position of the reader uncertain, `begins_after_error` answers this question.
     pub(crate) fn list<T>(

@@ -40,7 +40,7 @@ pub enum MeasureError {
         /// Time step after the change of the sampling rate, in s.
         after: f64,
     },
-    /// Two channels have different numbers of samples. The field has the name of one of them.
+    /// Two channels have different numbers of samples. The field has the name of one of the two channels.
     Lengths(String),
     /// The recording is too short to find the frequency of the excitation.
     TooShort {
@@ -78,7 +78,7 @@ pub enum MeasureError {
     NoDrive(&'static str),
     /// The friction force was neither given nor recorded.
     NoFriction,
-    /// The friction force was given by the caller and also recorded.
+    /// The caller gave the friction force, although the recording contains it.
     TwoFrictions,
     /// No channel of the recording is the motion of a mass.
     NoMass,

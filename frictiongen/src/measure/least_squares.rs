@@ -38,7 +38,7 @@ pub(super) struct FitResult {
     /// The sum of squares of the residuals at the fitted parameters.
     pub(super) squares: f64,
     /// Number of independent directions in parameter space that the data determine. It equals the number of parameters
-    /// if the data determine all of them.
+    /// if the data determine all parameters.
     pub(super) rank: usize,
     /// Condition number of the fit: the largest singular value of the Jacobian, divided by the smallest singular value
     /// of a determined direction. The columns of this Jacobian are derivatives with respect to the scaled parameters.
@@ -89,7 +89,7 @@ impl FitResult {
 
 /// Returns the scale of each parameter, by which the fit divides changes of the parameter. The scale is the larger of
 /// two numbers: the absolute value of the parameter, and the change that shifts the residuals by one standard
-/// deviation. For a parameter that tends to zero, the second number is the larger one.
+/// deviation. For a parameter that tends to zero, the second number is larger.
 fn sizes(parameters: &[f64], jacobian: &DMatrix<f64>) -> Vec<f64> {
     let columns = jacobian.column_iter();
     let sizes = parameters.iter().zip(columns).map(|(value, column)| {

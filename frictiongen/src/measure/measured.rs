@@ -74,8 +74,8 @@ impl Transmissibility {
 }
 
 impl Measured {
-    /// Finds the steady motion in a recording. The channel of the excitation must have the name `base` or `force`. The
-    /// other channels must have the names of the scene's masses.
+    /// Finds the steady motion in a recording. The channel of the excitation must have the name `base` or `force`.
+    /// Every other channel must have the name of one of the scene's masses.
     ///
     /// The call converts velocities and accelerations to displacements at each harmonic.
     ///

@@ -161,7 +161,7 @@ fn settled(name: &str, blocks: &Blocks) -> Result<usize, MeasureError> {
     let freedom = steps.len().saturating_sub(1).max(1);
     let scatter = (0.5 * squares / freedom as f64).sqrt();
     let noise = blocks.deviation * std::f64::consts::SQRT_2;
-    // A motion is also treated as steady if its changes are within its noise.
+    // A motion whose changes are within its noise counts as steady.
     if SCATTER * middle.norm() < scatter && SURE * noise < scatter {
         return Err(MeasureError::NotSteady(name.to_owned()));
     }

@@ -167,8 +167,8 @@ impl<S: Float> System<S> {
         matches!(of, Of::Relative(of, to) if self.simplest(Of::Relative(to, of)) == Of::Contact)
     }
 
-    /// Returns true if a motion equals the contact's relative motion or its negative. This is also true for a mass that
-    /// rubs on a side at rest.
+    /// Returns true if a motion equals the contact's relative motion or its negative. The result is true for a mass
+    /// that rubs on a side at rest, too.
     pub(super) fn moves_as_contact(&self, of: Of) -> bool {
         let ends = [self.scene.contact.from, self.scene.contact.to];
         let base_moves = self.scene.excitation == Excitation::Base;
@@ -261,8 +261,8 @@ impl<S: Float> System<S> {
 }
 
 impl<'a, S: Float> SystemMotion<'a, S> {
-    /// Returns the motion of the contact, of a mass, or of a combination of masses and base. Returns `None` if the
-    /// scene has no such motion.
+    /// Returns the motion of the contact, of a mass, or of a combination of masses and base, or `None` if the scene
+    /// does not have the motion `of`.
     #[must_use]
     pub fn motion_of(&self, of: Of) -> Option<SystemSteady<'a, S>> {
         let system = *self.at().scene();
@@ -279,7 +279,7 @@ impl<'a, S: Float> SystemMotion<'a, S> {
 
 impl<'a, S: Float> SystemOrbit<'a, S> {
     /// Calls `question` with the motion of the contact, of a mass, or of a combination of masses and base, and returns
-    /// the result of `question`. Returns `None` if the scene has no such motion.
+    /// the result of `question`. Returns `None` if the scene does not have the motion `of`.
     pub fn ask_of<A>(
         &self,
         of: Of,
@@ -289,7 +289,7 @@ impl<'a, S: Float> SystemOrbit<'a, S> {
         Some(question(&motion.motion(self)))
     }
 
-    /// Returns a motion with the data that its evaluation needs, or `None` if the scene has no such motion.
+    /// Returns a motion with the data that its evaluation needs, or `None` if the scene does not have the motion `of`.
     pub(super) fn prepared(&self, of: Of) -> Option<InOrbit<S>> {
         let system = self.system;
         let known = system.has_motion(of);
@@ -313,7 +313,7 @@ impl<'a, S: Float> SystemOrbit<'a, S> {
 
 impl<S: Float> SystemStuck<'_, S> {
     /// Returns a motion as a complex amplitude and a constant displacement, for a contact that sticks at `offset`.
-    /// Returns `None` if the scene has no such motion.
+    /// Returns `None` if the scene does not have the motion `of`.
     pub(super) fn motion_at(&self, of: Of, offset: S) -> Option<(Complex<S>, S)> {
         let (system, zero) = (*self.at().scene(), S::constant(0.0));
         if !system.has_motion(of) {
@@ -341,7 +341,7 @@ impl<S: Float> SystemStuck<'_, S> {
 
 impl SystemHeld<'_> {
     /// Returns a motion as a complex amplitude and a constant displacement, which the offset of the contact causes.
-    /// Returns `None` if the scene has no such motion.
+    /// Returns `None` if the scene does not have the motion `of`.
     #[must_use]
     pub fn motion_of(&self, of: Of) -> Option<(Complex<f64>, f64)> {
         self.stuck.motion_at(of, self.offset)
@@ -351,7 +351,7 @@ impl SystemHeld<'_> {
 impl System {
     /// Returns displacement and velocity of a combination of masses and base, in the scene's units. `base` and `masses`
     /// give displacement and velocity of the base and of every mass. For a force, returns the force and its derivative
-    /// in time. Returns `None` if the scene has no such motion, and for the motion of a contact.
+    /// in time. Returns `None` if the scene does not have the motion `of`, and for the motion of a contact.
     #[doc(hidden)]
     #[must_use]
     pub fn combination_of(&self, of: Of, base: [f64; 2], masses: &[[f64; 2]]) -> Option<[f64; 2]> {
@@ -370,7 +370,7 @@ impl System {
 
 impl SystemStepper<'_> {
     /// Returns the present displacement and velocity of a motion, in the scene's units. For a force, returns the force
-    /// and its derivative in time. Returns `None` if the scene has no such motion.
+    /// and its derivative in time. Returns `None` if the scene does not have the motion `of`.
     #[must_use]
     pub fn motion_of(&self, of: Of) -> Option<(f64, f64)> {
         let system = self.system;
@@ -399,8 +399,8 @@ impl SystemStepper<'_> {
 }
 
 impl SystemSimulation<'_> {
-    /// Returns the present displacement and velocity of a motion, as non-dimensional groups. Returns `None` if the
-    /// scene has no such motion.
+    /// Returns the present displacement and velocity of a motion, as non-dimensional groups, or `None` if the scene
+    /// does not have the motion `of`.
     #[must_use]
     pub fn motion_of(&self, of: Of) -> Option<(f64, f64)> {
         let system = self.system;

@@ -36,7 +36,7 @@ impl<'a> SystemHeld<'a> {
     }
 
     /// Returns the constant displacement of a mass that the offset of the contact causes. Returns `None` if the scene
-    /// has no such mass.
+    /// has no mass with this index.
     #[must_use]
     pub fn mass_offset(&self, index: usize) -> Option<f64> {
         let system = *self.stuck.at().scene();

@@ -90,7 +90,7 @@ fn sweep(turned: &mut [Vec<f64>], vectors: &mut [Vec<f64>]) -> bool {
 }
 
 fn dot(a: &[f64], b: &[f64]) -> f64 {
-    // Eight independent sums run in parallel. In a single sum each addition would wait for the previous one.
+    // Eight independent sums run in parallel. In a single sum each addition would wait for the previous addition.
     let mut sums = [0.0; 8];
     let (chunks_a, chunks_b) = (a.chunks_exact(8), b.chunks_exact(8));
     let rest = chunks_a

@@ -230,7 +230,7 @@ pub(super) fn swing(
 /// Returns amplitude and phase of a motion with their derivatives, for a response in which the contact never slides.
 ///
 /// The offset of a contact that has never slid is 0, or −Y on a moving base. After a slip the offset depends on every
-/// earlier slip. It then has no derivative in this function.
+/// earlier slip. This function gives no derivative of the offset after a slip.
 fn stuck_swing(
     varied: &Varied,
     held: &SystemHeld<'_>,

@@ -1,8 +1,8 @@
 //! Largest velocity and acceleration of a continuous motion, from its closed form.
 //!
 //! The search samples sixteen instants in a half-turn of the fastest mode, and refines every maximum of the samples. If
-//! two maxima are within one sampling step, it can miss one of them. Two such maxima differ by less than a thousandth
-//! of their value.
+//! two maxima are within one sampling step, the search can miss one maximum. The two maxima then differ by less than a
+//! thousandth of their value.
 
 use super::golden::smallest;
 use super::motion::SystemMotion;
@@ -23,7 +23,8 @@ const WIDTH: f64 = 1e-8;
 /// Last instant of the half period before the contact reverses, divided by π.
 const LAST: f64 = 1.0 - f64::EPSILON;
 
-/// Returns the largest |dx̄/dτ| or |d²x̄/dτ²| of a continuous motion. Returns `None` if the scene has no such motion.
+/// Returns the largest |dx̄/dτ| or |d²x̄/dτ²| of a continuous motion, or `None` if the scene does not have the motion
+/// `of`.
 ///
 /// The function searches one half period, because the motion repeats with the opposite sign afterwards.
 pub(super) fn largest_rate(motion: &SystemMotion<'_>, of: Of, size: MotionQuantity) -> Option<f64> {

@@ -148,7 +148,7 @@ impl SystemResponse<'_> {
     }
 
     /// Returns the largest |offset| of the contact within a continuum of steady states that differ by their offset.
-    /// Returns `None` if this state does not belong to such a continuum. See
+    /// Returns `None` if this state does not belong to a continuum. See
     /// [`SystemOrbit::offset_range`](frictiongen_kernel::orbit::Orbit::offset_range).
     #[must_use]
     pub fn offset_range(&self) -> Option<f64> {

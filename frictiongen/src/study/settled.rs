@@ -9,8 +9,8 @@ use crate::{Error, Given, NoOrbit, NotContinuous, OutOfDomain, Regime, StuckReso
 use frictiongen_kernel::oscillator::mode::{Kind, Mode};
 use frictiongen_kernel::response::Scene as _;
 
-/// Largest distance of √λ_i/r from an even integer at which the two are treated as equal, in machine epsilons. The same
-/// tolerance decides whether a Floquet multiplier is on the unit circle.
+/// Largest distance of √λ_i/r from an even integer at which the two are treated as equal, in machine epsilons times
+/// √λ_i/r. An undamped mode i whose √λ_i/r is an even integer has a Floquet multiplier on the unit circle.
 const ON_CIRCLE: f64 = 4096.0;
 
 /// The state of a steady motion at a maximum of the excitation: displacement and velocity of every mass, as
@@ -25,8 +25,8 @@ pub(super) struct Carried {
 
 #[cfg(feature = "desk")]
 impl Carried {
-    /// Returns the same state at another frequency ratio, in the units of a load. The amplitude of the load is
-    /// proportional to r⁻ⁿ, where n is `fall`.
+    /// Returns this state at another frequency ratio, in the units of a load. The amplitude of the load is proportional
+    /// to r⁻ⁿ, where n is `fall`.
     pub(super) fn under(&self, fall: i32, r: f64) -> Self {
         let factor = (r / self.r).powi(fall);
         let scaled = |values: &[f64]| values.iter().map(|value| value * factor).collect();
@@ -57,7 +57,7 @@ impl<'a> SystemAt<'a> {
     /// from rest ends.
     ///
     /// With μ = 1 this state is the closed form for every β < β_lim. The exception is a chain without damping at r =
-    /// 1/(2n) with an integer n. There the closed form belongs to a continuum of steady states. With μ > 1, other
+    /// 1/(2n) with an integer n. At these r the closed form belongs to a continuum of steady states. With μ > 1, other
     /// states may exist in addition to the closed form and to the stuck state. The call then computes the motion from
     /// event to event.
     ///
@@ -91,8 +91,8 @@ impl<'a> SystemAt<'a> {
         }
     }
 
-    /// Returns the response in which the motion from the state `start` ends. Also returns the state of this response,
-    /// which the next call can use as its initial state.
+    /// Returns the response in which the motion from the state `start` ends, and the state of this response. The next
+    /// call can use this state as its initial state.
     #[cfg(feature = "desk")]
     pub(super) fn response_from(
         &self,
@@ -174,7 +174,7 @@ impl<'a> SystemAt<'a> {
         }
     }
 
-    /// Returns the response under so much friction that the contact never leaves its initial position. A rigid contact
+    /// Returns the response under a friction with which the contact never leaves its initial position. A rigid contact
     /// on a moving base stays at the relative displacement −Y. Any other contact stays at the relative displacement 0.
     pub(super) fn locked(&self) -> Result<SystemResponse<'a>, Error> {
         let offset = offset_from_rest(self.scene());

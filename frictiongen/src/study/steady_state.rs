@@ -45,9 +45,9 @@ impl<S: Plain> System<S> {
         self.steady_state_of(r, beta, Start::Rest)
     }
 
-    /// Returns the steady state that a motion from a given state reaches. Apart from the initial state, the call does
-    /// the same as [`steady_state`](Self::steady_state). `state` contains x̄ and dx̄/dτ of every mass at a maximum of
-    /// the excitation. An elastic contact starts without force.
+    /// Returns the steady state that a motion from a given state reaches. Apart from the initial state, the call
+    /// computes what [`steady_state`](Self::steady_state) computes. `state` contains x̄ and dx̄/dτ of every mass at a
+    /// maximum of the excitation. An elastic contact starts without force.
     ///
     /// # Errors
     /// Same errors as [`steady_state`](Self::steady_state). [`OutOfDomain`] also for a state that is not finite or not

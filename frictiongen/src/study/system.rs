@@ -82,7 +82,8 @@ impl<S: Float> TryFrom<Scene> for System<S> {
 pub(super) fn rounded<S: Float>(value: Dd) -> S {
     let plain = S::constant(value.hi);
     if plain.to_f64() == value.hi {
-        // The conversion of the high part leaves out the low part. A number type wider than f64 needs both.
+        // The conversion of the high part leaves out the low part. A number type wider than f64 needs the high and the
+        // low part.
         return plain + S::constant(value.lo);
     }
     // The high part may lie halfway between two numbers of a narrower type. In this case, the code rounds the next f64
@@ -138,7 +139,7 @@ impl<S: Float> System<S> {
         }
     }
 
-    /// Returns the same system in double precision, without derivatives.
+    /// Returns this system in double precision, without derivatives.
     pub(super) fn without_derivatives(&self) -> System {
         System::with_data(
             self.scene.clone(),
@@ -273,7 +274,7 @@ impl<S: Float> System<S> {
 
     /// Returns the threshold β_n,i of every resonance (6.2, 6.26). At a smaller friction ratio the amplitude at the
     /// undamped resonance i is unbounded. The entry is `None` for a mode that the contact does not drive, and for a
-    /// scene with `contacts` or `dampers`. As in every closed form, F is a constant kinetic friction force.
+    /// scene with `contacts` or `dampers`. F is a constant kinetic friction force.
     #[must_use]
     pub fn resonance_thresholds(&self) -> Vec<Option<S>> {
         if self.scene.is_joined() {
@@ -324,9 +325,9 @@ impl<S: Float> System<S> {
             .map(rounded)
     }
 
-    /// Returns β_lim and β*_lim for the frequency ratio r → ∞ (6.28). For a rigid contact on a moving base both are
-    /// infinite. For an elastic contact of stiffness k, β_lim is 0. Its β*_lim is k/(μk₁) on a moving base, and
-    /// otherwise 0. A scene with `contacts` or `dampers` has no such closed form. For it both are NaN.
+    /// Returns β_lim and β*_lim for the frequency ratio r → ∞ (6.28). For a rigid contact on a moving base the two
+    /// limits are infinite. For an elastic contact of stiffness k, β_lim is 0. Its β*_lim is k/(μk₁) on a moving base,
+    /// and otherwise 0. A scene with `contacts` or `dampers` has no closed form of these limits, and they are NaN.
     #[must_use]
     pub fn high_frequency_limits(&self) -> (S, S) {
         if self.scene.is_joined() {

@@ -52,8 +52,8 @@ pub type Sensitive = Dual<Dd>;
 /// # }
 /// ```
 ///
-/// Steady states with stops also have derivatives ([`orbit`](Self::orbit)), and so have steppers
-/// ([`stepper`](Self::stepper)). Simulations in time do not.
+/// Derivatives exist for steady states with stops ([`orbit`](Self::orbit)) and for steppers
+/// ([`stepper`](Self::stepper)) too. Simulations in time do not.
 #[derive(Clone, Debug)]
 pub struct Varied {
     system: System<Sensitive>,
@@ -213,7 +213,7 @@ impl FrictionSystem for Varied {
 }
 
 impl<S: Float> System<S> {
-    /// Returns the same scene with derivatives with respect to `quantity`. Returns `None` if the scene does not have
+    /// Returns this scene with derivatives with respect to `quantity`. Returns `None` if the scene does not have
     /// this quantity.
     #[must_use]
     pub fn along(&self, quantity: Quantity) -> Option<Varied> {
@@ -221,7 +221,7 @@ impl<S: Float> System<S> {
         Some(self.varied(data, Some(quantity)))
     }
 
-    /// Returns the same scene without a varied quantity, for derivatives with respect to r or β.
+    /// Returns this scene without a varied quantity, for derivatives with respect to r or β.
     #[must_use]
     pub fn unvaried(&self) -> Varied {
         self.varied(self.modal.fixed(), None)

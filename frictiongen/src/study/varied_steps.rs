@@ -23,7 +23,7 @@ impl Varied {
     /// The derivatives stay correct after stops, break-aways and reversals. They take into account that the instants of
     /// these events change with the quantity. At some values of the quantity an event appears or vanishes. The motion
     /// has no derivative at such a value, and the stepper returns the derivative of one side.
-    /// [`check_derivatives`](SystemStepper::check_derivatives) detects such a motion.
+    /// [`check_derivatives`](SystemStepper::check_derivatives) detects a motion without a derivative.
     ///
     /// ```
     /// use frictiongen::study::{System, SystemInput, sensitivity::Sensitive};
@@ -118,8 +118,8 @@ impl Varied {
 impl SystemStepper<'_, Sensitive> {
     /// Fails if the derivatives are unreliable, because the motion has grazed an event since the start. In a graze, the
     /// contact's velocity or force crosses its level very slowly. A rounding error of the input in `f64` then changes
-    /// the derivative of the event's instant by more than a millionth of the derivative. The method also fails if such
-    /// a rounding error may decide whether the contact stops or slides on.
+    /// the derivative of the event's instant by more than a millionth of the derivative. The method also fails if a
+    /// rounding error of the input may decide whether the contact stops or slides on.
     ///
     /// # Errors
     /// [`NoDerivative::Graze`] at the first graze and at all later instants.

@@ -25,7 +25,7 @@ fn first_cycle<S: Plain>(stiffness: f64) -> (usize, Vec<f64>) {
     (events, all.map(|value| value.to_f64()).collect())
 }
 
-/// Double precision against double-double.
+/// Compares double precision with double-double.
 fn compared(stiffness: f64, tolerance: f64) {
     let (events, own) = first_cycle::<f64>(stiffness);
     let (expected_events, expected) = first_cycle::<Dd>(stiffness);

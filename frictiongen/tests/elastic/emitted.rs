@@ -132,7 +132,7 @@ fn emitted_is_run_time() {
     assert!(compare!(Block, BLOCK, f64, block) > 2000);
 }
 
-/// The trait's methods reach the emitted scene too.
+/// The trait's methods reach the emitted scene.
 #[test]
 fn an_emitted_scene_is_a_friction_system() {
     fn amplitude<F>(system: &F, r: f64, beta: f64) -> f64

@@ -43,7 +43,7 @@ fn the_stuck_chain_has_one_more_spring() {
         assert_eq!(found.len(), 2);
         for (held, exact) in found.iter().zip(braced.resonances()) {
             assert!(held.new);
-            // Both come from double-double arithmetic, rounded once.
+            // The two results come from double-double arithmetic, rounded once.
             assert!(
                 (held.r / exact - 1.0).abs() < 4e-16,
                 "{k}: {} {exact}",

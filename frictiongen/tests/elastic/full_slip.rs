@@ -49,7 +49,7 @@ fn forces_follow_the_loop() {
         } else {
             closed_form(to)
         };
-        // The phase of so many steps is rounded, and the force changes by up to 10 per radian.
+        // The phase of this many steps is rounded, and the force changes by up to 10 per radian.
         assert!(
             (force - expected).abs() < 2e-13,
             "{to}: {force} for {expected}"

@@ -7,8 +7,8 @@ const BLOCK: &str = "struct Block { masses: { block: 3.25 }, springs: { base - b
     contact: block - wall, stiffness: 16000, excitation: block, damping: modal(0.0256), provide: [orbit, simulation] }";
 
 /// Two deviations from the steady state, one cycle later, give the matrix by which a cycle changes deviations of
-/// displacement and velocity.  After a slip the force of the spring follows from both, so that one of the three
-/// multipliers is 0, and the matrix has the other two.
+/// displacement and velocity.  After a slip the force of the spring follows from displacement and velocity, so that one
+/// of the three multipliers is 0. The matrix has the remaining two multipliers.
 #[test]
 fn multipliers_are_those_of_differences() {
     let system: System = BLOCK.parse().expect("a scene");

@@ -26,7 +26,8 @@ fn answers(stiffness: Option<f64>, beta: f64) -> [f64; 2] {
     ]
 }
 
-/// Over six decades of the stiffness, β*_lim of an elastic contact differs from that of a rigid one by a multiple of 1/k.
+/// Over six decades of the stiffness, β*_lim of an elastic contact differs from that of a rigid contact by a multiple
+/// of 1/k.
 #[test]
 fn limits_differ_by_the_compliance() {
     let rigid: System = FRAME.parse().expect("a scene");
@@ -79,7 +80,8 @@ fn stops_differ_by_the_compliance() {
     }
 }
 
-/// Amplitude and phase of masses with a stuck contact differ from those of a rigid one by a multiple of 1/k, over six decades.
+/// With a stuck elastic contact, amplitude and phase of masses differ from those with a stuck rigid contact by a
+/// multiple of 1/k, over six decades.
 #[test]
 fn stuck_responses_differ_by_the_compliance() {
     let rigid: System = FRAME.parse().expect("a scene");

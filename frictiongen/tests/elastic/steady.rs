@@ -59,7 +59,7 @@ fn the_limit_separates_stuck_from_sliding() {
     let system: System = FRAME.parse().expect("a scene");
     for r in [0.4, 0.9, 1.7] {
         let limit = system.stuck_limit(r).expect("no resonance");
-        // Damping lets the motion from rest come down to the steady one, but its slider may have moved.
+        // With damping, the motion from rest decays to the steady motion, but its slider may have moved.
         let above = system.steady_state(r, 3.0 * limit).expect("a steady state");
         assert!(above.never_slides() && above.is_marginal() && above.is_stable());
         assert_eq!(

@@ -1,5 +1,5 @@
-//! Friction force and stiffness of an elastic contact from recordings. A plain integrator of the test makes the
-//! recordings, which shares no code with the solver.
+//! Friction force and stiffness of an elastic contact from recordings. The recordings come from a plain integrator in
+//! the test, which shares no code with the solver.
 
 use crate::made::{NATURAL, Noise, Y};
 use frictiongen::System;
@@ -148,8 +148,8 @@ fn a_stuck_contact_determines_its_stiffness_alone() {
     assert_ne!(found.verdict, Verdict::Determined);
 }
 
-/// A recorded base motion drives the stepper as it drives the plain integrator. The base follows a smooth pulse train,
-/// of which the samples are exact and the cubic spline between them has an error of 1e-7.
+/// A recorded base motion drives the stepper as it drives the plain integrator. The base follows a smooth pulse train.
+/// The samples are exact, and the cubic spline between the samples has an error of 1e-7.
 #[test]
 fn a_recording_drives_an_elastic_contact() {
     let system = rig(STIFFNESS);

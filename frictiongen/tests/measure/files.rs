@@ -1,4 +1,4 @@
-//! CSV and UFF58 files, written and read again.
+//! Tests of CSV and UFF58 files, which are written and then read.
 
 use crate::made::Noise;
 use frictiongen::measure::{Channel, CsvColumn, CsvRequest, MeasureError, Recording, Unit};
@@ -83,7 +83,7 @@ fn a_universal_file_comes_back_to_its_thirteen_digits() {
     for (read, written) in read.channels().iter().zip(recording.channels()) {
         assert_eq!((&read.name, read.unit), (&written.name, written.unit));
         for (a, b) in read.samples.iter().zip(&written.samples) {
-            // The file has 13 digits, so the error is half a unit of the last one.
+            // The file has 13 digits, so the error is half a unit of the last digit.
             assert!((a - b).abs() <= 5.1e-13 * b.abs(), "{a} for {b}");
         }
     }
@@ -128,7 +128,7 @@ fn a_universal_file_of_another_program() {
     // The file has no unit, so the error asks for it.
     let error = Recording::from_uff58(&text.replace("mm  ", "NONE"), &CsvRequest::default());
     assert!(error.unwrap_err().to_string().contains("has no unit"));
-    // The other channel has another sampling rate.
+    // The two channels of this file have different sampling rates.
     let mixed = text.replacen("5.00000E-04", "1.00000E-03", 1);
     let error = Recording::from_uff58(&mixed, &CsvRequest::default()).unwrap_err();
     assert!(error.to_string().contains("not evenly spaced"), "{error}");

@@ -59,7 +59,8 @@ fn within_two_per_cent_over_the_range_of_chapter_4() {
             let seen = Observation::of(&measured, &system, 1);
             for using in [Using::Complex, Using::Phase] {
                 let found = identified(&system, seen.clone(), using);
-                // At r = 1/2 the steady state is one of a continuum. The model reaches the same one from rest.
+                // At r = 1/2 the steady state is one of a continuum. From rest, the model reaches the steady state of
+                // the measurement.
                 assert_eq!(
                     found.verdict,
                     Verdict::Determined,
@@ -133,8 +134,8 @@ fn at_an_invariant_point_it_says_so() {
             load_deviation: 0.0,
             motions: vec![datum],
         };
-        // Below the largest threshold of a resonance the contact slides there. An undamped scene with more friction
-        // would take too long.
+        // Below the largest threshold of a resonance the contact slides at this resonance. An undamped scene with more
+        // friction would take too long.
         let request = IdentifyRequest {
             range: Some((0.0, 1.2)),
             ..IdentifyRequest::default()
@@ -149,7 +150,7 @@ fn at_an_invariant_point_it_says_so() {
         invariant.levels
     );
     assert!(invariant.friction.holds(0.3));
-    // The other mass determines the friction.
+    // The motion of m₁ determines the friction.
     let other = at(2.0_f64.sqrt(), 0);
     assert_eq!(other.verdict, Verdict::Determined);
     assert!((other.friction.value - 0.3).abs() < 1e-3);
@@ -229,7 +230,7 @@ fn with_damping_and_frequency() {
     assert!((found.unknowns[0].1.value - 0.015).abs() < 1e-7);
     let stiffness = truth.scene().springs[0].stiffness;
     assert!((found.unknowns[1].1.value / stiffness - 1.0).abs() < 1e-7);
-    // The unknown may also be a factor on the frequencies.
+    // The unknown of this test is a factor on the frequencies.
     let request = IdentifyRequest {
         unknowns: vec![Unknown::Damping, Unknown::Frequencies],
         ..IdentifyRequest::default()

@@ -1,5 +1,5 @@
 //! Coverage of confidence intervals: intervals of 95 % must contain the truth in 95 % of the repeats, up to three
-//! standard deviations of such a count. That is 93 to 97 % of 1000 repeats.
+//! standard deviations of this count. For 1000 repeats the accepted counts are 93 to 97 %.
 
 use crate::force::{scale, seen};
 use crate::made::{How, NATURAL, Noise, Y, motions, recording, rig};

@@ -82,7 +82,7 @@ fn one_storey_from_recordings() {
     );
 }
 
-/// A damped run from rest goes through the same fit. The simulation needs no friction to settle, so friction is 0.
+/// The test also fits a damped run from rest. The simulation needs no friction to settle, so friction is 0.
 #[test]
 fn a_damped_storey_with_its_damping() {
     let system = rig("damping: modal(0.02),");

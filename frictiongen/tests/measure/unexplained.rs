@@ -112,8 +112,8 @@ fn the_right_scene_is_told() {
     }
 }
 
-/// Nothing stops, and μ is unknown together with the damping. The recording does not determine μ, and determines the
-/// other unknowns as without μ.
+/// The contact never stops, and μ is unknown together with the damping. The recording does not determine μ, and
+/// determines the other unknowns as without μ.
 #[test]
 fn an_unknown_that_does_not_show() {
     let truth = rig("stiction: 1.3, damping: modal(0.02),");
@@ -152,8 +152,8 @@ fn an_unknown_that_does_not_show() {
     }
 }
 
-/// A factor on the frequencies and the only stiffness are one unknown under two names. Neither is determined, but
-/// friction is.
+/// A factor on the frequencies and the only stiffness are one unknown under two names. The recording determines neither
+/// of the two unknowns, but it determines the friction.
 #[test]
 fn two_unknowns_that_are_one() {
     let truth = rig("damping: modal(0.02),");

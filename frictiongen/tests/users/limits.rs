@@ -1,4 +1,4 @@
-//! A limit that is known is not searched again, and a search reports whether it finished.
+//! Tests that no search repeats the computation of a known limit, and that a search reports whether it finished.
 
 use frictiongen::kernel::modal_sum::search::MAX_EVALUATIONS;
 use frictiongen::{ContinuousMotion, FrictionSystem, MotionAt};

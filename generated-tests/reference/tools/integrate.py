@@ -18,7 +18,7 @@ CLUSTER = 2.0 ** -np.arange(18, 0, -1)  # so near to its start is a segment look
 
 
 class Lost(Exception):
-    """The motion cannot be told: a failed start, or an event within rounding of another."""
+    """The motion is not known: rounding decides whether the contact starts, or which of two events is first."""
 
 
 class Scene:
@@ -72,7 +72,7 @@ class Scene:
 
 
 class Exponentials:
-    """Re sum of columns e^{rate t}: a vector function of local time."""
+    """Real part of the sum of columns e^{rate t}: a vector function of the time since the start of a segment."""
 
     def __init__(self, columns, rates):
         self.columns, self.rates = columns, rates
@@ -86,7 +86,7 @@ class Exponentials:
 
 
 class Segment:
-    """contact: 0 stuck, +1 or -1 the direction of sliding."""
+    """A motion between two events. `contact` is 0 for a stuck contact, else the direction of sliding, +1 or -1."""
 
     def __init__(self, start, contact, motion, function):
         self.start, self.contact, self.motion, self.function = start, contact, motion, function
@@ -96,7 +96,7 @@ class Segment:
 class Integrator:
     def __init__(self, scene, r, beta, rule=None):
         self.scene, self.r, self.beta = scene, r, beta
-        # What decides whether the contact stops; mu beta but in the trial of the wrong rule.
+        # `stops_at` is the largest force at which the contact stops: mu beta, or `rule` to try a wrong rule.
         self.grip = scene.mu * beta
         self.stops_at = self.grip if rule is None else rule
         n, s = scene.n, scene.s
@@ -137,7 +137,7 @@ class Integrator:
         return Exponentials(columns, np.r_[rates, 1j, 0])
 
     def segment(self, tau, state, contact):
-        """From a state (x, x'), the motion of (x, x') and the function whose zero ends the segment."""
+        """Returns the segment that starts from the state (x, x'), with the functions whose first zero ends it."""
         scene, n = self.scene, self.n
         if contact:
             motion = self.assembled(self.sliding, tau, state, self.push * contact)
@@ -175,7 +175,7 @@ class Integrator:
         return (scene.w @ (rest / scene.gamma) + scene.s * self.r**2 * np.cos(tau)) / scene.inverse_mass
 
     def first_zero(self, function, reach):
-        """The first zero of a function that starts from zero or above, and how near it came before."""
+        """Returns the first zero of a function that starts from zero or above, and its least minimum before."""
         columns, rates = function.columns[0], function.rates
         scale = np.abs(columns).sum()
         value = lambda t: float((columns @ np.exp(rates * t)).real)
@@ -202,7 +202,7 @@ class Integrator:
                 grid, values, slopes = np.r_[last[0], grid], np.r_[last[1], values], np.r_[last[2], slopes]
             last = grid[-1], values[-1], slopes[-1]
             crossed = values[1:] <= 0
-            # A dip between points.
+            # The function has a minimum between these points, which may be negative.
             turned = (slopes[:-1] < 0) & (slopes[1:] > 0) & ~crossed
             for i in np.flatnonzero(crossed | turned):
                 left, right = grid[i], grid[i + 1]
@@ -216,7 +216,7 @@ class Integrator:
         return None, nearest / scale
 
     def start(self, tau, state):
-        """How the contact stands in a state."""
+        """Returns 0 if the contact is stuck in this state, and otherwise the direction of sliding, +1 or -1."""
         velocity = self.scene.w @ state[self.n :] + self.scene.s * np.sin(tau)
         if abs(velocity) > 1e-14:
             return int(np.sign(velocity))
@@ -224,7 +224,7 @@ class Integrator:
         return 0 if abs(force) <= self.grip else int(np.sign(force))
 
     def advance(self, tau, state, contact, reach):
-        """One segment; the state after it and how the contact then stands."""
+        """Returns one segment, the state after it, and the state of the contact after it."""
         segment = self.segment(tau, state, contact)
         found = [self.first_zero(f, reach) for f in segment.function]
         segment.nearest = min(near for _, near in found)
@@ -251,7 +251,7 @@ class Integrator:
         return segment, after, -contact
 
     def run(self, state, cycles=None, tau=0.0, length=None, contact=None, events=None):
-        """Segments over whole cycles, or until so many events; then state and contact."""
+        """Returns the segments over whole cycles, a length, or a number of events, then the last state and contact."""
         contact = self.start(tau, state) if contact is None else contact
         left = TAU * cycles if length is None else length
         segments = []

@@ -20,7 +20,7 @@ from integrate import TAU, Integrator, Lost, Scene
 
 HERE = Path(__file__).parent
 MOST_PERIOD = 64
-# Twins nearer than this are not told apart, and no phase is recorded.
+# Relative difference of two maxima below which they count as equal, so that no phase is recorded.
 TWINS = 1e-7
 
 
@@ -38,7 +38,7 @@ def cycle(it, state, contact):
 
 
 def follow(it, most):
-    """From rest until a cycle repeats: the period, the last segments, the state and the contact."""
+    """Follows motion from rest until a cycle repeats. Returns the period or None, and the states and contacts."""
     state, contact = np.zeros(2 * it.n), None
     states, contacts, segments = [], [], []
     for count in range(most):
@@ -55,7 +55,7 @@ def follow(it, most):
 
 
 def longest_slide(it, state, contact, period):
-    """An instant, a state and the contact in the middle of the longest slide of a period."""
+    """Returns the instant, the state and the contact in the middle of the longest slide of a period."""
     segments, _, _ = it.run(state, period, contact=contact)
     slides = [segment for segment in segments if segment.contact]
     if not slides:
@@ -66,7 +66,7 @@ def longest_slide(it, state, contact, period):
 
 
 def newton(it, tau, state, contact, period, steps=12):
-    """The fixed point of the map of a period near a state, and the map's derivative."""
+    """Returns the fixed point near a state of the map of a period, the map's derivative, and the last step."""
     image = lambda x: it.run(x, tau=tau, length=period * TAU, contact=contact)[1]
     size, last = len(state), np.inf
     for _ in range(steps):
@@ -80,7 +80,7 @@ def newton(it, tau, state, contact, period, steps=12):
             return None
         length = np.abs(step).max() / scale
         state = state + step
-        # Down to rounding, or as near as that lets it come.
+        # The step has reached rounding, or rounding keeps it from becoming smaller.
         if length < 1e-14 or (length < 1e-10 and length > last / 4):
             return state, jacobian, length
         if length > 1e3:
@@ -90,7 +90,7 @@ def newton(it, tau, state, contact, period, steps=12):
 
 
 def coordinate(it, segment, which):
-    """Columns of a mass's motion, or of z for the contact."""
+    """Returns the columns of a mass's motion, or of z for the contact."""
     columns = segment.motion.columns
     if which is not None:
         return columns[which]
@@ -114,11 +114,11 @@ def harmonic(segments, rows, n, period):
 
 
 def extremes(segments, rows, held):
-    """Every local maximum of |x|, as value and place; where it is constant in a stop, the beginning of that."""
+    """Yields value and instant of every local extreme of x. A stop counts with the instant at which it begins."""
     for before, segment, row in zip([None, *segments], segments, rows):
         rates, length = segment.motion.rates, segment.length
         value = lambda t: float((row @ np.exp(rates * t)).real)
-        # Where a slide and a stop meet, the stop has the value.
+        # Where a slide and a stop meet, only the stop yields the value.
         started = held and before is not None and before.contact == 0
         stopped = held and segment.event == "stop"
         if held and segment.contact == 0:
@@ -128,7 +128,7 @@ def extremes(segments, rows, held):
         count = int(24 * length / TAU * max(1, np.abs(rates).max())) + 8
         grid = np.linspace(0, length, count)
         slopes = [slope(t) for t in grid]
-        # The ends of a segment belong to it: there the slope may vanish.
+        # Both ends of a segment count, because the slope may vanish at an end.
         for i, t in enumerate(grid):
             if (i == 0 and not started) or (i == count - 1 and not stopped):
                 yield value(t), segment.start + t
@@ -138,7 +138,7 @@ def extremes(segments, rows, held):
 
 
 def lag(value, start):
-    """The lag of an extreme, by half a turn more where it is negative; of a stop that of its beginning."""
+    """Returns the lag of an extreme, with half a turn added if the extreme is negative."""
     turned = start + (np.pi if value < 0 else 0)
     return np.pi - (np.pi - turned) % TAU
 
@@ -156,7 +156,7 @@ def motion(it, segments, which, period):
     third = harmonic(segments, rows, 3, period)
     return {
         "amplitude": amplitude,
-        # Of a maximum that is nearly flat the place is worth half the digits.
+        # The instant of a nearly flat maximum has only half of the digits.
         "phase": min(best, key=abs) if spread < 1e-3 else None,
         "mean": harmonic(segments, rows, 0, period).real,
         "fundamental": [first.real, first.imag],
@@ -165,7 +165,7 @@ def motion(it, segments, which, period):
 
 
 def origin(it, segments):
-    """Where z leaves its largest maximum; none if twins do."""
+    """Returns the instant at which z leaves its largest maximum, or None if two maxima are equal."""
     leaving = []
     for segment in segments:
         if segment.contact < 0:
@@ -177,7 +177,7 @@ def origin(it, segments):
     size = abs(leaving[0][0]) + abs(leaving[-1][0])
     if len(leaving) > 1 and leaving[0][0] - leaving[1][0] < 1e-6 * size:
         return None, None
-    # How far the others are below it, for a test that must tell them apart.
+    # The second result is the distance from the largest to the least of these maxima, divided by their size.
     return leaving[0][1], (leaving[0][0] - leaving[-1][0]) / size
 
 
@@ -190,7 +190,7 @@ def record(it, tau, state, contact, period):
     start, below = origin(it, segments)
     return {
         "period": period,
-        # The first and the last are one.
+        # The first and the last segment are parts of one segment.
         "segments": len(segments) - 1,
         "stops": count("stop"),
         "reversals": count("reversal"),
@@ -208,12 +208,12 @@ def record(it, tau, state, contact, period):
 
 
 def at_maximum(it, tau, state, contact):
-    """The state when the load is at its maximum next."""
+    """Returns the state at the next maximum of the load."""
     return it.run(state, tau=tau, length=(-tau) % TAU, contact=contact)[1]
 
 
 def settled(it, most):
-    """The steady state from rest, or none."""
+    """Returns the steady state that motion from rest reaches, or None."""
     period, state, contact, states, contacts = follow(it, most)
     if period is None:
         return None, states, contacts
@@ -228,7 +228,7 @@ def settled(it, most):
     scale = np.abs(fixed).max()
     if np.abs(fixed - start).max() > 1e-4 * scale:
         raise Lost("the fixed point is elsewhere")
-    # A motion that comes near in turns repeats sooner in the end than on the way.
+    # If the approach alternates, the steady state has a shorter period than the motion on the way to it.
     for fewer in (cycles for cycles in range(1, period) if period % cycles == 0):
         again = it.run(fixed, tau=tau, length=fewer * TAU, contact=side)[1]
         if np.abs(again - fixed).max() < 1e-9 * scale:
@@ -242,7 +242,7 @@ def settled(it, most):
 
 
 def left_alone(it, states, contacts):
-    """A fixed point of the map of one cycle that the motion leaves again and again."""
+    """Returns an unstable fixed point of the map of one cycle, near which the motion passes."""
     order = sorted(range(30, len(states) - 1), key=lambda k: np.abs(states[k + 1] - states[k]).max())
     for k in order[:12]:
         middle = longest_slide(it, states[k], contacts[k], 1)
@@ -266,7 +266,7 @@ def left_alone(it, states, contacts):
 
 
 def tending(it, most):
-    """What a motion tends to whose stops shrink as n^(-1/2) after n cycles."""
+    """Extrapolates a motion whose stops shrink as n^(-1/2) after n cycles to infinitely many cycles."""
     state, contact, counts, values, shares = np.zeros(2 * it.n), None, [], [], []
     for count in range(1, most + 1):
         segments, state, contact = cycle(it, state, contact)
@@ -285,14 +285,14 @@ def tending(it, most):
     return {
         "kind": "marginal", "period": 1, "cycles": most,
         "stuck_fraction": rest, "stuck_fraction_then": shares[-1],
-        # How much one power more changes.
+        # Change of the limits by the sixth term of the fit.
         "known_to": np.abs(limits - fewer).max(),
         "contact": named[0], "masses": named[1:],
     }
 
 
 def by_beta(it, scene, r, beta, most):
-    """What the same motion would be if beta decided whether the contact stops."""
+    """Returns the motion under the wrong rule that the contact stops if its force is at most beta."""
     try:
         wrong, _, _ = settled(Integrator(scene, r, beta, rule=beta), most)
     except Lost:

@@ -16,7 +16,7 @@ from integrate import TAU, Integrator, Lost
 from orbits import of, plain
 
 HERE = Path(__file__).parent
-# Two events nearer than this, or a velocity that comes as near to zero, are not told apart safely.
+# Least length of a segment, and least minimum of a function before its zero, that the reference accepts.
 CLEAR = 1e-5
 
 
@@ -51,7 +51,7 @@ def run(point, name):
         segments.append([segment.contact, segment.length, segment.event, bool(between)])
     answer["segments"] = segments
     answer["x"], answer["v"] = state[: it.n].tolist(), state[it.n :].tolist()
-    # What the state of the contact at the end depends on.
+    # The contact force at the end, from which the state of the contact follows.
     answer["friction"] = float(it.holding(tau, state)) if contact == 0 else contact * it.beta
     return answer
 

@@ -114,7 +114,7 @@ where
 
 /// Tolerance in double precision. At a relative distance d from the absorber's frequency, the quotient V/H has an
 /// error of ε/d, where ε is the rounding unit, and the series has an error of d⁴. Both errors are equal where d⁴ is
-/// somewhat above ε. There about a quarter of the digits is lost.
+/// somewhat above ε. At this d about a quarter of the digits is lost.
 const DOUBLE: f64 = 1e-11;
 const SINGLE: f64 = 1e-4;
 /// Tolerance in double-double. The formula keeps three quarters of 31 digits, which would allow 1e-23. The exact

@@ -24,8 +24,8 @@ const DOUBLE: f64 = 1e-12;
 const SINGLE: f64 = 2e-4;
 /// Numbers of the scenes whose points lose too many digits for the tolerance 2e-4 in single precision.
 ///
-/// Scenes 11 and 20 have far masses above the resonances, and scene 30 has limits near a subharmonic. There the
-/// rounding of r and λ to single precision alone changes the limits by more than 2e-4.
+/// Scenes 11 and 20 have far masses above the resonances, and scene 30 has limits near a subharmonic. At the points of
+/// these scenes, the rounding of r and λ to single precision alone changes the limits by more than 2e-4.
 const ILL_CONDITIONED: [usize; 3] = [11, 20, 30];
 
 /// Number of compared values of each kind. The reference has 38 scenes with 141 masses in total, three points for each
@@ -266,8 +266,8 @@ fn one_mode_has_its_own_maximum() {
         }
     }
     println!("{compared} values compared, worst {worst:.1e}; {searched} with a search");
-    // Both searches find S, the largest velocity constraint, to a few rounding units. The sum U² + S² may double this
-    // error.
+    // The two compared searches find S, the largest velocity constraint, to a few rounding units. The sum U² + S² may
+    // double this error.
     assert!(worst < 1e-14);
     assert_eq!(compared, 6 * 2 * 199);
     // The test counts only searches in which S exceeds its value at the start of the half period.

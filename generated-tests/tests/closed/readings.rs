@@ -150,7 +150,7 @@ where
     }
     println!("{name}: {compared} motions compared, {skipped} of masses without one skipped");
     assert_eq!(compared + skipped, RATIOS.len() * system.masses());
-    // These scenes provide the motion of one mass. The other scenes provide the motion of every mass.
+    // These scenes provide the motion of one mass. All remaining scenes provide the motion of every mass.
     let without = match name {
         "OneMotion" | "Five" | "Tall" => system.masses() - 1,
         _ => 0,

@@ -169,7 +169,7 @@ fn a_resonance_of_the_held_chain() {
         }
         Ok(x) => {
             let exact = 1.0 / (4.0 - r * r);
-            // λ and r have one rounding each, and the small distance from the resonance magnifies both.
+            // λ and r have one rounding each, and the small distance from the resonance magnifies the two roundings.
             let tolerance = 64.0 * f64::EPSILON / (2.0 - r).abs();
             assert!((x / exact - 1.0).abs() < tolerance, "{x} {exact}");
             answered += 1;

@@ -23,7 +23,7 @@
 use frictiongen::friction_system;
 
 friction_system! {
-    /// The scene that the others are compared with.
+    /// The scene with which the tests compare all other scenes.
     pub(crate) struct Frame {
         masses: { lower: 3.27, upper: 3.25 },
         springs: { base - lower: 1190.0, lower - upper: 1323.0 },

@@ -1,5 +1,5 @@
 //! Tests scenes in unusual positions: hardly used, several in one module, in functions, and with restricted
-//! visibility. Also tests items before `struct`.
+//! visibility. One test has items before `struct`.
 
 use frictiongen::friction_system;
 

@@ -86,7 +86,7 @@ const OF_TABLED: [Case; 7] = [
     (&["fn domain", "r: ("], "domain", true),
 ];
 
-/// Returns the text with another digit in the number after the marks: the last one, or the one at `place`.
+/// Returns the text with one digit changed in the number after the marks: the last digit, or the digit at `place`.
 fn with_a_wrong_digit(text: &str, marks: &[&str], place: Option<usize>) -> String {
     let start = marks.iter().fold(0, |from, mark| {
         let found = text[from..].find(mark);
@@ -144,7 +144,7 @@ fn compiled(folder: &Path) -> PathBuf {
         .collect();
     found.sort_by_key(|path| path.metadata().and_then(|data| data.modified()).ok());
     let mut said = String::new();
-    // Other builds may have left older libraries there.
+    // The folder may also contain older libraries from other builds.
     for library in found.iter().rev() {
         let output = Command::new("rustc")
             .current_dir(folder)

@@ -86,7 +86,7 @@ fn largest(system: &System, of: Of, [from, to]: [f64; 2], beta: f64, count: &mut
 }
 
 /// Returns the friction ratio with the smallest value of `largest`, and that value. The function samples 40 friction
-/// ratios, then 40 near the best one, and so on.
+/// ratios, then 40 near the best of these, and so on.
 fn by_map(
     system: &System,
     of: Of,
@@ -116,8 +116,8 @@ fn optimum(system: &System, request: &OptimumRequest) -> (Optimum, f64) {
     (optimum, start.elapsed().as_secs_f64())
 }
 
-/// Checks an optimum at which two peaks cross. The peaks are equal to rounding. With more friction one falls and the
-/// other rises, so any other friction is worse.
+/// Checks an optimum at which two peaks cross. The peaks are equal to rounding. With more friction one peak falls and
+/// the other peak rises, so every other friction is worse.
 #[test]
 fn two_equal_peaks() {
     let (system, request) = asked(ABSORBER, "a", 0.75, 1.25);
@@ -229,8 +229,8 @@ fn a_least_that_a_scan_hides() {
     );
 }
 
-/// Returns a chain of three masses, of which the middle one rubs. If both halves are equal, the contact does not
-/// touch the second mode.
+/// Returns a chain of three masses, of which the middle mass rubs. If both halves are equal, the contact does not touch
+/// the second mode.
 fn chain(last: f64) -> String {
     format!(
         "struct Chain {{ masses: {{ a: 1, b: 1, c: 1 }}, contact: b - wall, excitation: a,

@@ -101,7 +101,8 @@ fn a_resonance_below_the_band() {
     assert_eq!(Some(found.unbounded_to), thresholds[1]);
 }
 
-/// Checks that at both ends of a tolerance range the largest amplitude exceeds the best one by the stated percentage.
+/// Checks that at both ends of a tolerance range the largest amplitude exceeds the best amplitude by the stated
+/// percentage.
 #[test]
 fn tolerances_end_at_their_excess() {
     let text = "struct Absorber { masses: { a: 1.0, b: 0.1 },

@@ -58,7 +58,7 @@ fn quantity(
     let at = system
         .at(omega * (mass / stiffness).sqrt())
         .expect("a frequency");
-    // A motion with too many stops in a cycle gives no answer. Neither the search nor the map takes it into account.
+    // A motion with too many stops in a cycle gives no answer. The search and the map omit this motion.
     let Ok(response) = at.response(newtons / force) else {
         return 0.0;
     };
@@ -123,7 +123,7 @@ fn physical(system: &System, request: &OptimumRequest, optimum: &Optimum) -> (f6
     (scale.friction(optimum.beta), unit * optimum.amplitude)
 }
 
-/// Checks one optimum: at its friction the map has the same value, and no friction of the map has a smaller one.
+/// Checks one optimum: at its friction the map has its value, and no friction of the map has a smaller value.
 fn check(system: &System, of: &str, load: Load, band: [f64; 2], shares: &[f64]) {
     let request = request(system, of, load, band);
     let optimum = system.optimum(&request).expect("an optimum");
@@ -150,7 +150,7 @@ fn check(system: &System, of: &str, load: Load, band: [f64; 2], shares: &[f64]) 
     }
 }
 
-/// Multiples of the best friction at which the test also compares the map.
+/// Multiples of the best friction at which the test compares the map with the search.
 const SHARES: [f64; 4] = [0.7, 0.98, 1.02, 1.4];
 /// The band of the frame, in Hz.
 const BAND: [f64; 2] = [2.5, 9.0];
@@ -175,8 +175,7 @@ fn loads_over_frequency_as_by_a_map() {
     check(&rotor, "rotor", Load::Unbalance(0.02), [2.0, 14.0], shares);
 }
 
-/// Checks every quantity, and every load whose amplitude depends on frequency. This is the long form of the two tests
-/// above.
+/// Checks every quantity, and every load whose amplitude depends on frequency. Long form of the two tests above.
 #[test]
 #[ignore = "takes a minute"]
 fn every_quantity_as_by_a_map() {
@@ -307,7 +306,7 @@ fn bounds_hold_on_a_map() {
     };
     assert!((value / least.amplitude - 1.0).abs() < 1e-9, "{value}");
     assert!((beta / least.beta - 1.0).abs() < 1e-6, "{beta}");
-    // Each of the two bounds alone can be satisfied, but not both.
+    // Each of the two bounds alone can be satisfied, but no friction satisfies both bounds.
     let two = [
         KeptQuantity {
             most: 1.0001 * least.amplitude,
@@ -371,7 +370,7 @@ fn a_stopped_search_keeps_its_best() {
         from: 1.0,
         to: 2.0,
     };
-    // Enough work for some of the 17 values, but not for all of them.
+    // Enough work for some of the 17 values, but not for all 17.
     let some = after(4 * full.evaluations);
     let tuned = system
         .tuned_optimum_watched(&request, &tuning, &some)
@@ -405,8 +404,9 @@ fn a_stopped_search_keeps_its_best() {
 }
 
 /// Checks that the best friction for two quantities, each divided by a given value, is between the best friction of
-/// each. There both quotients are equal, and no other friction gives a smaller largest quotient. The maps of the test
-/// use single steady states. `several_quantities` of the command's tests is the short form.
+/// each. At the best friction for two quantities the two quotients are equal, and no other friction gives a smaller
+/// largest quotient. The maps of the test use single steady states. `several_quantities` of the command's tests is the
+/// short form.
 #[test]
 #[ignore = "takes half a minute"]
 fn two_quantities_in_balance() {

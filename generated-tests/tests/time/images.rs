@@ -23,7 +23,7 @@ fn bits<T: Stepping>(stepper: &T, masses: usize) -> Vec<u64> {
     bits
 }
 
-/// Random inputs of a scene. They are such that the contact stops and slips.
+/// Random inputs of a scene, with which the contact stops and slips.
 #[derive(Clone)]
 struct Inputs {
     random: Random,
@@ -118,7 +118,7 @@ fn a_run_continues_with_the_same_bits() {
             shown::Shaken::stepper_from_image,
         ),
     );
-    // This stepper has another step than the declared one. The image contains the step.
+    // The step of this stepper differs from the declared step. The image contains the step.
     continues(
         shown::Shaken::stepper(1.3e-3).expect("a step"),
         shaken.clone(),

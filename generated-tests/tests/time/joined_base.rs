@@ -21,7 +21,7 @@ friction_system! {
 }
 
 friction_system! {
-    // The same chain on a base at rest, under forces on its masses.
+    // The chain of `Shaken`, on a base at rest and under forces on its masses.
     pub struct Pushed {
         masses: { lower: 2.0, upper: 1.5 },
         springs: { base - lower: 900.0, lower - upper: 700.0 },
@@ -263,7 +263,7 @@ fn a_plain_integrator_agrees() {
     );
     assert!(events > 10, "{events}");
     // The integrator is symplectic Euler with steps of 5 µs over 0.8 s, at about 30 rad/s. Its error is 30·5e-6/2 =
-    // 8e-5 of the motion, and as much again for each event.
+    // 8e-5 of the motion, plus 8e-5 of the motion for each event.
     assert!(worst < 1e-3 * size, "{worst} {size}");
 }
 

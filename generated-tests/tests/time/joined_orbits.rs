@@ -221,7 +221,7 @@ fn steady_states_have_the_bits_of_the_system() {
     let (x, v) = (masses.map(|m| m.state().0), masses.map(|m| m.state().1));
     let again = at.orbit_from(0.3, (&x, &v)).expect("a steady state");
     let differs = again.four().amplitude() / orbit.four().amplitude() - 1.0;
-    // A contact that keeps its force or its displacement may keep another one after the new start.
+    // A contact that keeps its force or its displacement may keep another force or displacement after the new start.
     let bound = if orbit.is_marginal() { 0.1 } else { 1e-9 };
     assert!(differs.abs() < bound, "{differs}");
 }

@@ -59,8 +59,8 @@ fn harmonics() -> Vec<Harmonic> {
     vec![of(1, 100.0, 0.0), of(3, 20.0, 45.0)]
 }
 
-/// Returns the polynomials of a base whose acceleration changes linearly between samples. The mean displacement of
-/// the base is the one that the question prescribes.
+/// Returns the polynomials of a base whose acceleration changes linearly between samples. The mean displacement of the
+/// base has the value that the question prescribes.
 fn integrated(samples: &[f64], step: f64) -> Vec<Vec<f64>> {
     let count = samples.len() - 1;
     let from = |start: [f64; 2]| {
@@ -186,8 +186,8 @@ fn compared(case: &Case, state: &PeriodicState, states: &[Vec<[f64; 2]>]) -> f64
     let total = state.tracks()[0].values.len() - 1;
     let ahead = (state.start() / state.step()).round() as usize;
     let per = total / (case.steps * state.period());
-    // The answer covers one or several periods of the load, and may begin in any of them. The integrator has all of
-    // them.
+    // The answer covers one or several periods of the load, and may begin in any of them. The integrator computes the
+    // motion over all these periods.
     let mut best = f64::INFINITY;
     for shift in 0..state.period() {
         for (k, masses) in states.iter().enumerate() {

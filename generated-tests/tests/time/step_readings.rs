@@ -123,7 +123,7 @@ fn emitted_and_run_time_say_the_same_bits() {
         }
         println!("{name}: {} values the same, {events} events", one.len());
     }
-    // These steps have another length than the scene declares.
+    // The length of these steps differs from the length that the scene declares.
     check("Shaken", &shown::Shaken, 1.1e-3, &SHAKEN, 2);
     check("Pushed", &shown::Pushed, 1e-3, &PUSHED, 1);
     check("Bowed", &shown::Bowed, 4e-4, &BOWED, 2);
@@ -175,8 +175,8 @@ fn constant_tables_say_the_same_to_rounding() {
 /// A stepper that borrows its constant tables. It is the value of a `static`.
 static SHAKEN_AT_REST: shown::ShakenDeclaredStepper = shown::Shaken::declared_stepper();
 
-/// Checks a stepper that borrows its tables against one that owns a copy. It gives the same bits, needs less memory,
-/// and reads the images of the other one.
+/// Checks a stepper that borrows its tables against one that owns a copy. The stepper with borrowed tables gives the
+/// same bits, needs less memory, and reads the images of the stepper with a copy.
 #[test]
 fn borrowed_tables_say_the_same_bits() {
     fn check(name: &str, (borrows, owns): (impl Stepping, impl Stepping), strength: &Strength) {
@@ -234,8 +234,8 @@ fn all_masses_at_once_are_the_masses_one_by_one() {
 }
 
 frictiongen::friction_system! {
-    /// A scene whose step is nearly a radian of the faster mode. A series with too few terms would be wrong in such a
-    /// step.
+    /// A scene whose step is nearly a radian of the faster mode. A series with too few terms would be wrong in a step
+    /// of this length.
     struct Long {
         masses: { a: 1.0, b: 2.0 },
         springs: { base - a: 400.0, a - b: 300.0 },

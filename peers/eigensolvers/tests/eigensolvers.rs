@@ -66,7 +66,7 @@ const CASES: [Case; 7] = [
             (5, 6, 46.0),
         ],
     },
-    // All four masses joined with each other, and one of them supported: a full K̄.
+    // Four masses, each joined by a spring with every other mass, and one support: a full K̄.
     Case {
         masses: &[1.0, 1.7, 0.6, 2.4],
         springs: &[

@@ -1,5 +1,5 @@
 //! Times the map of `measure.py` in Rust. `measure SCENE` computes a map twice and prints the seconds of the second
-//! one. It also prints the number of stuck points, which shows that both programs computed the same map.
+//! computation. It also prints the number of stuck points, which shows that both programs computed the same map.
 
 use frictiongen::study::map::MapRequest;
 use frictiongen::{Of, Regime, System};

@@ -191,7 +191,7 @@ impl FrequencyRange {
                 "step is {given:?}: it must be above 0 and finite"
             )));
         }
-        // The command too refuses more points than an answer may have.
+        // The method refuses more points than an answer may have, as the command does.
         if super::MOST_POINTS as f64 <= (self.to - self.from) / step {
             return Err(domain(format_args!(
                 "step is {given:?}: it gives more than {} points",

@@ -1,5 +1,5 @@
-//! Computes limits without search. They are closed formulas, which use the velocity constraint at the reversal in
-//! place of its largest value. The earlier commit has no function that returns both limits, so this file calls `at`
+//! Computes limits without search. These limits are closed formulas, which use the velocity constraint at the reversal
+//! in place of its largest value. The earlier commit has no function that returns both limits, so this file calls `at`
 //! first.
 
 use crate::methods::Pair;

@@ -11,10 +11,12 @@ const CAPTION: &str = "Down and to the left is better.  The error is the relativ
 /// Smallest error that the picture shows: half a rounding unit of a double.
 const ROUNDING: f64 = 1.1e-16;
 
-/// Position of the note beside a mark: two factors on time and error of the mark, and which end of the note is there.
+/// Position of the note beside a mark: two factors on time and error of the mark, and the end of the note that is at
+/// this position.
 type Place = (f64, f64, Anchor);
 
-/// How the picture shows each method: name in the table, name in the picture, colour, mark and place of its notes.
+/// Appearance of each method in the picture: name in the table, name in the picture, colour, mark and place of its
+/// notes.
 const LOOKS: [(&str, &str, usize, Marker, Place); 3] = [
     (
         "frictiongen",

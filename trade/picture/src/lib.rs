@@ -20,7 +20,7 @@ const CAPTION: &str = "Down and to the left is better.  A mark is one way with o
 /// Smallest ratio of the upper to the lower end of an error axis.
 const LEAST_SPAN: f64 = 40.0;
 
-/// How the picture shows one method: its name and its mark.
+/// Appearance of a method in the picture: its name and its mark.
 struct Look {
     /// First characters of the method's name in the table.
     by: &'static str,

@@ -44,7 +44,7 @@ impl Beside {
         }
     }
 
-    /// Returns the same note without the colour of a method, because it is about all methods near the mark.
+    /// Returns this note without the colour of a method, because it is about all methods near the mark.
     const fn about_all(mut self) -> Self {
         self.coloured = false;
         self

@@ -26,7 +26,7 @@ const CHOICES: [u8; 5] = [2, 3, 4, 6, 9];
 /// Writes the section on tables of a declared accuracy.
 pub fn declared(measure: &Measure, text: &mut String) -> Written {
     let rows = &measure.rows;
-    text.push_str("## Against declared accuracies\n\nIn this section the scenes have `accuracy` and `range: { r: 0.2..2.5 }`, so that piecewise polynomials replace the formulas.  The column `table` is the time from r to both limits, or to the contact's amplitude.  `before` is the time of the earlier searches, and `exact now` that of the present ones.  A ratio is the time to its left divided by the time of the table.  `bytes` is the size of pieces, buckets, zeros and poles.  `comparisons` is the number of comparisons that find a piece.  `error` is the largest difference from double-double at the points of the clock and the usual points.\n\n");
+    text.push_str("## Against declared accuracies\n\nIn this section the scenes have `accuracy` and `range: { r: 0.2..2.5 }`, so that piecewise polynomials replace the formulas.  The column `table` is the time from r to both limits, or to the contact's amplitude.  `before` is the time of the earlier searches, and `exact now` that of the present searches.  A ratio is the time to its left divided by the time of the table.  `bytes` is the size of pieces, buckets, zeros and poles.  `comparisons` is the number of comparisons that find a piece.  `error` is the largest difference from double-double at the points of the clock and the usual points.\n\n");
     at_usual(rows, text)?;
     contact(rows, text)?;
     typical(rows, text)?;
@@ -67,7 +67,7 @@ fn over(rows: &[Row], row: &Row, by: By, method: Method) -> Option<(f64, f64)> {
     Some((other.time.median, other.time.median / row.time.median))
 }
 
-/// Formats a time and a ratio as two columns of a table. Both are empty for `None`.
+/// Formats a time and a ratio as two columns of a table. For `None` the two columns are empty.
 fn columns(compared: Option<(f64, f64)>) -> String {
     compared.map_or_else(
         || " | ".to_owned(),

@@ -14,7 +14,7 @@ const RUN_TIME: f64 = 1.2;
 /// thousandth of the calls, the second for all calls.
 const TAILS: [f64; 2] = [10.0, 40.0];
 
-/// Returns the smallest ratio that is aimed for, of the time of the earlier searches to that of the present ones.
+/// Returns the smallest ratio that is aimed for, of the time of the earlier searches to that of the present searches.
 /// `None` if there is no aim.
 fn aim_against_before(masses: usize, method: Method) -> Option<f64> {
     match (method, masses) {
@@ -25,7 +25,7 @@ fn aim_against_before(masses: usize, method: Method) -> Option<f64> {
     }
 }
 
-/// Writes the section that compares the earlier searches with the present ones.
+/// Writes the section that compares the earlier searches with the present searches.
 pub fn before(rows: &[Row], text: &mut String) -> Written {
     text.push_str("## Against the searches before\n\n");
     if !rows.iter().any(|row| row.by == By::Before) {

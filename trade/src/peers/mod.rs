@@ -10,7 +10,7 @@ pub mod textbook;
 use crate::scenes::Label;
 use frictiongen::System;
 
-/// Modal data of a scene, as the other programs take them.
+/// Modal data of a scene, in the form that the compared programs read.
 #[derive(Clone, Debug)]
 pub struct Modal {
     /// Natural frequency ratios √λ of the modes.

@@ -41,7 +41,7 @@ pub struct Tabled {
 /// Reason why a scene has no tables of the finest accuracy.
 #[derive(Clone, Copy, Debug)]
 pub struct Refused {
-    /// Scene without such tables.
+    /// Scene without tables of the finest accuracy.
     pub label: Label,
     /// Frequency ratio at which the tables miss the accuracy.
     pub at: f64,

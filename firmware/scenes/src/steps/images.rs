@@ -13,7 +13,7 @@ macro_rules! chain {
         #[allow(dead_code, reason = "some scenes only refuse")]
         mod $module {
             frictiongen::friction_system! {
-                /// Two masses in a row on a moving base, where the second one rubs.
+                /// Two masses in a row on a moving base, where the second mass rubs.
                 pub struct Chain {
                     masses: { m1: 3.25, m2: 3.25 },
                     springs: { base - m1: $stiffness, m1 - m2: 1323.0 },

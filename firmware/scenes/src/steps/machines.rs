@@ -1,4 +1,4 @@
-//! Scenes with a stepper: chains of equal masses, of which the last one rubs.
+//! Scenes with a stepper: chains of equal masses, of which the last mass rubs.
 
 pub use super::two_contacts;
 use super::{Machine, Outcome};

@@ -1,5 +1,5 @@
 //! Scenes for measurements of the real-time stepper: the loads of their steppers, and the trait [`Machine`] for all
-//! of them.
+//! steppers.
 
 pub mod images;
 pub mod machines;
@@ -49,7 +49,7 @@ pub trait Machine: Sized {
     }
     /// Reads the masses, with one call for each mass.
     fn read_each(&self);
-    /// Reads all masses in one call. Returns `None` if the stepper has no such call.
+    /// Reads all masses in one call, or returns `None` if the stepper has no call that reads all masses.
     fn read_all(&self) -> Option<()> {
         None
     }

@@ -1,5 +1,5 @@
-//! Loads for measurements of steppers. They are computed with sums and products only, so that they have the same bits
-//! on every processor.
+//! Loads for measurements of steppers. The loads are computed with sums and products only, so that they have the same
+//! bits on every processor.
 
 use super::Machine;
 

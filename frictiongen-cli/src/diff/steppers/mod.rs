@@ -249,8 +249,9 @@ fn named(
     masses.chain(contacts).collect()
 }
 
-/// Returns the amplitude of each wave in the load, and the friction force of each contact. The function computes both
-/// from two runs of the old scene. In one run the contacts stick, and the other run is without friction.
+/// Returns the amplitude of each wave in the load, and the friction force of each contact. The function computes the
+/// amplitudes and the friction forces from two runs of the old scene. In one run the contacts stick, and the other run
+/// is without friction.
 fn levels(
     old: &System,
     load: &Load,

@@ -31,7 +31,7 @@ impl Load {
         let highest = BAND.1 * moving().reduce(f64::max).unwrap_or(1.0);
         let mut seed = SEED;
         let waves = (0..WAVES).map(|wave| {
-            // These are steps of a linear congruential generator (Knuth's MMIX). Only its upper bits are random enough.
+            // The code uses a linear congruential generator (Knuth's MMIX). Only its upper bits are random enough.
             seed = seed
                 .wrapping_mul(6_364_136_223_846_793_005)
                 .wrapping_add(1_442_695_040_888_963_407);

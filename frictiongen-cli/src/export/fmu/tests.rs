@@ -10,7 +10,7 @@ use frictiongen::study::scene::Scene;
 /// Compares a zip archive with the layout of APPNOTE.TXT 6.3, field by field.
 #[test]
 fn an_archive_of_one_file() {
-    // This is the check value of CRC-32 (ISO-HDLC) in the catalogue of CRC algorithms.
+    // The expected number is the check value of CRC-32 (ISO-HDLC) in the catalogue of CRC algorithms.
     assert_eq!(checksum(b"123456789"), 0xcbf4_3926);
     let mut archive = Archive::default();
     archive.add("a/b", b"123456789");

@@ -60,8 +60,9 @@ fn bits<S: Float>(contact: &ContactAt<S>, kept: &[ModeAt<S>]) -> Vec<u64> {
     all.iter().map(|value| value.to_f64().to_bits()).collect()
 }
 
-/// Compares modal sums that are computed in pairs of modes with sums computed mode by mode. Also compares the limits
-/// from gathered constants with the limits from the sums. Returns the numbers of both kinds of comparisons.
+/// Compares modal sums that are computed in pairs of modes with sums computed mode by mode. Then compares the limits
+/// from gathered constants with the limits from the sums. Returns the number of compared sums and the number of
+/// compared limits.
 fn agree<S: Float>() -> [usize; 2] {
     let dampings: [fn(usize) -> f64; 4] = [
         |_| 0.0,

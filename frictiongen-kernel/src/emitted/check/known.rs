@@ -28,7 +28,7 @@ pub struct KnownMotion<S, const MASSES: usize> {
     pub beta: S,
     /// Reason why no continuous motion exists at the friction ratio, or `None` if one exists.
     pub error: Option<NotContinuous>,
-    /// Known amplitude and phase of the contact. Both are 0 if no continuous motion exists.
+    /// Known amplitude and phase of the contact. Amplitude and phase are 0 if no continuous motion exists.
     pub contact: [S; 2],
     /// Known displacement and velocity of each provided mass. The instant is one radian after a maximum of the
     /// contact's motion.
@@ -125,7 +125,7 @@ impl<S: Float, const MASSES: usize> KnownMotion<S, MASSES> {
     ///
     /// # Errors
     /// [`Fault::Answer`] with the name of the mass, if the displacement or the velocity differs by more than
-    /// `tolerance` times the size of both.
+    /// `tolerance` times the size of displacement and velocity.
     pub fn mass(
         &self,
         place: usize,

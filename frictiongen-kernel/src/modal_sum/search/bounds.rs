@@ -14,8 +14,9 @@ use crate::oscillator::decay::{Basis, Decay, Instant};
 /// mainly rounding error.
 const NEAR_EXCITATION: f64 = 0.125;
 /// Bound on the rounding error of a mode at a grid node, as a multiple of the rounding unit times the mode's amplitude.
-/// The same bound applies to sin τ and cos τ. The matrix of one step from node to node has three roundings, and its
-/// fourth power has twelve. A grid applies the fourth power seven times. 64 suffices, because the errors partly cancel.
+/// This multiple of the rounding unit also bounds the errors of sin τ and cos τ at the node. The matrix that advances a
+/// mode from one node to the next has three roundings. Its fourth power has twelve roundings, and a grid applies this
+/// power seven times: 84 roundings. A bound of 64 suffices, because the errors partly cancel.
 const ROUNDINGS: f64 = 64.0;
 
 /// State of one mode at an instant, and the force that then acts on the mode: y″ + 2ζx y′ + x²y = constant + cosine·cos
@@ -116,8 +117,8 @@ pub(super) fn keeps_forcing<S: Float, D: Decay<S>>(wave: &Wave<S, D>, all: bool)
 #[derive(Clone, Copy, Debug)]
 pub(super) struct DerivativeBounds<S> {
     /// Second derivative of the sum at the instant. The field `third` is the third derivative. Only a search of sum/sin
-    /// τ needs the two derivatives. They leave out mass-controlled modes, because the sum in such a search contains
-    /// none.
+    /// τ needs the two derivatives. They leave out mass-controlled modes, because a sum that is divided by sin τ
+    /// contains none.
     pub second: S,
     pub third: S,
     pub fourth: S,
@@ -161,8 +162,8 @@ impl<S: Float> DerivativeBounds<S> {
             let y3 = turned - loss * y2 - x * x * y1;
             let y4 = -turning - loss * y3 - x * x * y2;
             let push = track.cosine.abs() + track.sine.abs();
-            // √(a² + b²) ≤ max + (√2 − 1) min, where max and min are the larger and the smaller one of |a| and |b|.
-            // This bound needs no square, which might overflow.
+            // √(a² + b²) ≤ max + (√2 − 1) min, where max is the larger and min the smaller of |a| and |b|. This bound
+            // needs no square, which might overflow.
             let (a, b) = ((x * y3).abs(), y4.abs());
             let energy = a.max(b) + a.min(b) * S::constant(0.414_213_6) + push * time;
             second = second + y2;

@@ -89,7 +89,7 @@ impl<S: Float, D: Decay<S>> MaximumSearch<'_, S, D> {
     }
 
     /// Searches an interval of adjacent open cells by finer grids. An interval of at most three cells gets a finer
-    /// division than a longer one.
+    /// division than a longer interval.
     fn divide(&mut self, from: S, to: S, width: S, bounds: &DerivativeBounds<S>) {
         let few = to - from < width * S::constant(3.5);
         let share = S::constant(if few { 1.0 / FINER } else { 0.25 });
@@ -108,7 +108,7 @@ impl<S: Float, D: Decay<S>> MaximumSearch<'_, S, D> {
     }
 
     /// Evaluates the sum at the nodes of a grid, and refines its highest local maxima. Returns the cells that may still
-    /// contain a value larger than the largest one found.
+    /// contain a value larger than the largest value found.
     #[inline(never)]
     pub(super) fn open_cells(
         &mut self,

@@ -154,8 +154,8 @@ impl<S: Float> Grid<S> {
         let width = stretch.width;
         let step = Instant::new(width * S::inverse_pi());
         self.turn(at, &step);
-        // This is the phase advance of one row, which has four nodes. Only modes that the code does not split into a
-        // free and a forced motion need it.
+        // The phase advance of one row, which has four nodes. Only modes that the code does not split into a free and a
+        // forced motion need it.
         let mut four = None;
         let (mut constant, mut cosine, mut sine) = (zero, sum.cosine, sum.sine);
         for wave in sum.waves {

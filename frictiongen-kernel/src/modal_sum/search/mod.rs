@@ -75,7 +75,7 @@ pub enum Weight {
 pub struct SearchSettings<S> {
     /// Divisor of the modal sum in this search.
     pub weight: Weight,
-    /// True if the search also covers the negative of the sum. It then finds the largest absolute value.
+    /// True if the search covers the sum and the negative of the sum, and therefore finds the largest absolute value.
     pub both_signs: bool,
     /// End of the searched interval 0 < τ ≤ `end`. The end is π/2 for a sum that is odd about π/2, otherwise π.
     pub end: S,

@@ -5,8 +5,8 @@ use crate::number::scalar::Float;
 
 /// Positions of the largest values that the last searches in a frequency sweep found. They predict the next position.
 ///
-/// A search with a `Neighbour` begins at the predicted position. Like every search, it then proves that no larger value
-/// exists. A wrong prediction costs some evaluations, but does not change the result.
+/// A search with a `Neighbour` begins at the predicted position. Then the search proves that no larger value exists, as
+/// it does without a `Neighbour`. A wrong prediction costs some evaluations, but does not change the result.
 ///
 /// One `Neighbour` serves the motion of one mass of one scene. See
 /// [`Motion::largest_near`](crate::response::motion::Motion::largest_near).

@@ -120,7 +120,7 @@ fn turns_are_unknown_from_where_rounding_turns_by_a_radian() {
     assert!(!asked(1.4e15, 0.0) && asked(1.5e15, 0.0) && asked(1e300, 0.0));
     // The mode decays within a time 1/ζx, in which its phase advances by 1/ζ.
     assert!(!asked(1.5e15, 1e-9) && !asked(1e300, 1e-3) && asked(1e300, 1e-16));
-    // A mode that the contact does not drive also counts as unknown.
+    // The phase of a mode that the contact does not drive counts as unknown.
     assert!(at_rest(3.0, 0.0).turns_unknown());
     let single = Wave {
         forced: 1.0,

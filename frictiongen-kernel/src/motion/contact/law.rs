@@ -174,7 +174,7 @@ pub trait ContactChain<S: Float>: Copy + Debug {
     ) -> S;
 
     /// Returns two components of the contact force while the contact sticks at the displacement `place`: the constant,
-    /// and the complex amplitude of the fundamental. Neither contains the contribution of the modes.
+    /// and the complex amplitude of the fundamental. The two components do not include the contribution of the modes.
     fn steady_stuck_force(setting: &MotionSetting<'_, S, Self>, place: S) -> (S, Complex<S>);
 
     /// Completes the end of a segment at which the relative velocity vanishes. Sets the slope, the event, the jump of

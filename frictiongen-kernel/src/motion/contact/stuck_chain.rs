@@ -77,7 +77,7 @@ impl<S: Float, K: ContactChain<S>> Dynamics<'_, S, K> {
     }
 
     /// Computes the state of one mode that the contact drives. [`release`](Self::release) calls this function for each
-    /// such mode.
+    /// mode that the contact drives.
     pub(crate) fn released(
         &self,
         receptance: S,
@@ -116,7 +116,7 @@ impl<S: Float, K: ContactChain<S>> Dynamics<'_, S, K> {
         let zero = S::constant(0.0);
         let (receptance, still) = (self.receptance(), (zero, zero));
         let driven = self.driven();
-        // Each tested state combines two modes: the one that the contact drives most, and one other mode. In this
+        // Each tested state combines two modes: the mode that the contact drives most, and one other mode. In this
         // combination the contact does not move.
         let most = driven
             .iter()

@@ -1,13 +1,14 @@
-//! Searches for the first zero of a function in steps that skip no zero. Such a search is called a *walk*. A bound on
-//! the third derivative limits each step to a length over which the function is certainly positive. Close to the zero
-//! the steps become shorter, and the walk converges to the zero.
+//! Searches for the first zero of a function in steps that skip no zero. This search is called a *walk*. A bound on the
+//! third derivative limits each step to a length over which the function is certainly positive. Close to the zero the
+//! steps become shorter, and the walk converges to the zero.
 
 use super::step;
 use crate::motion::series::{Local, LocalSeries, ROUNDINGS, Walked};
 use crate::number::scalar::Float;
 
-/// Factor on the rounding error of a force, for a contact that has just failed to start sliding. Such a force counts as
-/// larger than the break-away level only if it exceeds the level by more than this factor times its rounding error.
+/// Factor on the rounding error of a force, for a contact that has just failed to start sliding. The force of this
+/// contact counts as larger than the break-away level only if it exceeds the level by more than this factor times its
+/// rounding error.
 const WEDGED: f64 = 16.0;
 /// Distance in rounding units after a point at which the function touches zero without a change of sign. The search
 /// continues at least this distance later.

@@ -111,8 +111,8 @@ impl<S: Float> OscillatorSum<'_, S> {
             }
         }
         if S::CARRIES {
-            // One Newton step gives the instant of the extreme its derivative. The value needs no Newton step, because
-            // the slope is zero at the extreme.
+            // One Newton step adds the derivative to the instant of the extreme. The value needs no Newton step,
+            // because the slope is zero at the extreme.
             at = at.primal();
             local = self.local(at);
             if zero < at && at < self.reach {

@@ -38,8 +38,8 @@ pub(crate) fn safe<S: Float>(f: S, slope: S, curve: S, bound: S, most: S) -> S {
             }
         }
         if curve < zero {
-            // This is the other form of the same root of p′. In the first form the terms would cancel if the bound is
-            // small, and the root would be lost.
+            // This expression is another form of the root of p′. In the first form the terms would cancel if the bound
+            // is small, and the root would be lost.
             from = ((slope + slope) / (root - curve)).max(zero);
         } else if zero < curve + root {
             from = (curve + root) / bound;
@@ -104,8 +104,8 @@ fn least<S: Float>(f: S, slope: S, curve: S, bound: S) -> S {
     }
 }
 
-/// Finds the root of a convex, decreasing function by Newton's method, starting at 0. For such a function no step
-/// passes the root.
+/// Finds the root of a convex, decreasing function by Newton's method, starting at 0. For a convex, decreasing function
+/// no step passes the root.
 fn from_left<S: Float>(value: impl Fn(S) -> S, tangent: impl Fn(S) -> S) -> S {
     let zero = S::constant(0.0);
     let mut h = zero;

@@ -13,7 +13,7 @@ fn dominated_sum(large: Dd, small: Dd) -> Dd {
     Dd::joined(hi, rest + (large.lo + small.lo))
 }
 
-/// Returns the sum of the series Σ cₖvᵏ, in which each term is far smaller than the previous one. From index `exact`
+/// Returns the sum of the series Σ cₖvᵏ, in which each term is far smaller than the previous term. From index `exact`
 /// on, all terms are smaller than 2^−55 times the first term. For these terms `f64` is accurate enough.
 #[inline]
 fn series<'a>(
@@ -28,7 +28,7 @@ fn series<'a>(
     })
 }
 
-/// Returns 18 inverse factorials in steps of two: 1/first!, 1/(first + 2)!, …. The series of a sine or cosine has such
+/// Returns 18 inverse factorials in steps of two: 1/first!, 1/(first + 2)!, …. The series of a sine or cosine has these
 /// coefficients.
 #[expect(
     clippy::indexing_slicing,
@@ -57,7 +57,8 @@ fn factorials_in_twos(factorials: &[Dd], terms: usize, exact: usize, v: Dd) -> D
 /// Returns the integer q for which q/2 is nearest to h, and the exact remainder h − q/2. Only the two lowest bits of q
 /// are meaningful.
 fn reduced(h: Dd) -> (u64, Dd) {
-    // If `hi` is above 2^53, it is an integer, but `lo` still contains a fraction. The code therefore reduces both.
+    // If `hi` is above 2^53, it is an integer, but `lo` still contains a fraction. The code therefore reduces `hi` and
+    // `lo`.
     let (q, high) = double::reduced_any(h.hi);
     let (p, low) = double::reduced_any(h.lo);
     let (sum, lost) = two_sum(high, low);

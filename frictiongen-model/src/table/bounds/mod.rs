@@ -34,7 +34,7 @@ const UNCERTAIN: f64 = 0.1;
 /// terms.
 const SMALL: f64 = 0.1;
 /// Largest intermediate result that the proof accepts, as a multiple of the reciprocal of the smallest normal number.
-/// This is a twentieth of the largest number of the scalar type, so that the next operation does not overflow.
+/// The bound is a twentieth of the largest number of the scalar type, so that the next operation does not overflow.
 const LARGEST: f64 = 0.2;
 /// Bound on the rounding error of a pole, in rounding units of double-double. A pole follows from the constants of
 /// its mode.
@@ -328,9 +328,9 @@ fn known(lists: &[(&[Zero], bool)]) -> Vec<KnownZero> {
 }
 
 impl KnownZero {
-    /// Sets the distance from the zero to the nearest number of the scalar type. If this number is too close to a
-    /// zero on the imaginary axis, no bound exists there. The method then returns the number, and the proof leaves it
-    /// out.
+    /// Sets the distance from the zero to the nearest number of the scalar type. If this number is too close to a zero
+    /// on the imaginary axis, no error bound exists at the number. The method then returns the number, and the proof
+    /// leaves it out.
     fn place<S: Float>(&mut self, weight: f64, accuracy: f64) -> Option<f64> {
         if !self.zero.is_on_axis() || self.zero.y.is_zero() {
             return None;

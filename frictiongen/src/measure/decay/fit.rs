@@ -144,8 +144,8 @@ impl<'s> DecayFit<'s> {
         }
     }
 
-    /// Returns all parameters of the decay. `free` gives the fitted parameters. The other parameters keep the values of
-    /// the first guess.
+    /// Returns all parameters of the decay. `free` gives the fitted parameters. A parameter that is not fitted keeps
+    /// the value of the first guess.
     fn shape(&self, free: &[f64]) -> Option<DecayShape> {
         let mut shape = self.start;
         for (part, value) in self.free.iter().zip(free) {

@@ -29,8 +29,8 @@ impl Estimate {
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum Verdict {
     /// The description does not explain the measurement. If the description were right, noise of the given deviations
-    /// would cause such large residuals in fewer than one of 1000 recordings. The force and its interval belong to the
-    /// best fit, and may be far from the force of the real contact.
+    /// would cause residuals of this size in fewer than one of 1000 recordings. The force and its interval belong to
+    /// the best fit, and may be far from the force of the real contact.
     NotExplained,
     /// The measurement determines one friction force.
     Determined,
@@ -135,7 +135,7 @@ impl Identified {
         is_chance(self.misfit, self.freedom)
     }
 
-    /// Returns the unknowns that the measurements do not determine. Either the response does not change with such an
+    /// Returns the unknowns that the measurements do not determine. Either the response does not change with the
     /// unknown, or two unknowns change the response in the same way. The estimates of all other unknowns are valid for
     /// any values of the undetermined unknowns.
     #[must_use]

@@ -6,7 +6,7 @@ use crate::Complex;
 use nalgebra::{DMatrix, DVector};
 use std::f64::consts::PI;
 
-/// Largest standard deviation, in rad, of a phase that the fit uses. The fit ignores a phase with a larger one.
+/// Largest standard deviation, in rad, of a phase that the fit uses. The fit ignores a phase with a larger deviation.
 const VAGUE: f64 = 0.3;
 
 /// The quantities of one observation that the fit compares, with the covariance of their errors.
@@ -28,8 +28,8 @@ fn turned(x: Complex<f64>) -> Complex<f64> {
     Complex::new(-x.im, x.re)
 }
 
-/// Returns the change of the compared quantities that a small change of a complex motion causes. `using` selects these
-/// quantities: amplitude and phase, or one of them.
+/// Returns the change of the compared quantities that a small change of a complex motion causes. `using` selects the
+/// compared quantities: amplitude, phase, or both amplitude and phase.
 fn seen_change(using: Using, value: Complex<f64>, change: Complex<f64>) -> Vec<f64> {
     let size = value.norm().max(f64::MIN_POSITIVE);
     match using {

@@ -23,8 +23,8 @@ const TINY: f64 = 0.01;
 const TURNED: f64 = PI / 12.0;
 
 impl IdentifyProblem<'_> {
-    /// Returns the unexplained fraction of the motion at the friction force `friction`, in N. Also returns the mass
-    /// with the largest unexplained motion, and the measured and computed amplitude of this mass.
+    /// Returns the unexplained fraction of the motion at the friction force `friction`, in N. The other results are the
+    /// mass with the largest unexplained motion, and the measured and computed amplitude of this mass.
     fn unexplained(&self, friction: f64, factor: f64) -> Option<(f64, usize, f64, f64)> {
         let (mut left, mut all) = (0.0, 0.0);
         let mut worst = (0.0, 0, 0.0, 0.0);

@@ -70,7 +70,7 @@ pub(super) fn answer(
 const FAR: f64 = 20.0;
 
 /// Returns two friction forces in N: the smallest force at which the contact is stuck, and the upper bound of the scan.
-/// The two forces are equal, unless the first one exceeds the bound that [`FAR`] gives.
+/// The two forces are equal, unless the first force exceeds the bound that [`FAR`] gives.
 pub(super) fn sticks_from(system: &System, seen: &Observation) -> Option<(f64, f64)> {
     let r = system.frequency_ratio_at_hertz(seen.hertz);
     let limit = system.at(r).ok()?.sliding_limit();

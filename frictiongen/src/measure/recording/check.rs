@@ -99,8 +99,8 @@ fn samples(channel: &Channel) -> Result<(), MeasureError> {
 /// Returns the fraction of the samples that are clipped at the value `extreme`. Returns `None` if the channel is not
 /// clipped.
 ///
-/// Rounding of the samples and a stop of the contact can also make a signal flat at an extreme. In these two cases the
-/// signal approaches the extreme slowly.
+/// A signal that is not clipped can be flat at an extreme, because of rounding of the samples or a stop of the contact.
+/// In these two cases the signal approaches the extreme slowly.
 fn clipped(values: &[f64], extreme: f64, middle: f64) -> Option<f64> {
     let crossings = values
         .windows(2)

@@ -141,9 +141,9 @@ impl Recording {
     /// The units are endings of the names, as in `time_s,base_mm,upper_m_s2`, or a second line. Commas, semicolons or
     /// tabs separate the cells. Between semicolons or tabs, a number may have a decimal comma.
     ///
-    /// The text may also contain numbers alone. [`CsvRequest::columns`] then names the columns. Without a rate, the
-    /// first of several columns is then the time in s. A text may also be a PEER AT2 record in g, which becomes the
-    /// channel `base`.
+    /// The text may contain numbers alone, without a line of names. [`CsvRequest::columns`] then names the columns.
+    /// Without a rate, the first of several columns is then the time in s. A text may also be a PEER AT2 record in g,
+    /// which becomes the channel `base`.
     ///
     /// # Errors
     /// [`MeasureError`] for everything that [`new`](Self::new) rejects, and for a missing unit, rate or column.

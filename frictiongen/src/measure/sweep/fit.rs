@@ -23,8 +23,8 @@ const GOOD: f64 = 2.0;
 const HOPS: [f64; 4] = [0.97, 0.99, 1.01, 1.03];
 const ROUNDS: usize = 4;
 const BETTER: f64 = 0.999;
-/// Relative distance from the best fit so far at which a further fit ends early. Such a fit would only find the best
-/// fit a second time.
+/// Relative distance from the best fit so far at which a further fit ends early. A further fit that comes this near
+/// would only find the best fit a second time.
 const BACK: f64 = 1e-5;
 
 impl Sweep<'_> {
@@ -122,7 +122,7 @@ impl Sweep<'_> {
             .min_by(|a, b| a.squares.total_cmp(&b.squares))
             .ok_or(MeasureError::NoFit)?;
         // Amplitudes have no sign. If a resonance lies on the wrong side of a measured point, the sum of squares
-        // therefore has a false minimum next to the right one.
+        // therefore has a false minimum next to the right minimum.
         let mut best = best;
         for _ in 0..ROUNDS {
             let places = 0..best.parameters.len();
@@ -136,8 +136,8 @@ impl Sweep<'_> {
                     let back = pairs.fold(0.0_f64, |most, (new, old)| {
                         most.max((new - old).abs() / old.abs().max(BACK))
                     });
-                    // Most fits from these starting points lead back to the best fit. Such a fit ends as soon as it has
-                    // returned to the best fit.
+                    // Most fits from these starting points lead back to the best fit. A fit that leads back ends as
+                    // soon as it has reached the best fit.
                     (BACK < back).then(|| self.linearise(at, AmplitudeScale::Plain))?
                 };
                 let residuals = |at: &[f64]| self.residuals(at, AmplitudeScale::Plain);

@@ -28,7 +28,7 @@ pub enum Cell<'a> {
 }
 
 impl Cell<'_> {
-    /// Returns the same cell with an owned copy of its word.
+    /// Returns this cell with an owned copy of its word.
     #[must_use]
     pub fn into_owned(self) -> Cell<'static> {
         match self {
@@ -42,7 +42,7 @@ impl Cell<'_> {
         }
     }
 
-    /// Returns the same cell with a borrowed word.
+    /// Returns this cell with a borrowed word.
     #[must_use]
     pub fn borrowed(&self) -> Cell<'_> {
         match self {

@@ -10,8 +10,8 @@ use std::borrow::Cow;
 pub enum ColumnKind<'a> {
     /// The column contains numbers.
     Number,
-    /// Numbers that the user gave. The slice contains all of them, so that a printed table can choose the number of
-    /// decimals.
+    /// Numbers that the user gave. The slice contains all given numbers, so that a printed table can choose the number
+    /// of decimals.
     Given(&'a [f64]),
     /// The column contains counts.
     Count,
@@ -160,8 +160,8 @@ impl<TableRow> Column<'_, TableRow> {
         (self.read)(row)
     }
 
-    /// Returns true if a text output with one line for each value prints the value of this row. Such an output omits,
-    /// for example, a bound that was not reached.
+    /// Returns true if a text output with one line for each value prints the value of this row. An output with one line
+    /// for each value omits, for example, a bound that was not reached.
     pub fn says(&self, row: &TableRow) -> bool {
         self.says.as_ref().is_none_or(|says| says(row))
     }

@@ -128,8 +128,8 @@ pub struct JoinedTable<'a> {
 }
 
 impl<'a> JoinedTable<'a> {
-    /// Evaluates the scene at a frequency. A scene without springs needs a frequency in Hz or rad/s, and a load. For
-    /// such a scene, the frequency ratio r is computed with k₁ = 1.
+    /// Evaluates the scene at a frequency. A scene without springs needs a frequency in Hz or rad/s, and a load. For a
+    /// scene without springs, the frequency ratio r is computed with k₁ = 1.
     ///
     /// # Errors
     /// Same errors as [`Joined::at`].

@@ -96,7 +96,8 @@ pub enum FrequencyUnit {
 }
 
 impl FrequencyUnit {
-    /// Returns the unit for tables under a load. Such tables contain the frequency in Hz next to the frequency ratio.
+    /// Returns the unit for tables under a load. Tables under a load contain the frequency in Hz next to the frequency
+    /// ratio.
     #[must_use]
     pub fn under(self, measure: &Measure) -> Self {
         match (self, measure.scale()) {
@@ -194,8 +195,8 @@ impl FrictionSetting {
         }
     }
 
-    /// Returns the friction at a frequency, under a load whose amplitude may depend on frequency. The number that the
-    /// user gave, F or β, stays the same. The other number changes.
+    /// Returns the friction at a frequency, under a load whose amplitude may depend on frequency. Between F and β, the
+    /// number that the user gave stays the same, and the second number changes with frequency.
     #[must_use]
     pub fn at(self, measure: &Measure, frequency: Frequency) -> Self {
         match measure.scale_at(frequency.omega) {

@@ -54,7 +54,7 @@ struct PieceBuilder {
 impl PieceBuilder {
     fn point(&mut self, point: CurvePoint) {
         self.in_gap = false;
-        // On a boundary between two regimes, rounding may put a point into the other regime.
+        // On a boundary between two regimes, rounding may put a point into the wrong regime.
         if self
             .open
             .last()

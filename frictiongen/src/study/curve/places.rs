@@ -1,5 +1,5 @@
-//! Selects the first frequency ratios of a curve, called *places*. The code cuts the curve at some of them, and later
-//! adds points between them.
+//! Selects the first frequency ratios of a curve, called *places*. The code cuts the curve at some places, and later
+//! adds points between the places.
 
 use super::answer::PieceEnd;
 use super::request::CurveRequest;
@@ -24,8 +24,8 @@ pub(super) struct CurvePlace {
     pub r: f64,
     /// The reason why the curve is cut between this frequency ratio and the next. `None` without a cut.
     pub cut: Option<PieceEnd>,
-    /// True for a sub-harmonic of a resonance that is not next to a cut. The curve leaves out such a point if it
-    /// reaches its bound on work.
+    /// True for a sub-harmonic of a resonance that is not next to a cut. If the curve reaches its bound on work, it
+    /// leaves out the points for which this flag is true.
     pub spare: bool,
 }
 
@@ -237,7 +237,7 @@ impl PlaceSearch<'_> {
                 (sliding, -1.0),
             ] {
                 let [a, b, c] = [a, b, c].map(|margins| sign * read(margins));
-                // All three margins are on one side of the limit, and the middle one is nearest to the limit.
+                // All three margins are on one side of the limit, and the middle margin is nearest to the limit.
                 if a < 0.0 && b < 0.0 && c < 0.0 && a <= b && c <= b {
                     found.extend(self.beyond(left, right, read, sign));
                 }

@@ -41,7 +41,7 @@ const ROUNDING: f64 = 1e-6;
 struct NodeInterval {
     left: usize,
     right: usize,
-    /// True if the interval whose halving gave this one was also straight. A single test may miss a bend, because the
+    /// True if the interval whose halving gave this interval was straight. A single test may miss a bend, because the
     /// middle of an interval may be on the straight line by chance.
     was_straight: bool,
     /// Index of the interval of the first grid that contains this interval.
@@ -57,8 +57,8 @@ pub(super) struct Refine<'a> {
 }
 
 /// Returns true if the offset of a stuck contact can jump between neighbouring frequencies. It can jump if the offset
-/// depends on every earlier slip. This is so if static friction exceeds kinetic friction (μ > 1), and for a chain
-/// without damping.
+/// depends on every earlier slip. The offset depends on every earlier slip if static friction exceeds kinetic friction
+/// (μ > 1), and in a chain without damping.
 fn offsets_jump(system: &System) -> bool {
     let scene = system.scene();
     1.0 < scene.stiction || scene.damping == Damping::None
@@ -116,12 +116,12 @@ impl<'a> Refine<'a> {
         };
         let scales: Vec<f64> = (0..self.request.of.len()).map(median).collect();
         // If a stuck contact isolates a mass from the load, its computed motion is rounding. The refinement must not
-        // follow bends of such a motion.
+        // follow bends of a motion that is only rounding.
         let least = ROUNDING * scales.iter().copied().fold(0.0, f64::max);
         scales.into_iter().map(|scale| scale.max(least)).collect()
     }
 
-    /// Computes the points of the first grid. The flag is true if the permitted work sufficed for all of them. The code
+    /// Computes the points of the first grid. The flag is true if the permitted work sufficed for all points. The code
     /// computes less important points last.
     fn grid(&self, places: &[CurvePlace]) -> (Vec<CurveNode>, bool) {
         let (spare, needed): (Vec<CurvePlace>, Vec<CurvePlace>) =
@@ -215,8 +215,8 @@ impl<'a> Refine<'a> {
     }
 
     /// Returns true if two settled points certainly belong to the same steady state, however steep the curve between
-    /// them is. This is certain in two cases: both points belong to the closed form, or μ ≤ 1 and no other state
-    /// exists.
+    /// them is. The state is certainly the same in two cases: both points belong to the closed form, or μ ≤ 1 and no
+    /// other state exists.
     fn is_one_state(&self, a: &CurvePoint, b: &CurvePoint) -> bool {
         let slides = |point: &CurvePoint| point.regime == Regime::Continuous;
         self.system.scene().stiction <= 1.0 || (slides(a) && slides(b))

@@ -75,7 +75,8 @@ impl Straight {
     }
 }
 
-/// Returns true if three points have the same number of stops and the same period, and if all or none of them settle.
+/// Returns true if three points have the same number of stops and the same period, and if all three motions or no
+/// motion settles.
 pub(super) fn alike(points: [&CurvePoint; 3]) -> bool {
     let pattern = |point: &CurvePoint| (point.stops, point.period, point.settled);
     points

@@ -22,8 +22,8 @@ pub(super) struct ModeNumbers<T> {
     /// Component φ of the mode at the requested mass, or φᵀw for the motion of the contact.
     pub shape: T,
     /// Two numbers for the load that is 90° out of phase with the motion of the base: 2ζλΓ, where Γ is the
-    /// participation factor, and the contribution of springs to the wall. Both are 0 unless damping acts on velocities
-    /// relative to the moving base.
+    /// participation factor, and the contribution of springs to the wall. The two numbers are 0 unless damping acts on
+    /// velocities relative to the moving base.
     pub quadrature: [T; 2],
 }
 
@@ -180,8 +180,8 @@ impl<T: Arithmetic> ChainNumbers<T> {
                 sum = [sum[0] + term[0] * outside, sum[1] + term[1] * outside];
                 continue;
             }
-            // For a contact on a moving base, the sum contains v − 1 = (1 − 2iζx)/d in place of v. Nothing then cancels
-            // for large r.
+            // For a contact on a moving base, the sum contains v − 1 = (1 − 2iζx)/d in place of v. With v − 1 the sum
+            // has no cancellation for large r.
             let [re, im] = match (which, self.on_base.is_some()) {
                 (ModalSum::V, true) => {
                     let turn = two * mode.zeta * x;
@@ -320,8 +320,8 @@ impl ChainNumbers<Interval> {
 const SAME: f64 = 4e-15;
 
 impl Target<Dd> {
-    /// Returns two flags for a mode: true if the target has a pole at x = 1, and true if it has poles at the other odd
-    /// x.
+    /// Returns two flags for a mode: true if the target has a pole at x = 1, and true if the target has poles at x = 3,
+    /// 5, ….
     fn poles_of(&self, numbers: &ChainNumbers<Dd>, mode: &ModeNumbers<Dd>) -> [bool; 2] {
         let drives = |a: Dd, b: Dd| !(a.is_zero() || b.is_zero());
         let undamped = mode.zeta.is_zero();

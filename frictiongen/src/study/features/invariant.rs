@@ -65,11 +65,11 @@ pub struct InvariantPoint {
 pub enum Edge {
     /// The requested range of frequencies begins or ends here.
     Range,
-    /// Here is an invariant point, where friction does not change the motion.
+    /// Invariant point: a frequency ratio at which friction does not change the motion.
     Invariant,
-    /// Here is a pole of the response without friction, or of the response to a square wave of friction.
+    /// Pole of the response without friction, or of the response to a square wave of friction.
     Pole,
-    /// Here V is 0: without friction the contact does not move, and with any friction it stops.
+    /// Zero of V: without friction the contact does not move, and with any friction it stops.
     Still,
 }
 
@@ -140,7 +140,7 @@ impl Features<'_> {
     /// motion that friction does not influence, and for an elastic contact.
     ///
     /// # Errors
-    /// [`FeatureError::Damped`] for a damped chain. For such a chain, call [`crossings`](Self::crossings) with two
+    /// [`FeatureError::Damped`] for a damped chain. For a damped chain, call [`crossings`](Self::crossings) with two
     /// friction ratios. [`FeatureError::Range`], [`FeatureError::UnknownMass`], [`FeatureError::Crowded`].
     pub fn invariant_points(
         &self,

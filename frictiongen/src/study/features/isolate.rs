@@ -18,7 +18,8 @@ use frictiongen_model::modal::Modal;
 pub(super) const MOST_POLES: usize = 20_000;
 /// Largest number of intervals of y = 1/r that the search stores.
 const MOST_INTERVALS: usize = 20 * MOST_POLES;
-/// Largest relative distance at which a zero and a pole of the function cancel. The search then finds neither of them.
+/// Largest relative distance at which a zero and a pole of the function cancel. The search finds neither the zero nor
+/// the pole of a pair that cancels.
 const CANCELLED: f64 = 1e-13;
 /// Largest distance at which two zeros are treated as one point where the function touches 0. The distance is divided
 /// by y, or by the distance from a pole.

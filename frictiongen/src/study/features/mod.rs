@@ -2,8 +2,8 @@
 //! the stuck chain, sliding ranges, regimes over frequency, and peaks.
 //!
 //! Interval arithmetic finds the zeros of functions in closed form ([`Certainty::Proven`]). Other features depend on a
-//! search over the half period, or on steady states with stops. The code samples such features in steps of a stated
-//! length, and refines them ([`Certainty::Sampled`]).
+//! search over the half period, or on steady states with stops. The code samples these other features in steps of a
+//! stated length, and refines them ([`Certainty::Sampled`]).
 
 mod functions;
 mod invariant;
@@ -36,7 +36,7 @@ pub enum Certainty {
     /// The search samples the range in `steps` steps of equal length in 1/r, and refines each change between two
     /// samples. It finds every interval that is longer than one step.
     ///
-    /// The search finds a shorter interval in two cases only. In the first case, the middle one of three neighbouring
+    /// The search finds a shorter interval in two cases only. In the first case, the middle of three neighbouring
     /// samples is closest to the value at which the feature begins. In the second case, the interval is next to a
     /// resonance or to an odd sub-harmonic of a resonance.
     Sampled {

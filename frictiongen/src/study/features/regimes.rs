@@ -44,8 +44,8 @@ impl Features<'_> {
     /// of the list.
     ///
     /// Interval arithmetic finds the frequencies at which β*_lim = β. β_lim, however, depends on a search over the half
-    /// period. Let √λ_N be the highest resonance. Without damping β_lim has a closed form for r ≥ √λ_N/2. The same
-    /// closed form is an upper bound on β_lim at every r.
+    /// period. Let √λ_N be the highest resonance. Without damping β_lim has a closed form for r ≥ √λ_N/2. At every r,
+    /// this closed form is an upper bound on β_lim.
     ///
     /// For an elastic contact, the list is always proven complete. For a rigid contact without damping, it is proven
     /// complete if the range lies above √λ_N/2. Otherwise the code samples the intervals in which the closed form

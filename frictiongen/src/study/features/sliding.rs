@@ -48,9 +48,10 @@ pub(super) struct Bound {
 }
 
 impl Features<'_> {
-    /// Returns the resonances of the chain with its contact stuck, in ascending order. One of these lies between every
-    /// two neighbouring resonances of modes that the contact drives. With an elastic contact, one more lies above all
-    /// of them. All further resonances belong to modes that the contact does not drive.
+    /// Returns the resonances of the chain with its contact stuck, in ascending order. One resonance of the stuck chain
+    /// lies between every two neighbouring resonances of modes that the contact drives. With an elastic contact, one
+    /// further resonance of the stuck chain lies above the resonances of all modes that the contact drives. All further
+    /// resonances belong to modes that the contact does not drive.
     #[must_use]
     pub fn held_resonances(&self) -> Vec<HeldResonance> {
         let dynamics = self.system.dynamics();
@@ -133,8 +134,8 @@ impl Features<'_> {
                 });
             }
         }
-        // V and H have poles on an undamped resonance. At such a frequency, β*_lim can equal β although V − βμH has no
-        // zero.
+        // V and H have poles on an undamped resonance. On an undamped resonance β*_lim can equal β although V − βμH has
+        // no zero.
         let resonances = modal.resonances.iter().zip(&modal.damping_ratios);
         for (resonance, zeta) in resonances {
             let r = resonance.to_f64();

@@ -16,7 +16,7 @@ use crate::{Error, Of, OutOfDomain};
 use frictiongen_kernel::simulation::{Contact, Event};
 use std::f64::consts::TAU;
 
-/// Two bounds with the same number: the samples of all motions of a history together, and the skipped cycles.
+/// Largest number of samples of all motions of a history together, and largest number of skipped cycles.
 #[doc(hidden)]
 pub const MOST_SAMPLES: u64 = 10_000_000;
 
@@ -116,7 +116,7 @@ impl From<OutOfDomain> for HistoryError {
 
 /// A motion over time, at evenly spaced instants.
 ///
-/// Both the first and the last sample are at a maximum of the excitation. A whole number of cycles lies between them.
+/// The first and the last sample are at maxima of the excitation. A whole number of cycles lies between them.
 #[derive(Clone, Debug, PartialEq)]
 pub struct History {
     /// Number of cycles of the excitation before the first sample. It is 0 for a steady state.

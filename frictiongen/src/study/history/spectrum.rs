@@ -110,8 +110,9 @@ impl SystemResponse<'_> {
     /// scene does not have this motion.
     ///
     /// p is the [`period`](Self::period) in cycles of the excitation. Component k = np is the
-    /// [`harmonic`](Self::harmonic) of order n. The phase τ is 0 at a maximum of the excitation. If there are several
-    /// in the period, it is the one closest to the instant at which the contact's relative motion leaves its maximum.
+    /// [`harmonic`](Self::harmonic) of order n. The phase τ is 0 at a maximum of the excitation. If the period has
+    /// several maxima, it is the maximum closest to the instant at which the contact's relative motion leaves its
+    /// maximum.
     #[must_use]
     pub fn subharmonic(&self, of: Of, k: u32) -> Option<Complex<f64>> {
         match self {
@@ -121,8 +122,8 @@ impl SystemResponse<'_> {
     }
 
     /// Returns the exact spectrum of the contact or of a mass up to the order `highest`. Returns `None` if the scene
-    /// has no such mass. If the motion does not settle, the spectrum belongs to a periodic repetition of its last 64
-    /// cycles.
+    /// does not have the mass. If the motion does not settle, the spectrum belongs to a periodic repetition of its last
+    /// 64 cycles.
     #[must_use]
     pub fn spectrum(&self, of: Of, highest: u32) -> Option<Spectrum> {
         let period = self.period();

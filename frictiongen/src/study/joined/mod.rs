@@ -1,7 +1,7 @@
 //! Responses of scenes with several contacts, with dashpots, or with masses that no path of springs connects to a
 //! support.
 //!
-//! Such a scene has the field `contacts` or `dampers` in its description.
+//! These scenes have the field `contacts` or `dampers` in their description.
 //! [`System::joined`](crate::study::System::joined) gives access to its results. Every other method of a `System`
 //! returns an error that names these fields. The solver is in [`joints`](super::joints).
 //!

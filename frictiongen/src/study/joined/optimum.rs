@@ -27,7 +27,8 @@ pub struct JoinedOptimum {
     pub r: f64,
     /// Number of steady states that the search has computed.
     pub evaluations: usize,
-    /// False if the caller stopped the search through its function. The result is then the best one until the stop.
+    /// False if the caller stopped the search through its function. The result is then the best friction until the
+    /// stop.
     pub is_complete: bool,
 }
 
@@ -49,7 +50,7 @@ impl Joined<'_> {
     /// Finds the common friction with which the largest amplitude of a mass over a band of frequency ratios is
     /// smallest.
     ///
-    /// The search first compares 11 frictions at 13 equally spaced frequencies. It then refines the best friction by
+    /// The search first compares 11 frictions at 13 equally spaced frequencies. Then it refines the best friction by
     /// golden sections at 25 frequencies. Finally it refines the frequency of the largest peak. It can miss a minimum
     /// or a peak that is narrower than its grids. The search tries no friction above the largest limit of the stuck
     /// state, because all contacts are then stuck at every frequency of the band.

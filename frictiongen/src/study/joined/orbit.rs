@@ -121,8 +121,8 @@ impl<'a> JoinedOrbit<'a> {
         !self.steady.marginal.is_empty() || self.steady.neutral > 0
     }
 
-    /// Returns the names of the contacts that never slide. Such a contact keeps the force or the position that the
-    /// earlier motion has left.
+    /// Returns the names of the contacts that never slide. A contact that never slides keeps the force or the position
+    /// that the earlier motion has left.
     #[must_use]
     pub fn marginal_contacts(&self) -> Vec<String> {
         let names = self.joined.contact_names().into_iter().enumerate();

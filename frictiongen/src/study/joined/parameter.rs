@@ -78,12 +78,12 @@ impl JoinedPoint {
             .collect()
     }
 
-    /// Returns the value of a parameter at this operating point. Returns `None` if the scene has no such parameter.
+    /// Returns the value of a parameter at this operating point, or `None` if the scene does not have the parameter.
     pub(super) fn value(&self, parameter: JoinedParameter) -> Option<f64> {
         self.clone().number(parameter).copied()
     }
 
-    /// Gives access to the number of a parameter, to change it. Returns `None` if the scene has no such parameter.
+    /// Returns the number of a parameter, to change it, or `None` if the scene does not have the parameter.
     pub(super) fn number(&mut self, parameter: JoinedParameter) -> Option<&mut f64> {
         let Self { scene, point } = self;
         let contacts = &mut scene.joints.contacts;

@@ -97,9 +97,9 @@ impl<'a> Joined<'a> {
         contacts.map(|contact| contact.name).collect()
     }
 
-    /// Returns −1 for a contact that the description writes as `b - a` with the later one of two masses first, and
-    /// otherwise 1. With this factor, the relative displacement of a contact `a - b` is x_b − x_a, as in the answers in N
-    /// and m for a scene with a single contact.
+    /// Returns −1 for a contact that the description writes as `b - a`, with the later of two masses first, and
+    /// otherwise 1. With this factor, the relative displacement of a contact `a - b` is x_b − x_a, as in the answers in
+    /// N and m for a scene with a single contact.
     #[must_use]
     pub fn sign(&self, contact: usize) -> f64 {
         let contacts = self.scene.named_contacts();

@@ -20,7 +20,7 @@ use frictiongen_model::scene::{Excitation, Scene};
 
 /// Largest change of a parameter for a difference, divided by the parameter.
 const STEP: f64 = 1e-3;
-/// Number of steps of the parameter that the code tries. Each step is a quarter of the previous one.
+/// Number of steps of the parameter that the code tries. Each step is a quarter of the previous step.
 const STEPS: usize = 5;
 /// Largest change of a difference by the extrapolation, divided by the result. The relative error of the extrapolation
 /// is then about the square of this number.

@@ -37,7 +37,7 @@ pub struct JoinedDistribution {
 }
 
 impl<'a> Joined<'a> {
-    /// Returns the same scene with other shares. A contact for which the list has no number keeps its share.
+    /// Returns this scene with other shares. A contact for which the list has no number keeps its share.
     #[must_use]
     pub fn with_shares(&self, shares: &[f64]) -> Self {
         let mut joined = self.clone();
@@ -195,7 +195,9 @@ impl Descent<'_, '_> {
         self.keep(tried)
     }
 
-    /// Takes the change from an earlier distribution to the best one, and tries the same change once more.
+    /// Multiplies the friction and each share of the best distribution by its ratio to the value in `before`, and keeps
+    /// the result if it is better. The call thereby repeats the change from `before` to the best distribution, which
+    /// has reduced the peak.
     fn leap(&mut self, before: &Distribution) -> Result<(), Early> {
         let mut tried = self.best.clone();
         tried.friction *= tried.friction / before.friction;
@@ -208,7 +210,7 @@ impl Descent<'_, '_> {
         self.keep(tried).map(|_| ())
     }
 
-    /// Stores a distribution if it is better than the best one so far.
+    /// Stores a distribution if it is better than the best distribution so far.
     fn keep(&mut self, mut tried: Distribution) -> Result<bool, Early> {
         tried.peak = self.peak(&tried)?;
         let better = tried.peak.0 < self.best.peak.0;

@@ -12,7 +12,7 @@ use frictiongen_model::scene::{Excitation, StepInput};
 /// Input of one step of a stepper, in the units of the description.
 #[derive(Clone, Copy, Debug, Default)]
 pub struct JoinedInput<'i> {
-    /// Displacement and velocity of the base at the end of the step. Both are 0 for a base that does not move.
+    /// Displacement and velocity of the base at the end of the step, or 0 and 0 for a base that does not move.
     pub base: [f64; 2],
     /// Forces on masses at the end of the step, each with the name of its mass. Forces on the same mass add up. A mass
     /// without an entry has no force.

@@ -30,7 +30,7 @@ pub fn system(text: &str) -> System {
         .unwrap_or_else(|error| panic!("{error}\n{text}"))
 }
 
-/// Returns the difference of two numbers, divided by the second one.
+/// Returns the difference of two numbers, divided by the second number.
 pub fn apart(got: f64, expected: f64) -> f64 {
     (got - expected).abs() / expected.abs()
 }

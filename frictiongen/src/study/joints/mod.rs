@@ -66,7 +66,8 @@ pub struct Chain {
     pub springs: Vec<(Node, Node, f64)>,
     /// Dashpots of the chain, each with its two nodes and its damping coefficient.
     pub dashpots: Vec<(Node, Node, f64)>,
-    /// Rows of the matrix of modal or Rayleigh damping. The list is empty if the scene has no such damping.
+    /// Rows of the matrix of modal or Rayleigh damping. The list is empty if the scene has neither modal nor Rayleigh
+    /// damping.
     pub damping: Vec<Vec<f64>>,
     /// True if the damping matrix acts on velocities relative to the base. False if it acts on absolute velocities.
     pub damping_from_base: bool,

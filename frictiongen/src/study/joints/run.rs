@@ -175,7 +175,7 @@ impl Motion {
     ///
     /// # Errors
     ///
-    /// [`JointError::Number`] if the load is not finite, [`JointError::Ends`] if there is no such load.
+    /// [`JointError::Number`] if the load is not finite, [`JointError::Ends`] if the model has no load with this index.
     pub fn set_load(&mut self, load: usize, to: Wave) -> Result<(), JointError> {
         if load >= self.model().loads.len() {
             return Err(JointError::Ends("a load"));

@@ -36,7 +36,8 @@ impl System {
     /// of one region within a quarter of a step. It can also miss a boundary close to a limit. Let a be the part of a
     /// step in which the contact alternately sticks and slides. A boundary is then too close if its distance from the
     /// limit is less than a/64. A finer map has smaller steps. In a cascade of period doublings, the search may meet a
-    /// third pattern more than six times between two neighbouring β. It then finds only the lowest of these boundaries.
+    /// third pattern more than six times between two neighbouring β. In this case the search finds only the lowest
+    /// boundary of the cascade.
     ///
     /// Close to a boundary a motion settles slowly. More digits therefore take much longer.
     ///

@@ -20,8 +20,8 @@ pub enum OptimumKind {
     Trivial,
     /// A bound on another quantity excludes the frictions with a smaller amplitude.
     Bounded,
-    /// Several quantities, each divided by its reference value, are equally large. With more friction one of them
-    /// increases and another one decreases.
+    /// Several quantities, each divided by its reference value, are equally large. With more friction one of these
+    /// quotients increases, and another quotient decreases.
     Balanced,
 }
 
@@ -96,7 +96,7 @@ pub struct Optimum {
     /// Frequencies at which the amplitude has its largest value.
     pub peaks: Vec<OptimumPeak>,
     /// Friction ratio up to which the amplitude at an undamped resonance of the band is unbounded. It is 0 if the band
-    /// contains no such resonance.
+    /// contains no undamped resonance.
     pub unbounded_to: f64,
     /// Friction ratio up to which the contact slides all the time at every frequency of the band.
     pub free_of_sticking: f64,

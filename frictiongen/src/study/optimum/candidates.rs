@@ -1,5 +1,5 @@
-//! Selects friction ratios that may be the best ones, and intervals of a scan over friction that may contain better
-//! ones.
+//! Selects friction ratios that may be the best, and intervals of a scan over friction that may contain better friction
+//! ratios.
 
 use super::creep::meeting;
 use super::scan::Scanned;
@@ -49,7 +49,7 @@ pub(super) fn stays(scan: &[Scanned]) -> Option<(f64, f64)> {
 }
 
 /// Orders candidates by amplitude. Among equal amplitudes, the friction above which the amplitude is constant comes
-/// first. The other candidates follow in ascending order of friction.
+/// first. The remaining candidates of this amplitude follow in ascending order of friction.
 pub(super) fn before(
     a: &FrictionCandidate,
     b: &FrictionCandidate,
@@ -88,8 +88,8 @@ pub(super) fn between(scan: &[Scanned], best: f64) -> Vec<(Scanned, Scanned)> {
                 return Some((0.0, (below.clone(), above.clone())));
             }
             let falls = below.slope < 0.0;
-            // If the steady state changes to another one in the interval, the slope at one point does not predict the
-            // amplitude at the next point.
+            // If the steady state changes to another steady state in the interval, the slope at one point does not
+            // predict the amplitude at the next point.
             let least = SHARE * below.value.min(above.value);
             // If the tangents do not meet in the interval, the amplitude is not a convex function of friction. Its
             // tangents then give no bound.
@@ -105,8 +105,8 @@ pub(super) fn between(scan: &[Scanned], best: f64) -> Vec<(Scanned, Scanned)> {
         .collect()
 }
 
-/// Returns friction ratios of the scan that may be the best ones, each with both neighbours. The amplitude at each of
-/// them is at most that at its neighbours.
+/// Returns friction ratios of the scan that may be the best, each with its two neighbours. The amplitude at each
+/// returned friction ratio is at most that at its neighbours.
 pub(super) fn valleys(scan: &[Scanned], best: f64) -> Vec<(Scanned, Scanned, Scanned)> {
     let triples = scan.windows(3).filter_map(|triple| match triple {
         [below, at, above] => {

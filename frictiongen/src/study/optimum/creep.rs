@@ -139,7 +139,8 @@ pub(super) fn crept(band: &AmplitudeBand<'_>, below: &Scanned, above: &Scanned) 
     })
 }
 
-/// Removes each frequency ratio that is so close to another one that both probably lead to the same peak.
+/// Removes each frequency ratio that is so close to another frequency ratio that the two probably lead to the same
+/// peak.
 fn distinct(mut places: Vec<f64>) -> Vec<f64> {
     places.sort_by(f64::total_cmp);
     places.dedup_by(|a, b| (*a - *b).abs() <= 1e-3 * a.abs());

@@ -1,4 +1,4 @@
-//! Evaluates the amplitude over a band of frequencies at one friction ratio, and finds its local maxima. Such an
+//! Evaluates the amplitude over a band of frequencies at one friction ratio, and finds its local maxima. This
 //! evaluation is called a *look*.
 //!
 //! The first look at a friction ratio computes motions in time at only some frequencies of the band. A whole look
@@ -32,8 +32,8 @@ pub(in crate::study) struct BandPeak {
 /// Precision of an evaluation of the amplitude over a band.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Closely {
-    /// The evaluation is sufficient for a comparison of friction ratios. Of the frequencies without a closed form, it
-    /// includes only those whose [`BandPlace::first`] is true, and ignores the others. It finds the maxima roughly.
+    /// The evaluation is sufficient for a comparison of friction ratios. If a frequency has no closed form, the
+    /// evaluation includes it only if its [`BandPlace::first`] is true. It finds the maxima roughly.
     First,
     /// The evaluation includes all frequencies of the band, and finds each maximum to rounding.
     Whole,
@@ -54,7 +54,7 @@ pub(super) struct Look {
 pub(super) struct KnownAmplitude {
     /// The friction ratio of the latest motion at this frequency. It is NaN if no motion has been computed yet.
     pub beta: f64,
-    /// The amplitude of the latest motion. If no motion has been computed yet, it is the larger one of two amplitudes:
+    /// The amplitude of the latest motion. If no motion has been computed yet, it is the larger of two amplitudes:
     /// without friction, and with the contact stuck.
     pub value: f64,
 }
@@ -94,8 +94,8 @@ pub(super) struct OpenBand {
     pub peaks: Vec<BandPeak>,
     /// The largest amplitude from closed forms. It is a lower bound on the largest amplitude over the band.
     pub floor: f64,
-    /// Estimate of the largest amplitude over the band. It is the largest one of `floor` and of the stuck amplitudes at
-    /// those frequencies at which a stuck state exists.
+    /// Estimate of the largest amplitude over the band. It is the largest of `floor` and the stuck amplitudes at the
+    /// frequencies at which a stuck state exists.
     pub expected: f64,
 }
 

@@ -23,7 +23,8 @@ pub(super) fn minima(
     scan: &[Scanned],
     mut top: f64,
 ) -> Vec<FrictionCandidate> {
-    // With μ > 1 the amplitude of an unchecked minimum is a lower bound. Such a bound must not exclude other minima.
+    // With μ > 1 the amplitude of an unchecked minimum is a lower bound. This lower bound must not exclude other
+    // minima.
     let exact = band.amplitude.system.scene().stiction <= 1.0;
     let mut minima: Vec<FrictionCandidate> = Vec::new();
     // No amplitude is smaller than 0. Just below the friction that stops the contact, motions that are too small to
@@ -107,8 +108,8 @@ pub(super) fn minimum(
     found.at.complete.then_some(found)
 }
 
-/// Narrows an interval of friction ratios around the best one by golden sections, and returns the best friction ratio
-/// found.
+/// Narrows an interval of friction ratios around the best friction ratio by golden sections, and returns the best
+/// friction ratio found.
 ///
 /// At frictions at which steady states appear and disappear, the search cannot track peaks, and slopes are useless. It
 /// rejects a friction ratio as soon as one amplitude shows that the ratio is not better.

@@ -42,7 +42,7 @@ impl Objective {
             MotionQuantity::Displacement => true,
             MotionQuantity::Velocity | MotionQuantity::Acceleration => !self.of.is_force(),
             MotionQuantity::Force | MotionQuantity::Energy => self.of == Of::Contact,
-            // The best damping ratio is the largest one. This search, however, seeks the smallest number.
+            // The best damping ratio is the largest damping ratio. This search, however, seeks the smallest number.
             MotionQuantity::Damping => false,
         }
     }
@@ -72,7 +72,7 @@ impl Objective {
     }
 
     /// Returns the quantity in a response, in the units of the load at the frequency of the response. Returns `None` if
-    /// the scene has no such motion.
+    /// the scene does not have the motion of the quantity.
     pub fn of_response(&self, response: &SystemResponse<'_>) -> Option<f64> {
         response.largest(self.of, self.size)
     }
@@ -83,8 +83,7 @@ impl Objective {
         resonance::limits(system, r).map(|limit| limit / factor)
     }
 
-    /// Returns true if the quantity is constant while the contact is stuck. This is the case for the contact's own
-    /// motion.
+    /// Returns true if the quantity is constant while the contact is stuck, as the contact's own motion is.
     pub fn rests_if_stuck(&self, system: &System) -> bool {
         let own = |of: Of| system.simplest(of) == Of::Contact;
         let turned = matches!(self.of, Of::Relative(of, to) if own(Of::Relative(to, of)));

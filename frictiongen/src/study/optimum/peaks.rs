@@ -1,8 +1,9 @@
 //! Finds the largest amplitude over a band of frequencies at one friction ratio.
 //!
-//! The search evaluates the amplitude at frequencies near which it can change quickly. Such frequencies are close
-//! together near the resonances of the chain, both with a free and with a stuck contact, and near the sub-harmonics of
-//! these resonances. Further frequencies are on both sides of every frequency at which a limit equals β, and on a grid.
+//! The search evaluates the amplitude at frequencies near which it can change quickly. These frequencies are close
+//! together near the resonances of the chain with a free contact and with a stuck contact, and near the sub-harmonics
+//! of all these resonances. Further frequencies are on both sides of every frequency at which a limit equals β, and on
+//! a grid.
 //!
 //! An evaluation of the band begins with closed forms. If a closed form exceeds the cutoff, the search computes no
 //! motion in time. It refines every local maximum that may be the largest.
@@ -210,7 +211,8 @@ impl<'s> AmplitudeBand<'s> {
                 continue;
             };
             if promise < most {
-                // The list is in descending order of the expected amplitude. No later frequency has a larger one.
+                // The list is in descending order of the expected amplitude. No later frequency has a larger expected
+                // amplitude.
                 break;
             }
             let r = seen.place.r;
@@ -266,8 +268,8 @@ impl<'s> AmplitudeBand<'s> {
         *peaks = sorted(std::mem::take(peaks));
     }
 
-    /// Refines local maxima between their neighbouring frequencies. The method refines all of them roughly, and those
-    /// that may be the largest precisely.
+    /// Refines local maxima between their neighbouring frequencies. The method refines all maxima roughly, and
+    /// precisely those that may be the largest.
     fn refined(
         &self,
         tops: Vec<Top>,
@@ -350,8 +352,8 @@ impl<'s> AmplitudeBand<'s> {
     }
 
     /// Returns the amplitudes at both bounds of the band, and the largest local maxima. `seeds` contains the frequency
-    /// ratios of the maxima at a similar friction ratio. The search for each maximum begins at one of them. It ends
-    /// when an amplitude exceeds `cutoff`.
+    /// ratios of the maxima at a similar friction ratio. The search for each maximum begins at one of these frequency
+    /// ratios. The call ends when an amplitude exceeds `cutoff`.
     pub(super) fn followed(
         &self,
         friction: FrictionAmount,

@@ -87,8 +87,8 @@ pub(super) fn places(
         }
     }
     places.retain(|(r, _)| from <= *r && *r <= to);
-    // Of two equal frequencies, the sort puts the one for the first evaluation first. It then remains when duplicates
-    // are removed.
+    // If a frequency occurs twice, the sort puts the place with the flag `true` (for the first evaluation) before the
+    // other place. `dedup_by` keeps the place that comes first.
     places.sort_by(|a, b| a.0.total_cmp(&b.0).then(b.1.cmp(&a.1)));
     places.dedup_by(|a, b| a.0 == b.0);
     let mut last = 0.0;

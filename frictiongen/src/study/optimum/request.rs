@@ -41,8 +41,7 @@ pub enum OptimumError {
     NoSuchMotion(Of),
     /// The load does not fit the scene. The field gives the reason.
     Load(LoadError),
-    /// Neither damping nor the contact acts on the mode with this index, counted from 0, although the load drives the
-    /// mode.
+    /// The load drives the mode with this index, counted from 0, but damping and the contact do not act on it.
     Undamped(usize),
     /// The amplitude at a resonance within the band is unbounded at every friction.
     Unbounded,
@@ -62,8 +61,8 @@ pub enum OptimumError {
     /// The motion does not have the requested quantity. Only the contact has a contact force and an energy, and a force
     /// has neither a velocity nor an acceleration. An equivalent damping ratio has no least value to search for.
     Size,
-    /// The request contains several quantities, and the value that divides one of them is missing, 0, negative,
-    /// infinite or NaN.
+    /// The request contains several quantities, and the value that divides one of the quantities is missing, 0,
+    /// negative, infinite or NaN.
     Weight,
     /// No friction satisfies this bound together with all earlier bounds in the request.
     Unreachable {

@@ -31,7 +31,7 @@ const STEEPEST: f64 = 50.0;
 /// Number of rounds in which the search halves intervals of the scan that may hide a minimum.
 const CLOSER: usize = 5;
 /// Largest amplitude at which the search halves an interval of the scan, divided by the best amplitude. The amplitude
-/// is the smaller one at the two points of the interval.
+/// is the smaller of the amplitudes at the two points of the interval.
 const NEARLY: f64 = 1.2;
 /// Largest number of intervals of the scan that one round halves.
 const MOST_CLOSER: usize = 8;
@@ -54,7 +54,7 @@ pub(super) struct Scanned {
 }
 
 /// Returns the friction ratio up to which the amplitude at an undamped resonance of the band is unbounded. Returns 0 if
-/// the band contains no such resonance.
+/// the band contains no undamped resonance.
 pub(super) fn unbounded_to(band: &AmplitudeBand<'_>) -> f64 {
     let (system, [from, to]) = (band.amplitude.system, band.ends());
     let modal = system.modal();
@@ -129,7 +129,7 @@ pub(super) fn scanned(band: &AmplitudeBand<'_>, free_to: f64, locked_from: f64) 
 }
 
 /// Adds friction ratios to the scan, in the order of their expected amplitude. After a low amplitude is known, closed
-/// forms alone suffice to reject most of the other friction ratios.
+/// forms alone suffice to reject most of the remaining friction ratios.
 pub(super) fn add(
     band: &AmplitudeBand<'_>,
     scan: &mut Vec<Scanned>,

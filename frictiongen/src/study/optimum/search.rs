@@ -35,7 +35,7 @@ const HIGHEST_TOLERANCE: f64 = 1.12;
 /// The kind of a minimum over friction of the largest amplitude.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum MinimumKind {
-    /// At this minimum two peaks have equal height. With more friction one of them falls and the other rises.
+    /// At this minimum two peaks have equal height. With more friction one peak falls, and the other peak rises.
     Crossing,
     /// At this minimum one peak is at its own minimum over friction, or at a jump of its height.
     Smooth,
@@ -134,7 +134,7 @@ fn about([from, to]: [f64; 2], beta: f64) -> [f64; 2] {
     [from.min(beta), to.max(beta)]
 }
 
-/// Evaluates the candidates at all frequencies of the band, and returns the best one.
+/// Evaluates the candidates at all frequencies of the band, and returns the best candidate.
 fn checked(
     band: &AmplitudeBand<'_>,
     scan: &mut Vec<Scanned>,

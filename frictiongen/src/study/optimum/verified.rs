@@ -15,9 +15,9 @@ use super::scan::{Scanned, scanned_at, slope, with_slope};
 /// Largest number of friction ratios that one round evaluates on the grid.
 const MOST: usize = 24;
 /// Largest lower bound of a scan point that the search checks, divided by the lowest checked amplitude. The search
-/// checks the minima between such points even if they improve the amplitude by less.
+/// checks a minimum between these scan points even if the minimum improves the amplitude by less.
 const BETTER: f64 = 0.999;
-/// Number of rounds in which the search adds friction ratios around the best one.
+/// Number of rounds in which the search adds friction ratios around the best friction ratio.
 const ABOUT: usize = 3;
 /// Number of bisections in the search for the smallest friction ratio with an amplitude of 0.
 const HALVINGS: u32 = 12;
@@ -137,8 +137,8 @@ impl VerifiedFrictions<'_, '_> {
         .map(|other| if other.is_finite() { other } else { beta })
     }
 
-    /// Adds friction ratios around the best one, up to its neighbours on both sides. Slopes do not predict the
-    /// amplitudes between friction ratios, because the amplitude jumps with friction.
+    /// Adds friction ratios around the best friction ratio, up to its neighbours on both sides. Slopes do not predict
+    /// the amplitudes between friction ratios, because the amplitude jumps with friction.
     fn add_around(&mut self) {
         let Some(beta) = self.best.as_ref().map(|best| best.beta) else {
             return;
@@ -170,7 +170,7 @@ impl VerifiedFrictions<'_, '_> {
 }
 
 /// Returns the friction ratio with the lowest amplitude on the grid. If the work ends before the first friction ratio
-/// is checked, returns the one with the lowest lower bound.
+/// is checked, returns the friction ratio with the lowest lower bound.
 pub(super) fn verified(
     band: &AmplitudeBand<'_>,
     scan: &mut Vec<Scanned>,
@@ -226,8 +226,9 @@ fn least_trivial(band: &AmplitudeBand<'_>, scan: &[Scanned], at: Scanned) -> Sca
     to
 }
 
-/// Evaluates all points of the scan whose amplitude is at most `level` once more, including the peaks that the grids
-/// have shown. The former amplitudes of these points were lower bounds.
+/// Recomputes the amplitude of each point of the scan whose amplitude is at most `level`, and keeps the larger
+/// amplitude. The earlier amplitude was a lower bound. The new evaluation includes the frequencies of the peaks that
+/// the checks on the grid found.
 pub(super) fn raise(band: &AmplitudeBand<'_>, scan: &mut [Scanned], level: f64) {
     for seen in scan
         .iter_mut()

@@ -59,7 +59,7 @@ impl System {
     /// best friction, the largest of these quotients over the band is smallest. The call takes the band and the load
     /// from `request`, and ignores the quantity in `request`.
     ///
-    /// The search finds the best friction of each quantity alone. It then searches between all friction ratios
+    /// The search finds the best friction of each quantity alone. Then it searches between all friction ratios
     /// evaluated so far, and checks the result over the whole band. It calls `watch` after each evaluation. If `watch`
     /// returns false once, it must return false from then on.
     ///
@@ -216,7 +216,8 @@ impl<'s> WeightedSearch<'s> {
         let mut all: Vec<f64> = points.iter().map(|(beta, _)| *beta).collect();
         all.sort_by(f64::total_cmp);
         all.dedup();
-        // Low bounds come first. They give a cutoff that excludes most of the other friction ratios.
+        // The friction ratios with low bounds come first. They give a cutoff that excludes most of the remaining
+        // friction ratios.
         let mut points = points.to_vec();
         points.sort_by(|a, b| a.1.total_cmp(&b.1));
         let mut top = f64::INFINITY;

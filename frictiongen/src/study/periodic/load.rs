@@ -50,7 +50,7 @@ pub struct PeriodicLoad(LoadKind);
 
 #[derive(Clone, Debug, PartialEq)]
 enum LoadKind {
-    /// Time between samples, and the forces. The list leaves out the last sample, which repeats the first one.
+    /// Time between samples, and the forces. The list leaves out the last sample, which repeats the first sample.
     Forces(f64, Vec<f64>),
     /// Time between samples, and displacement and velocity of the base.
     Base(f64, Vec<[f64; 2]>),
@@ -87,11 +87,11 @@ impl Sampled {
 
 impl PeriodicLoad {
     /// Creates a force on the excited mass from samples with the time step `step`, in s. The last sample repeats the
-    /// first one.
+    /// first sample.
     ///
     /// # Errors
     /// [`PeriodicError`] for fewer than three samples, for numbers that are not finite, and if the last sample differs
-    /// from the first one.
+    /// from the first sample.
     pub fn forces(step: f64, samples: &[f64]) -> Result<Self, PeriodicError> {
         Ok(Self(LoadKind::Forces(
             step,
@@ -100,7 +100,7 @@ impl PeriodicLoad {
     }
 
     /// Creates a motion of the base from samples with the time step `step`, in s. The last sample repeats the first
-    /// one. The mean displacement of the base is 0.
+    /// sample. The mean displacement of the base is 0.
     ///
     /// # Errors
     /// Same errors as [`forces`](Self::forces), and [`PeriodicError::Drifts`] if the base does not return to its
@@ -234,7 +234,7 @@ impl PeriodicLoad {
     }
 }
 
-/// Checks the samples of a table, and returns them without the last one, which repeats the first one.
+/// Checks the samples of a table, and returns them without the last sample, which repeats the first sample.
 fn closed(step: f64, samples: &[f64]) -> Result<&[f64], PeriodicError> {
     let [first, .., last] = samples else {
         return Err(PeriodicError::Short);

@@ -38,7 +38,7 @@ impl System {
     ///
     /// The load is a table of one period or a sum of harmonics. Between the samples of a table, forces change linearly.
     /// With `input: hold` they are constant. The base moves with an acceleration that changes linearly. The stepper is
-    /// exact for such loads. For a sum of harmonics, the code takes 1024 samples in a cycle of the highest order, and
+    /// exact for these loads. For a sum of harmonics, the code takes 1024 samples in a cycle of the highest order, and
     /// cubics between them. The cubics differ from the sum by at most 4e-12 of its amplitude.
     ///
     /// The search follows the motion from rest until Newton's method finds a state that repeats. Central differences

@@ -28,8 +28,8 @@ pub(super) struct StepState {
     at: usize,
 }
 
-/// The numbers of a motion's state. Two states can be compared number by number only if the contact sticks in both or
-/// slides in both.
+/// The numbers of a motion's state. Two states can be compared number by number only if the contact sticks in both
+/// states or slides in both states.
 #[derive(Clone, Debug, PartialEq)]
 pub(super) struct StateNumbers {
     pub contact: Contact,
@@ -38,7 +38,7 @@ pub(super) struct StateNumbers {
 
 impl StateNumbers {
     /// Returns the largest difference between the numbers of two states. It is infinite if the contact slides in one
-    /// state and sticks in the other.
+    /// state and sticks in the other state.
     pub fn away(&self, other: &Self) -> f64 {
         if self.contact != other.contact || self.values.len() != other.values.len() {
             return f64::INFINITY;

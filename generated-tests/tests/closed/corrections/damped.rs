@@ -119,7 +119,8 @@ fn eq_7_37() {
     let mode = |i: usize, tau: f64| {
         plain.inverse_mass_of(i) / (r * r) * constraint(plain.big_r(i), plain.zeta, tau)
     };
-    // The grid includes the first instants after the reversal, because damping puts the largest value there.
+    // The grid includes the first instants after the reversal, because with damping the largest value is at one of
+    // these instants.
     let largest = |f: &dyn Fn(f64) -> f64| {
         let instants = (1..4000).map(|i| PI * f64::from(i) / 4000.0);
         instants

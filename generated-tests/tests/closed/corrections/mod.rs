@@ -1,8 +1,8 @@
 //! Tests that some printed forms of the thesis are wrong. Each row of `docs/corrections.md` has one test.
 //!
-//! Each test evaluates the printed form and shows that it violates the governing equations. It then shows that the
-//! right form satisfies them. `plain` and `integration` solve these equations for the tests, and share no formula
-//! with the project.
+//! Each test evaluates the printed form and shows that it violates the governing equations. Then the test shows that
+//! the right form satisfies these equations. `plain` and `integration` solve these equations for the tests, and share
+//! no formula with the project.
 
 mod chains;
 mod damped;

@@ -77,7 +77,7 @@ fn section_6_5_2() {
     close(slope(0.0), 0.0, 1e-6);
     let crossing = bisect(|tau| relative(tau) > 0.0, 0.0, PI);
     assert!(z > 0.5 && slope(crossing) < -0.5, "{z} {}", slope(crossing));
-    // Both limits grow as r², and vanish for r → 0.
+    // β_lim and β*_lim grow as r², and vanish for r → 0.
     let limits = |r: f64| [scene.limit(r), scene.sliding_limit(r)];
     let mut compared = 0;
     for (low, high) in limits(1e-2).into_iter().zip(limits(1e2)) {

@@ -69,7 +69,7 @@ impl Scene {
         Self { mu, ..self }
     }
 
-    /// Returns the same scene as a run-time system of the project.
+    /// Returns this scene as a run-time system of the project.
     pub fn system(&self) -> System {
         let name = |i: usize| format!("m{}", i + 1);
         let masses: Vec<String> = (0..self.gamma.len())

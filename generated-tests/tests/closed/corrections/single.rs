@@ -213,7 +213,7 @@ fn eq_4_5() {
         .sum();
     // The transform of cos τ_e has the phase 0.
     let (printed, right) = (spectrum.arg() - 0.0, 0.0 - spectrum.arg());
-    // Because of the other harmonics, the lag of the fundamental and the lag of the maximum differ by 0.046 rad.
+    // Because of the higher harmonics, the lag of the fundamental and the lag of the maximum differ by 0.046 rad.
     judged(printed, right, late, 0.05);
     let system = scene.system();
     let motion = system.at(r).unwrap().motion(beta).unwrap();

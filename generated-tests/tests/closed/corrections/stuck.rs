@@ -37,8 +37,8 @@ fn sections_3_4_3_and_3_6() {
     assert!(printed_sticks && right_slides);
     let amplitude = steady.at(0.0).0[0] - steady.phi.cos();
     close(amplitude, plain.amplitude_phase(beta).0, 1e-8);
-    // The stuck state exists too. If the mass starts with the base's displacement and velocity, the contact never
-    // slides.
+    // The stuck state exists in addition to the sliding motion. If the mass starts with the base's displacement and
+    // velocity, the contact never slides.
     let held = run_from(&plain, beta, 40, x.map(|x| x.re));
     assert_eq!(held.at(0.0).0[0] - 1.0, 0.0);
     // The project reports both states as possible.

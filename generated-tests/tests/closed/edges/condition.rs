@@ -53,7 +53,7 @@ pub fn data<T: Float, S: Float>(modal: &Modal<T>, to: impl Fn(T) -> S) -> Data<S
     }
 }
 
-/// A point (r, β), and the quantity that is asked for there.
+/// A point (r, β), and the quantity that is computed at this point.
 #[derive(Clone, Copy, Debug)]
 pub struct Question {
     pub r: Dd,

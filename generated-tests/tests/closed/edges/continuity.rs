@@ -180,9 +180,9 @@ fn critical_damping() {
 
 /// Checks the limits without search (closed formulas) of undamped scenes at odd and even subharmonics.
 ///
-/// At an odd subharmonic β_lim falls to 0, because U has a pole there. At an even subharmonic the u of a mode is 0.
-/// The test does not search for S. At these frequencies S is small compared with U, and its condition number in
-/// double-double takes minutes.
+/// U has a pole at an odd subharmonic, so that β_lim falls to 0. At an even subharmonic the u of a mode is 0. The test
+/// does not search for S. At these frequencies S is small compared with U, and its condition number in double-double
+/// takes minutes.
 #[test]
 fn sub_harmonics() {
     let mut steps = Steps::default();

@@ -22,8 +22,8 @@ struct Response {
     steepest: f64,
 }
 
-/// Returns the response to the load along `direction`, which maps the index of a mode to the mode shape component
-/// there.
+/// Returns the response to the load along `direction`, which maps the index of a mode to the component of its mode
+/// shape in this direction.
 fn response(modal: &Modal, r: Dd, direction: impl Fn(usize) -> Dd, relative: bool) -> Response {
     let zero = Dd::ZERO;
     let mut sum = Response {
@@ -76,7 +76,7 @@ fn angle(difference: f64) -> f64 {
 #[derive(Debug, Default)]
 struct Seen {
     compared: usize,
-    /// Number of answers whose r is within a rounding unit of a pole. Such an answer has only a lower bound.
+    /// Number of answers whose r is within a rounding unit of a pole. These answers have only a lower bound.
     on_poles: usize,
     /// Number of frequencies without a motion: undamped resonances, and frequencies where β_lim = 0.
     without: usize,

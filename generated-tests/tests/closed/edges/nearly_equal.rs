@@ -18,7 +18,8 @@ const BAR: f64 = 64.0;
 /// rounding unit of each number, and the rounding of the sums.
 const OF_THE_DATA: f64 = 4.0;
 
-/// The error of an answer divided by each of both condition numbers, in rounding units, with the scene and the point.
+/// The error of an answer in rounding units, divided by each of the two condition numbers, with the scene and the
+/// point.
 struct Error {
     asked: Asked,
     by_scene: f64,

@@ -15,7 +15,7 @@ const USUAL: f64 = 1e5;
 struct Counts {
     /// Number of evaluations of each search that was needed.
     all: Vec<u32>,
-    /// Number of searches without a result. They may occur only for more half turns than [`USUAL`].
+    /// Number of searches without a result. A search may fail only for more half turns than [`USUAL`].
     given_up: u32,
     /// Largest ratio of the evaluations of a search to the bound on them.
     nearest: f64,
@@ -75,7 +75,7 @@ fn run(scenes: usize, masses: usize) -> [Counts; 2] {
             let at = system.at(r).unwrap();
             let most = at.most_evaluations();
             assert!(most.limit.max(most.amplitude) <= MAX_EVALUATIONS);
-            // The bound at r is also valid for every larger r.
+            // The bound at r is valid for every larger r.
             let more = system.at(r * random.log_uniform(1.0, 10.0)).unwrap();
             let more = more.most_evaluations();
             assert!(more.limit <= most.limit && more.amplitude <= most.amplitude);

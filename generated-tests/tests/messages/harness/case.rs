@@ -7,7 +7,7 @@ use std::path::Path;
 pub enum Door {
     /// The description is given as text, and to the macro.
     Every,
-    /// The description is given as text only, because the compiler refuses such tokens itself.
+    /// The description is given as text only, because the compiler itself refuses its tokens.
     Text,
     /// The description is given to the macro only, because the case concerns the macro's tokens.
     Macro,

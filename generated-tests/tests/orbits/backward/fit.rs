@@ -24,8 +24,8 @@ const FAINT: f64 = 1e-9;
 pub fn fit(a: &[Vec<Dd>], b: &[Dd], bar: f64) -> f64 {
     let plain: Vec<Vec<f64>> = a.iter().map(|row| to_f64(row)).collect();
     let quick = lawson(a, b, bar, QUICK_ROUNDS, |b, inputs, answers| {
-        // A second solution, with the residuals of the first one as right-hand side, removes the rounding errors of
-        // the first.
+        // A second solution, with the residuals of the first solution as right-hand side, removes the rounding errors
+        // of the first solution.
         let moved = shortest(&plain, &to_f64(b), inputs, answers)?;
         let more = shortest(&plain, &left(a, b, &moved), inputs, answers)?;
         Some(

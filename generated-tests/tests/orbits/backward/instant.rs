@@ -84,7 +84,7 @@ pub fn constraining(at: &DataAt<'_, Dd>, found: Dd, epsilon: f64) -> Dd {
     higher(|tau| at.constraint(tau), exact, found)
 }
 
-/// Returns the exact instant, or the returned instant if the exact one belongs to a smaller value.
+/// Returns the exact instant, or the instant that the library returned if the exact instant belongs to a smaller value.
 fn higher(of: impl Fn(Dd) -> Dd, exact: Option<Dd>, found: Dd) -> Dd {
     exact.filter(|tau| of(*tau) > of(found)).unwrap_or(found)
 }

@@ -17,8 +17,8 @@ const FAR: f64 = 1e-3;
 /// error of 64 rounding units of this size is four rounding units of the largest motion.
 const SUM: f64 = 1.0 / 16.0;
 /// Size against which the error of a motion below [`FAR`] of the largest motion is measured, as a multiple of the
-/// largest motion. Such a motion is a remainder of larger motions that cancel. Near a resonance of the stuck chain,
-/// the remainder has an error of hundreds of rounding units of these larger motions.
+/// largest motion. A motion below [`FAR`] is a remainder of larger motions that cancel. Near a resonance of the stuck
+/// chain, the remainder has an error of hundreds of rounding units of these larger motions.
 const LEFT: f64 = 256.0;
 /// Fraction of the largest motion below which a mass counts as not moving. A smaller motion is rounding of
 /// double-double.

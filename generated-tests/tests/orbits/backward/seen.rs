@@ -1,5 +1,5 @@
 //! Tests that the judge refuses faulty answers: answers that are off by a thousand rounding units, NaN, and the
-//! instant of another maximum. No displacement of the inputs explains such an answer.
+//! instant of another maximum. No displacement of the inputs explains a faulty answer.
 
 use crate::backward::asked::{Asked, Of, Place};
 use crate::backward::inputs::Exact;

@@ -53,7 +53,7 @@ fn formal(chain: &Chain) -> (f64, State) {
             row[m + 1] = -value;
         }
         let change = solve(rows);
-        // The step is limited, because the first one from the frictionless motion may be too long.
+        // The step is limited, because the first step from the frictionless motion may be too long.
         let scale = 0.3 / change[m].abs().max(0.3);
         for j in 0..m {
             y[place(j)] += scale * change[j];

@@ -8,7 +8,7 @@ pub const TOLERANCE: f64 = 1e-10;
 /// A scene as equations: r²Γx̄″ + C̄x̄′ + K̄x̄ + wf = p cos τ_e and z̄ = wᵀx̄ − s cos τ_e.
 #[derive(Clone)]
 pub struct Chain {
-    /// Number of masses, up to three. The other elements of the arrays are unused.
+    /// Number of masses, up to three. The arrays have three elements, and the elements beyond this number are unused.
     pub n: usize,
     pub gamma: [f64; 3],
     pub c: [[f64; 3]; 3],

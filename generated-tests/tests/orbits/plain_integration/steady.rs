@@ -118,7 +118,7 @@ pub fn steady(chain: &Chain, damped: bool) -> Steady {
     };
     if damped {
         // The states after successive half periods alternate in sign. With the sign changed, each half period starts
-        // like the first one.
+        // like the first half period.
         for _ in 0..400 {
             let end = half(&y).map(|value| -value);
             let change = (0..6).fold(0.0, |most: f64, i| most.max((end[i] - y[i]).abs()));

@@ -230,8 +230,8 @@ fn in_physical_units() {
     assert_eq!((compared, invariant), (776, 1690));
 }
 
-/// Checks derivatives of a state whose contact is stuck at its position at rest on a moving base. The other masses
-/// are then also displaced from their positions at rest.
+/// Checks derivatives of a state whose contact is stuck at its position at rest on a moving base. In this state, the
+/// masses that are not in the contact are displaced from their positions at rest too.
 #[test]
 fn stuck_off_its_centre() {
     let text = "struct A { masses: { a: 1.0, b: 2.0 }, springs: { base - a: 100.0, a - b: 50.0 }, contact: b - base,

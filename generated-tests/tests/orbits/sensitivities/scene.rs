@@ -14,8 +14,9 @@ use frictiongen_kernel::number::dd::Dd;
 use frictiongen_kernel::number::dual::Dual;
 use frictiongen_model::modal::Modal;
 
-/// Scenes, each with its frequency ratios. They have contacts to wall, base and mass. Damping is absent, modal (with
-/// ζ = 0, 1 and above) or Rayleigh. Some scenes have exactly equal modes, because equal masses are on equal springs.
+/// Scenes, each with its frequency ratios. The scenes have contacts with the wall, the base and another mass. Damping
+/// is absent, modal (with ζ = 0, 1 and above) or Rayleigh. Some scenes have exactly equal modes, because equal masses
+/// are on equal springs.
 pub const SCENES: &[(&str, &str, &[f64])] = &[
     (
         "pair",

@@ -1,7 +1,7 @@
 //! Compares three results for the energy that the contact takes in a cycle: the quantity `energy(contact)`, the area
-//! of the loop of contact force over displacement, and the work of the load less the loss by damping. Only the first
-//! one uses the friction law. The contact force of the loop follows from the equations of motion, which are dense
-//! matrices in this test.
+//! of the loop of contact force over displacement, and the work of the load less the loss by damping. Only the first of
+//! these numbers uses the friction law. The contact force of the loop follows from the equations of motion, which are
+//! dense matrices in this test.
 
 use super::energy::{GAUSS, section};
 use frictiongen::study::orbit::SystemOrbit;

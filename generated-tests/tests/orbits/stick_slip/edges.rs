@@ -41,8 +41,8 @@ fn at_the_level_exactly() {
     println!("{seen} runs of 200 cycles at the level, none skipped");
 }
 
-/// Checks a motion without friction whose relative velocity touches zero but keeps its sign. This must not count as a
-/// reversal.
+/// Checks a motion without friction whose relative velocity touches zero but keeps its sign. The touch must not count
+/// as a reversal.
 ///
 /// At r = 1/2, x̄ = 4/3 (cos τ − ½ sin 2τ) has x̄′ = −4/3 (sin τ + cos 2τ) = −4/3 (1 − sin τ)(1 + 2 sin τ). This
 /// velocity has a zero of second order at π/2, and simple zeros at 7π/6 and 11π/6.
@@ -241,7 +241,7 @@ fn next_to_a_resonance_without_friction() {
             let mass = orbit.mass_at(0).expect("a mass");
             let (re, im) = ((1.0 - r) * (1.0 + r), 2.0 * zeta * r);
             let (size, lag) = (1.0 / re.hypot(im), im.atan2(re));
-            // ζ and r are rounded to 1.1e-16, and the detuning is a product of such numbers.
+            // ζ and r are rounded to 1.1e-16, and the detuning is a product of rounded numbers.
             let budget = 1e-12_f64.max(4e-16 * size);
             assert!(
                 (mass.amplitude() - size).abs() < budget * size,
@@ -273,7 +273,7 @@ fn a_mode_that_the_contact_does_not_touch() {
     for (r, beta) in points {
         let orbit = pair.at(r).expect("in the domain").orbit(beta);
         let orbit = orbit.expect("a steady state");
-        // The symmetric motion of both masses under a unit load on one of them is x̄₁ + x̄₂ = cos τ/(1 − r² + 2iζr).
+        // The symmetric motion of both masses under a unit load on one mass is x̄₁ + x̄₂ = cos τ/(1 − r² + 2iζr).
         let answer = frictiongen::Complex::new(1.0 - r * r, 0.16 * r).inv();
         for step in 0..40 {
             let tau = TAU * f64::from(step) / 40.0;

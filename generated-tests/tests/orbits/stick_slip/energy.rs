@@ -66,7 +66,7 @@ fn balance(system: &System, r: f64, beta: f64) -> (f64, f64) {
             slid += (run.run().relative().0 - before).abs();
         }
         // The loss by damping is ∮ x̄′ᵀC̄x̄′ dτ = Σ 2ζ r√λ ∮ (φᵀΓx̄′)² dτ. The panels of the quadrature are so short
-        // that the phase of no mode changes much in one of them.
+        // that the phase of no mode changes much in one panel.
         let panels = (segment.length * 4.0 * (1.0 + 3.0 / r)).ceil();
         let width = segment.length / panels;
         for panel in 0..panels as usize {

@@ -2,8 +2,8 @@
 
 use frictiongen::{Given, NoOrbit, OutOfDomain, System};
 
-/// Emits a scene. Asks the scene, and the run-time system of the same text, for a steady state, which both must
-/// refuse.
+/// Emits a scene. Asks the emitted scene, and the run-time system of its description, for a steady state. The scene and
+/// the system must refuse it.
 macro_rules! refused {
     ($test:ident, $error:expr, ($($points:tt)*), struct $name:ident { $($body:tt)* }) => {
         mod $test {

@@ -52,7 +52,7 @@ fn run(text: &str, r: f64, beta: f64, per_cycle: u64) {
     println!("{events} events compared, none skipped, worst {worst:e}");
     // The number of cycles must correspond to exactly this number of events.
     assert_eq!(run.run().cycles() - from, EVENTS / per_cycle, "{text}");
-    // The last event must be as accurate as the first one. If the velocity reaches zero with zero slope, the instant
+    // The last event must be as accurate as the first event. If the velocity reaches zero with zero slope, the instant
     // of a stop is known only to half of the digits.
     assert!(worst < 1e-9, "{text}: {worst:e}");
 }

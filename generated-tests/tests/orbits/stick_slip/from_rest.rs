@@ -16,7 +16,7 @@ const LONGEST: usize = 64;
 /// Largest change of the state over a period for which a run counts as settled.
 const SETTLED: f64 = 1e-10;
 /// If the state of a run changes by less than this over a shorter period, the run does not count as settled. A free
-/// vibration that decays slowly nearly repeats after such a period.
+/// vibration that decays slowly nearly repeats after a shorter period.
 const APART: f64 = 1e-6;
 /// Tolerance of the comparison. The events of the run have errors of 2e-11, and the settled run still changes by up
 /// to 1e-10.
@@ -253,7 +253,7 @@ fn long() {
     }
 }
 
-/// Checks states for β below both limits with μ > 1. The closed form exists there, but motion from rest may end in
+/// Checks states for β below both limits with μ > 1. The closed form exists at these β, but motion from rest may end in
 /// stick-slip. `response` must then report the stick-slip state.
 #[test]
 fn response_from_rest() {

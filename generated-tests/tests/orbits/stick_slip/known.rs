@@ -221,7 +221,7 @@ fn hardly_sliding() {
 }
 
 /// Checks states on the resonance for β between β*_lim and β_n, the friction ratio from which the motion is bounded.
-/// Friction does not bound a sliding motion there. A contact that is at rest on the base stays at rest.
+/// At these β friction does not bound a sliding motion. A contact that is at rest on the base stays at rest.
 #[test]
 fn stuck_on_a_resonance() {
     let base = block("base", "stiction: 1.5");
@@ -269,8 +269,8 @@ fn where_there_is_none() {
     assert_eq!(error(&pair, 0.6, 0.1), NoOrbit::Undamped(0));
 }
 
-/// Checks a chain with two equal modes, in a basis where the contact drives only one of them. The difference of the
-/// masses' displacements moves as one oscillator under 5/4 of the friction.
+/// Checks a chain with two equal modes, in a basis where the contact drives only one of the two modes. The difference
+/// of the masses' displacements moves as one oscillator under 5/4 of the friction.
 #[test]
 fn equal_modes_are_turned() {
     let alike: System = "struct Alike {

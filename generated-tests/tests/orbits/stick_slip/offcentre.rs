@@ -1,5 +1,5 @@
-//! Tests states with an offset: contacts that come to rest off their centre, and members of a continuum. Also tests
-//! the phase of a contact that stops at its largest displacement.
+//! Tests states with an offset: contacts that come to rest off their centre, and members of a continuum. One test
+//! checks the phase of a contact that stops at its largest displacement.
 
 use frictiongen::study::sensitivity::{OperatingPoint, Parameter};
 use frictiongen::{Of, Regime, Run as _, System};
@@ -15,8 +15,8 @@ fn block() -> System {
     )
 }
 
-/// Checks that at r = 1/2n, where an undamped motion keeps a free vibration, every call returns the same member of
-/// the continuum: the one that motion from rest approaches.
+/// Checks that at r = 1/2n, where an undamped motion keeps a free vibration, every call returns the same member of the
+/// continuum: the member that motion from rest approaches.
 #[test]
 fn one_rule_at_half_the_resonance() {
     let block = block();

@@ -259,7 +259,7 @@ impl Run<'_> {
         let slope = &plain.slopes[(self.way + 1) as usize];
         let [from, to] =
             [&self.state, &next].map(|state| [row.dot(state), length * slope.dot(state)]);
-        // The closure returns the distance from the next event at the end of the step, and the smallest one within
+        // The closure returns the distance from the next event at the end of the step, and the smallest distance within
         // the step. The distance is a velocity while the contact slides, and a force while it sticks.
         let room = |sign: f64, limit: f64| {
             let [from, to] = [from, to].map(|[value, slope]| [limit - sign * value, -sign * slope]);

@@ -8,7 +8,7 @@ use serde_json::Value;
 use std::collections::BTreeMap;
 
 /// Tolerance of the comparison. Both sides know the time of an event to about 1e-15 divided by the slope of the
-/// function at the event. Each event inherits the error of the previous one. The tolerance is twenty times the
+/// function at the event. Each event inherits the error of the previous event. The tolerance is twenty times the
 /// resulting error.
 const TOLERANCE: f64 = 1e-10;
 

@@ -58,7 +58,7 @@ repeats!(
         contact: block - wall, excitation: base, damping: modal(0.03443), stiction: 3.0,
     }
 );
-// This motion has more segments than the orbit can store. The orbit therefore computes every second segment again.
+// This motion has more segments than the orbit can store. The orbit therefore recomputes every second segment.
 repeats!(
     after_five_cycles_of_many_segments, 5, 0.07241, 0.2439,
     struct Pair {

@@ -13,7 +13,7 @@ fn two() -> System {
     text.parse().expect("a scene")
 }
 
-/// Returns the largest difference, over one cycle, between the displacements of the orbit and those of a run. The run
+/// Returns the largest difference during one cycle between the displacements of the orbit and those of a run. The run
 /// starts from rest, and the compared cycle follows after `cycles` cycles.
 fn from_a_run(system: &System, (r, beta): (f64, f64), cycles: u32, orbit: &SystemOrbit<'_>) -> f64 {
     let mut run = system.simulation(r, beta).expect("a run");

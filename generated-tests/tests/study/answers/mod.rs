@@ -25,8 +25,8 @@ use std::time::Instant;
 /// ratios misses.
 const ABOVE: f64 = 0.02;
 
-/// The same ratio, minus 1, if the bound on work ended the search. The search then returns the best friction that it
-/// has found.
+/// Largest accepted ratio, minus 1, of the optimum's amplitude to the best amplitude of a map, if the bound on work
+/// ended the search. The optimum is then the best friction that the search has found so far.
 const ABOVE_IF_SPENT: f64 = 0.1;
 
 /// Bound on the work of a search in the regular tests. A unit of work takes about 10 µs. Without compiler
@@ -130,8 +130,8 @@ fn optima_of_some_frames() {
     }
 }
 
-/// Checks a frame at a resonance of its stuck chain that the load does not drive and that nothing damps. If the
-/// contact sticks, the mass next to the base does not move, and neither do the others.
+/// Checks a frame at a resonance of its stuck chain that the load does not drive and that nothing damps. If the contact
+/// sticks, no mass moves.
 #[test]
 fn a_resonance_that_nothing_drives_bounds_nothing() {
     let frame = frame(6, 0);
@@ -164,8 +164,8 @@ fn a_frame_on_which_the_search_gave_up() {
         1e3 * scale.length() * found.amplitude,
     );
     println!("{force} N, {millimetres} mm, {:?}", found.end);
-    // With the default work the search finds 14.25 mm at 68.5 N. A curve shows 14.2 mm there, and more at 65 N and at
-    // 70 N. With the work of this test the result is within 3 % of 14.25 mm.
+    // With the default work the search finds 14.25 mm at 68.5 N. A curve shows 14.2 mm at 68.5 N, and more at 65 N and
+    // at 70 N. With the work of this test the result is within 3 % of 14.25 mm.
     assert!(millimetres < 1.03 * 14.25, "{force} N: {millimetres} mm");
     // An unfinished search has verified no interval of friction.
     assert_eq!(
@@ -329,9 +329,9 @@ fn another_state_is_not_called_one_from_rest() {
     );
 }
 
-/// Checks a response at a friction ratio just above β_lim on an undamped resonance. There Newton's method finds
-/// states with amplitudes of 10¹⁴, compared with which friction and load are below rounding. The response must be
-/// about as large as at neighbouring frequencies.
+/// Checks a response at a friction ratio just above β_lim on an undamped resonance. Newton's method finds states with
+/// amplitudes of 10¹⁴ at this resonance. Compared with these amplitudes, friction and load are below rounding. The
+/// response must be about as large as at neighbouring frequencies.
 #[test]
 fn a_resonance_just_bounded_has_no_enormous_state() {
     let frame = frame(5, 18);

@@ -9,8 +9,8 @@ use frictiongen::{Of, Regime};
 use std::f64::consts::TAU;
 
 /// Returns the friction ratios at which a scene is tested. With five masses, a curve whose motions do not settle
-/// takes long. For five masses the function therefore returns only the last friction ratio, or all of them if the
-/// environment variable CURVES is set.
+/// takes long. For five masses the function therefore returns only the last friction ratio, or all friction ratios if
+/// the environment variable CURVES is set.
 fn frictions<'a>(name: &str, all: &'a [f64]) -> &'a [f64] {
     let short = name.starts_with("five") && std::env::var_os("CURVES").is_none();
     if short { &all[all.len() - 1..] } else { all }
@@ -109,8 +109,8 @@ fn lines_between_points_pass_the_response() {
     assert!(turned > 500 && far * 200 < turned, "{far} of {turned}");
 }
 
-/// Checks that at each change of the regime a limit equals β to rounding. Also checks that the curve misses no change
-/// of a dense scan.
+/// Checks that at each change of the regime a limit equals β to rounding. A second check is that the curve misses no
+/// change of a dense scan.
 #[test]
 fn regimes_change_at_limits_and_nowhere_else() {
     for (name, text) in SCENES {

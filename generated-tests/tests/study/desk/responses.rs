@@ -86,7 +86,7 @@ fn friction_takes_out_as_much_of_each_of_three_cycles() {
     let response = system.at(0.352).unwrap().response(0.1563).unwrap();
     assert_eq!(response.period(), 3);
     let (taken, given) = (response.friction_work(), input_work(&system, &response));
-    // The work of the load comes from a harmonic by quadrature, as above, so the tolerance is the same.
+    // The work of the load comes from a harmonic by quadrature, which limits the tolerance.
     assert!((taken - given).abs() < 1e-10, "{taken} of {given}");
     assert!(given > 0.1, "{given}");
 }

@@ -152,7 +152,7 @@ fn one_state_however_it_is_reached() {
                 .swing(Of::Mass(0))
                 .expect("a mass");
             let found = point.movements[1].swing.amplitude;
-            // Both searches end Newton's method at a relative step of about 1e-12. Steep responses lose some digits.
+            // The two searches end Newton's method at a relative step of about 1e-12. Steep responses lose some digits.
             assert!(
                 (found / expected.amplitude - 1.0).abs() < 1e-8,
                 "r = {}: {found} for {}",
@@ -165,8 +165,8 @@ fn one_state_however_it_is_reached() {
     assert!(compared > 300, "{compared}");
 }
 
-/// Checks a sweep across a pole. If friction is below the threshold of a resonance, the amplitude has a pole there. A
-/// sweep in either direction ends on one side of the pole, and continues on the other side.
+/// Checks a sweep across a pole. If friction is below the threshold of a resonance, the amplitude has a pole at this
+/// resonance. A sweep in either direction ends on one side of the pole, and continues on the other side.
 #[test]
 fn a_sweep_across_a_pole() {
     let system: System = "struct Block { masses: { block: 1 }, springs: { base - block: 1 },

@@ -7,9 +7,9 @@ use frictiongen::study::{
 };
 use frictiongen::{Of, Regime};
 
-/// Checks two weakly coupled oscillators. The receptance of the first one has a zero at the natural frequency of the
-/// second, and a pole at a distance of ε²/2·0.69·1.69 from this zero. The search must find both down to a relative
-/// distance of 1e-13.
+/// Checks two weakly coupled oscillators. The receptance of the first oscillator has a zero at the natural frequency of
+/// the second oscillator, and a pole at a distance of ε²/2·0.69·1.69 from this zero. The search must find both down to
+/// a relative distance of 1e-13.
 #[test]
 fn a_zero_beside_a_pole() {
     for (coupling, apart) in [(1e-3_f64, 4e-7), (1.5e-6, 9.6e-13)] {

@@ -124,8 +124,8 @@ fn f10_without_stick_slip() {
     close(ranges[1].to, 1.5_f64.sqrt(), ROUNDING);
     assert!(matches!(ranges[1].end, RegimeEnd::Sliding(_)));
     assert!(matches!(ranges[0].end, RegimeEnd::Continuous(_)));
-    // With μ = 1 a stick-slip range lies between the stuck and the continuous range. At the resonance β*_lim equals
-    // β, because V − βH has no pole there.
+    // With μ = 1 a stick-slip range lies between the stuck and the continuous range. At the resonance β*_lim equals β,
+    // because V − βH has no pole at the resonance.
     let system = base(1.0);
     let features = system.features(None).unwrap();
     let (ranges, _) = features.regimes(1.0, [0.6, 1.4]).unwrap();

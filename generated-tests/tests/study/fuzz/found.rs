@@ -111,8 +111,8 @@ friction_system! {
     }
 }
 
-/// Checks that 1/V does not overflow far above all resonances. There V consists only of its damping term, because
-/// rounding removes the other terms.
+/// Checks that 1/V does not overflow far above all resonances. Far above all resonances V consists only of its damping
+/// term, because rounding removes the other terms.
 #[test]
 fn a_response_too_small_for_its_reciprocal() {
     for r in [1.4839235e11_f32, 1e13, 1e15] {
@@ -190,8 +190,8 @@ fn a_cycle_of_too_many_turns() {
     assert_eq!(orbit.err(), Some(NoOrbit::Unsettled));
 }
 
-/// Checks that the contribution of a mode does not become 0/0. The contact moves this mode by 1e-18 of the others.
-/// While the contact is stuck, no digit of a double-double shows a motion of this mode.
+/// Checks that the contribution of a mode does not become 0/0. The contact moves this mode by 1e-18 of the motion of
+/// the other modes. While the contact is stuck, no digit of a double-double shows a motion of this mode.
 #[test]
 fn a_mode_that_the_contact_hardly_touches() {
     let text = "struct R { masses: { a: 0.35, b: 2.4e5, c: 1.6, d: 0.19 },

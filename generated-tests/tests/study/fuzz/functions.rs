@@ -260,8 +260,8 @@ fn moves<S: Float>(
     Ok(())
 }
 
-/// Returns random arguments for the functions of a scene. `number` returns random numbers, many of them near special
-/// values.
+/// Returns random arguments for the functions of a scene. `number` returns random numbers, of which many are near
+/// special values.
 pub fn question(
     random: &mut Random,
     scene: usize,

@@ -11,7 +11,7 @@ use frictiongen::study::{
 pub struct Case {
     /// Description of the chain, with `#` in place of the number.
     pub text: &'static str,
-    /// First mass and first spring. `None` stands for the one that varies.
+    /// First mass and first spring. `None` stands for the mass or spring that varies.
     pub first: [Option<f64>; 2],
     pub base: bool,
     pub of: &'static str,

@@ -1,5 +1,4 @@
-//! Draws random arguments. They are uniform in their bits, and dense near zeros, poles and branch points of the
-//! functions.
+//! Draws random arguments, uniform in their bits, and dense near zeros, poles and branch points of the functions.
 
 mod modes;
 

@@ -35,7 +35,8 @@ fn one() -> Big {
     Big::integer(1)
 }
 
-/// Returns sin πh and cos πh. Returns NaN if the functions that return only one of them give other bits.
+/// Returns sin πh and cos πh. Returns NaN if the functions that return only the sine or only the cosine give other
+/// bits.
 fn sin_cos<T: Real>(h: T) -> [T; 2] {
     let (sin, cos) = h.sin_cos_pi();
     let alone = [h.sin_pi(), h.cos_pi()];

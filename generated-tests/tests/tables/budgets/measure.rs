@@ -97,7 +97,8 @@ pub enum Unit {
     /// Error divided by ε·(|f| + Σ|a·∂f/∂a|), where the sum is over the arguments a. An error of 1 can be a relative
     /// change of ε in the result and in every argument.
     Mixed,
-    /// As [`Mixed`](Self::Mixed), but the divisor may also contain a larger term to which the result is added.
+    /// Unit of [`Mixed`](Self::Mixed), but the divisor may contain one more term: a larger number to which the result
+    /// is added.
     Size,
 }
 
@@ -124,7 +125,7 @@ pub trait Formula {
         moved.into_iter().fold(value, plus)
     }
     /// Returns the second-order effect of a relative change of ε in the arguments, divided by ε². It matters for
-    /// results that touch 0 without a change of sign, because their derivatives vanish there too.
+    /// results that touch 0 without a change of sign, because the derivative of the result vanishes with the result.
     fn curved(_a: &Arguments) -> Results<f64> {
         [0.0; 5]
     }
@@ -155,7 +156,7 @@ fn places<T: Real>(got: Dd, want: Dd, off: f64) -> f64 {
         return 0.0;
     }
     if !got.hi.is_finite() || !want.hi.is_finite() {
-        // Both results have overflowed if both are near or beyond the largest number.
+        // If the result and the exact value are near or beyond the largest number, they count as overflowed.
         let largest = if T::FORMAT.0 == 24 {
             f64::from(f32::MAX)
         } else {

@@ -186,9 +186,9 @@ fn fields<T>(basis: Basis<T>) -> Results<T> {
 }
 
 /// Returns the sizes that divide the errors of the results in time. The differences sin τ − p and cos τ − p′ are
-/// multiplied by damping functions that grow as 1/(|x − 1| + ζ) near the resonance. There a change of x explains none
-/// of the error of a difference. The size of the first difference is sin τ. The size of the second is the difference
-/// itself, or 1 for τ > π/2.
+/// multiplied by damping functions that grow as 1/(|x − 1| + ζ) near the resonance. Near the resonance, a change of x
+/// explains none of the error of a difference. The size of the first difference is sin τ. The size of the second is the
+/// difference itself, or 1 for τ > π/2.
 fn in_time_scales(a: &Arguments, value: Results<f64>, moved: [Results<f64>; 3]) -> Results<f64> {
     let [x, zeta, t] = a.map(Dd::to_f64);
     let (distance, [by_x, by_zeta, by_t]) = ((x - 1.0).abs(), moved);
@@ -204,8 +204,8 @@ fn in_time_scales(a: &Arguments, value: Results<f64>, moved: [Results<f64>; 3]) 
     scales
 }
 
-/// Returns the second-order effect of a relative change of ε. 1 − d touches 0 after each whole turn. There the effect
-/// of each argument is (xτε)²/2, divided by x².
+/// Returns the second-order effect of a relative change of ε. 1 − d touches 0 after each whole turn. At these instants
+/// the effect of each argument is (xτε)²/2, divided by x².
 fn in_time_curved(a: &Arguments) -> Results<f64> {
     let tau = a[2].to_f64() * std::f64::consts::PI;
     [0.0, 0.0, 0.0, 0.0, 2.0 * tau * tau]

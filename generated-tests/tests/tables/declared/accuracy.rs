@@ -335,8 +335,8 @@ fn of_random_scenes_whole() {
     random_scenes(&[1e-2, 1e-3, 1e-4, 1e-6, 1e-9], 100, 100_000);
 }
 
-/// Checks a mode that the contact drives and the load does not. It is a pole of H but not of V, so β*_lim vanishes
-/// there.
+/// Checks a mode that the contact drives and the load does not. Its resonance is a pole of H but not of V, so that
+/// β*_lim vanishes at the resonance.
 #[test]
 fn of_a_mode_that_the_load_does_not_drive() {
     for damping in ["none", "modal(0.03)"] {

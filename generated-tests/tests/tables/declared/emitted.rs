@@ -320,7 +320,7 @@ fn beyond_the_range() {
     assert!(ExactBeyond::at(1.0).unwrap().is_within());
 }
 
-/// Checks the regimes. They may be wrong only if β is within the accuracy of a limit.
+/// Checks the regimes. A regime may be wrong only if β is within the accuracy of a limit.
 #[test]
 fn regimes() {
     let text = DAMPED.split("accuracy").next().unwrap().to_owned() + "}";

@@ -89,7 +89,7 @@ scene! { FEW_BYTES: struct FewBytes {
     range: { r: 0.3..2.0 },
 } }
 
-/// Returns the same scene without a declared accuracy, in double precision.
+/// Returns the scene without a declared accuracy, in double precision.
 fn exact(text: &str) -> System {
     let before = text.split("accuracy").next().unwrap();
     let before = before.split("budget").next().unwrap();

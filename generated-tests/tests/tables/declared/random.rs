@@ -13,7 +13,7 @@ pub fn scene(random: &mut Random) -> String {
     text.push_str("}, springs: { ");
     write!(text, "base - m0: {:e}, ", random.power(-0.5, 0.5)).unwrap();
     for mass in 1..count {
-        // The springs form a tree: each mass is joined to the previous one, or to any earlier one.
+        // The springs form a tree: each mass is joined to the previous mass, or to any earlier mass.
         let from = if random.once_in(4) {
             random.below(mass)
         } else {

@@ -1,5 +1,5 @@
-//! Tests which limit is the smaller one (section 10 of `docs/derivation.md`). With μ = 1 it is β_lim, so β_lim alone
-//! decides whether a continuous motion exists.
+//! Tests which of the limits β_lim and β*_lim is smaller (section 10 of `docs/derivation.md`). With μ = 1 it is β_lim,
+//! so β_lim alone decides whether a continuous motion exists.
 
 use super::random;
 use super::scenes::scenes;
@@ -9,8 +9,8 @@ use fuzzing::Random;
 /// Relative difference up to which rounding may exchange the order of two equal limits.
 const ROUNDINGS: f64 = 1e-9;
 
-/// Compares the limits for r from 0.02 to 20. `seen` counts the comparisons, and the comparisons in which β*_lim is
-/// smaller by at least a per cent. Returns the r of the latter.
+/// Compares the limits for r from 0.02 to 20, and returns the r at which β*_lim is smaller by at least a per cent.
+/// `seen` counts all comparisons, and the comparisons at these r.
 fn compared(text: &str, random: &mut Random, seen: &mut [usize; 2]) -> Vec<f64> {
     let system: System = text.parse().unwrap();
     let mut turned = Vec::new();

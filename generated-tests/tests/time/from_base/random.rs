@@ -168,7 +168,8 @@ fn dense_linear_systems() {
         }
     });
     println!("{compared} values, largest error {worst:.1e}");
-    // Both sides lose some digits by the condition number of the matrices, whose entries differ by factors up to 100.
+    // The two compared motions lose some digits by the condition number of the matrices, whose entries differ by
+    // factors up to 100.
     assert!(worst < 1e-11, "{worst:e}");
 }
 

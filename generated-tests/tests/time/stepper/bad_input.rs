@@ -134,8 +134,8 @@ fn saved_and_restored() {
     assert_eq!(bits(&one), before);
 }
 
-/// Checks that a stepper refuses the state of another scene or step. Such a state has the same size but another
-/// meaning.
+/// Checks that a stepper refuses the state of another scene or step. The refused state has the same size as a valid
+/// state, but another meaning.
 #[test]
 fn the_state_of_another_stepper_is_refused() {
     let law = Kind {

@@ -1,7 +1,7 @@
 //! Tests the energy balance over many random steps. The work of the load must equal the sum of friction work, damping
 //! work and stored energy, and no step may create energy.
 //!
-//! The stepper computes `Work::damping` from the other three energies, so the sum alone proves nothing. Without
+//! The stepper computes `Work::damping` from the remaining three energies, so the sum alone proves nothing. Without
 //! damping `Work::damping` must vanish. With damping it must grow in every step, and equal a quadrature of ẋᵀCẋ
 //! (`independent`). The stored energy must equal that of the motions of the masses.
 

@@ -46,11 +46,12 @@ fn off(text: &str, steps: u32, friction: f64) -> (f64, u64) {
     (apart / size, events)
 }
 
-/// Compares chains whose contact stays stuck. They have no event, except for a stop at the start if the base already
-/// moves.
+/// Compares chains whose contact stays stuck. The chains have no event, except for a stop at the start if the base
+/// already moves.
 ///
-/// In such a chain only damping reduces earlier errors. Without damping, the rounding of a frequency adds an error of
-/// 1e-16 of the angle by which the mode has turned. (`ONE` does not move at all while its contact sticks.)
+/// While the contact stays stuck, only damping reduces earlier errors. Without damping, the rounding of a frequency
+/// adds an error of 1e-16 of the angle by which the mode has turned. (`ONE` does not move at all while its contact
+/// sticks.)
 #[test]
 fn without_events() {
     for text in [WALL, BASE, PAIR, TEN] {

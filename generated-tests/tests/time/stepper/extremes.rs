@@ -56,7 +56,7 @@ fn run<S: Plain>(
         let now = [work.load, work.friction, work.damping].map(S::to_f64);
         through = through.max(work.stored.to_f64().abs());
         through = through.max((now[0] - before[0]).abs());
-        // Every part of a step rounds the state once, and therefore the energy too.
+        // Every part of a step rounds the state once, and thereby changes the energy by a rounding.
         let noise = rounding * (now[0].abs() + through) * (100.0 + f64::from(parts));
         for k in [1, 2] {
             assert!(now[k] - before[k] >= -noise, "{what}: {now:?}, {before:?}");
@@ -169,8 +169,8 @@ fn grazing() {
     assert!(events > 1000);
 }
 
-/// Compares the stepper under such forces with the plain integrator. None of the forces is within a rounding unit of
-/// the break-away force.
+/// Compares the stepper under forces near the break-away force with the plain integrator. None of the forces is within
+/// a rounding unit of the break-away force.
 #[test]
 fn grazing_moves_as_the_plain_integrator_says() {
     for text in ALL {
@@ -263,8 +263,8 @@ fn steep_laws() {
     assert!(all.events > 1000);
 }
 
-/// Checks a law with so many lines that the speed cannot pass through all of them in one part of a step. The stepper
-/// must report this, and must create no energy.
+/// Checks a law with so many lines that the speed cannot pass through all lines in one part of a step. The stepper must
+/// report this, and must create no energy.
 #[test]
 fn more_than_is_followed() {
     let mut exceeded = 0;

@@ -68,7 +68,7 @@ fn run<S: Plain>(pushes: u32, friction: f64, damping: &str) -> Run {
 /// hundred.
 ///
 /// A displacement is a sum over about 10⁴ steps. Each step rounds a value of about 2000, so single precision gives
-/// the sum to six digits. The forces are differences of such displacements.
+/// the sum to six digits. The forces are differences of these displacements.
 #[test]
 fn four_pushes_have_the_events_of_double_precision() {
     for damping in [", damping: modal(0.05)", ""] {

@@ -28,9 +28,9 @@ fn state(stepper: &SystemStepper<'_>, masses: usize) -> [Vec<f64>; 2] {
     [of(|mass| mass.displacement()), of(|mass| mass.velocity())]
 }
 
-/// Checks a stepper that starts from the state and under the load of another stepper. If the contact of the other
-/// stepper sticks, the new stepper must report sticking with the same force. If it slides, the new stepper must
-/// report sliding.
+/// Checks a stepper that starts from the state and under the load of another stepper. If the contact of the earlier
+/// stepper sticks, the new stepper must report sticking with the same force. If it slides, the new stepper must report
+/// sliding.
 #[test]
 fn sticks_with_its_force_or_slides() {
     for text in [WALL, BASE, PAIR, ONE, ONE_ON_BASE, WALL_BASE] {

@@ -11,7 +11,7 @@ fn ends<S: Float>(epsilon: f64) {
         let term = |n: u32| (1..=n).fold(1.0, |term, k| term * rate / f64::from(k));
         let left: f64 = (terms..terms + 20).map(term).sum();
         // The first neglected term is at most a sixteenth of a rounding unit. Each later term is less than a fifth of
-        // the previous one.
+        // the previous term.
         assert!(left < epsilon / 12.0, "{rate}: {left:e} after {terms}");
         // One term less would not be enough.
         assert!(epsilon / 16.0 < term(terms - 1), "{rate}: {terms}");

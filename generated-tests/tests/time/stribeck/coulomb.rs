@@ -6,8 +6,8 @@ use frictiongen::System;
 
 const ALL: [&str; 7] = [WALL, BASE, PAIR, ONE, ONE_ON_BASE, WALL_BASE, TEN];
 
-/// Returns the largest difference of two runs over several cycles, divided by the largest displacement or velocity.
-/// Also returns the number of events in each run.
+/// Returns the largest difference of two runs over several cycles, divided by the largest displacement or velocity, and
+/// the number of events in each run.
 fn apart(
     one: (&System, f64, f64),
     other: (&System, f64, f64),

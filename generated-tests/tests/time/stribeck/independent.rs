@@ -7,8 +7,9 @@ use crate::stribeck::{follow, lined, scaled, units};
 use frictiongen::System;
 use frictiongen::study::scene::Excitation;
 
-/// Returns the difference of a run and the plain integrator, divided by the largest displacement or velocity. Also
-/// returns the numbers of events of both, and how often the speed reached a point of the law.
+/// Returns the difference of a run and the plain integrator, divided by the largest displacement or velocity. The
+/// further results are the number of events of the run and of the integrator, and how often the speed reached a point
+/// of the law.
 fn apart(text: &str, law: &[[f64; 2]], [r, beta]: [f64; 2], steps: usize) -> (f64, [usize; 3]) {
     const CYCLES: usize = 12;
     let ([length, speed], amplitude) = units(&lined(text, 1.2, &[]), r);
@@ -50,7 +51,8 @@ fn apart(text: &str, law: &[[f64; 2]], [r, beta]: [f64; 2], steps: usize) -> (f6
 }
 
 /// Compares runs with all contacts, damped and undamped: at a low frequency with many stops, near a resonance, and
-/// above it. One law falls, and the other falls and rises. The function runs one of `one_in` cases.
+/// above it. The friction of one law falls with speed, and that of the second law falls and then rises. The function
+/// runs one of `one_in` cases.
 ///
 /// The remaining difference is the error of the integrator. With four times as many steps it must be a 256th.
 /// Exceptions are runs whose coarse steps missed an event, and runs whose difference is mostly rounding, about 1e-12

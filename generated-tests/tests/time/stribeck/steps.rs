@@ -49,7 +49,7 @@ fn steps_do_not_matter() {
     assert!(100 < compared);
 }
 
-/// Checks that a run which starts from the state of another run, a cycle later, equals the other run. The lines of
+/// Checks that a run which starts from the state of an earlier run, a cycle later, equals the earlier run. The lines of
 /// the law follow from the state.
 #[test]
 fn from_a_state() {
@@ -74,8 +74,8 @@ fn from_a_state() {
             follow(&mut on, start + 1, 0.4);
             for mass in masses.clone() {
                 let (a, b) = (from.run().mass(mass), on.run().mass(mass));
-                // Both runs have rounding errors. In addition, the state of the masses does not tell whether a
-                // contact at rest sticks.
+                // The two runs have different rounding errors. In addition, the state of the masses does not tell
+                // whether a contact at rest sticks.
                 let off = (a.displacement() - b.displacement()).abs()
                     + (a.velocity() - b.velocity()).abs();
                 assert!(off < 1e-12, "{text}: {off:e}");

@@ -88,8 +88,8 @@ fn no_derivative_exceeds_its_bound() {
     assert!(compared == 600 * 51 && nearest > 0.5);
 }
 
-/// Checks the bounds on the derivatives for the term of each mode separately, for every kind of damping. Also checks
-/// that no bound is far too large.
+/// Checks the bounds on the derivatives for the term of each mode separately, for every kind of damping. A second check
+/// is that no bound is far too large.
 #[test]
 fn bounds_hold_for_every_part() {
     let (mut compared, mut least, mut most) = (0, 9.0_f64, 0.0_f64);
@@ -208,7 +208,7 @@ fn a_cell_that_exceeds_the_level_is_open() {
         let bounds = DerivativeBounds::of(&sum, &Instant::new(0.0), problem.end);
         let grid = filled(&sum, &stretch, &bounds);
         let cell = [0, stretch.cells() - 1, random.below(stretch.cells())][case % 3];
-        // This is the largest quotient in the cell, among multiples of a thirty-second of its width.
+        // The test takes the largest quotient in the cell, among multiples of a thirty-second of its width.
         let at = |i: usize| (cell as f64 + i as f64 / 32.0) * stretch.width;
         let quotient = |tau: f64| {
             let weight = if over_sine { tau.sin() } else { 1.0 };

@@ -42,8 +42,8 @@ pub struct Lines<'a, S> {
     place: usize,
     /// The line crossing with which the piece ends that the last search has found.
     next: LineCrossing,
-    /// Number of successive pieces of length zero. After too many of them the code ends the sequence by a longer piece.
-    /// `cut` counts these longer pieces.
+    /// Number of successive pieces of length zero. After too many pieces of length zero, the code ends the sequence by
+    /// a longer piece. `cut` counts these longer pieces.
     still: u32,
     cut: u32,
 }
@@ -64,8 +64,8 @@ pub(crate) enum LineCrossing {
 const STILL: u32 = 4;
 
 /// Largest number of doublings of an extension. Each further extension of a piece of length zero is twice as long as
-/// the previous one. The longest extension is 2²⁰ times the square root of a rounding unit, as a fraction of the power
-/// series' length. In double precision this is a sixty-fourth.
+/// the previous extension. The longest extension is 2²⁰ times the square root of a rounding unit, as a fraction of the
+/// power series' length. In double precision this is a sixty-fourth.
 const CUTS: u32 = 20;
 
 impl<'a, S: Float> Lines<'a, S> {
@@ -211,7 +211,7 @@ mod tests {
     }
 
     /// Checks that a motion cannot switch between two lines without end. The code must extend every fourth piece of
-    /// length zero along its line. Each extension must be twice as long as the previous one.
+    /// length zero along its line. Each extension must be twice as long as the previous extension.
     #[test]
     fn to_and_fro_has_an_end() {
         let mut lines = Lines::under(&LAW, 1.0, 1.0, 1.0);

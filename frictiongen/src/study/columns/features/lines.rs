@@ -44,7 +44,7 @@ pub struct FeatureLine {
     pub feature: &'static str,
     /// The chain, the contact or the mass that has the feature.
     pub of: String,
-    /// Further details of the feature, in words.
+    /// Details of the feature, in words.
     pub detail: String,
     /// Frequency ratio r of the feature, or the frequency ratio at which the feature begins. `None` if the feature has
     /// no frequency.

@@ -32,8 +32,8 @@ impl<'a, R: TableRow + 'a> Sheet<'a, R> {
             .converted(Head::of(name, PhysicalQuantity::Force), of);
     }
 
-    /// Adds a column of lengths. They are in m under a load. Otherwise they are divided by P/k₁, or by Y for base
-    /// motion.
+    /// Adds a column of lengths. The lengths are in m under a load. Otherwise they are divided by P/k₁, or by Y for
+    /// base motion.
     pub(super) fn length(&mut self, name: &'static str, of: impl Fn(&R) -> Option<f64> + 'a) {
         self.columns
             .converted(Head::of(name, PhysicalQuantity::Length), of);

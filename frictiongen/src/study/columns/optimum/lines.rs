@@ -41,8 +41,8 @@ pub struct Tuned<'a> {
     pub found: &'a TunedOptimum,
 }
 
-/// Further quantities of a result about the best friction, in addition to the minimised one. Each entry has three
-/// items: the quantity, its bound or divisor, and its largest value over the band of frequencies.
+/// Quantities of a result about the best friction, in addition to the minimised quantity. Each entry has three items:
+/// the quantity, its bound or divisor, and its largest value over the band of frequencies.
 #[derive(Clone, Copy, Debug)]
 pub enum Further<'a> {
     /// The search has considered no further quantities.

@@ -37,8 +37,8 @@ pub struct ResponseTable<'a> {
     pub setting: Setting<'a>,
     /// Orders n of the harmonics that the table contains.
     pub orders: &'a [u32],
-    /// True if rows with a stuck contact contain all motions. If false, such rows contain neither harmonics nor the
-    /// motion of the contact, which is at rest.
+    /// True if rows with a stuck contact contain all motions. If false, rows with a stuck contact contain no harmonics
+    /// and no motion of the contact, which is at rest.
     pub stuck: bool,
 }
 

@@ -54,7 +54,7 @@ fn steady_states_are_those_of_a_single_contact() {
             expected.is_marginal(),
             "r {r}, beta {beta}"
         );
-        // For a stuck contact, the solver for a single contact also lists the multiplier 1.
+        // For a stuck contact, the solver for a single contact lists the multiplier 1 in addition.
         if !expected.is_marginal() {
             let rate = expected.multipliers().iter().map(|m| m.norm());
             let rate = rate.fold(0.0, f64::max);

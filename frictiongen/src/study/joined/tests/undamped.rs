@@ -34,7 +34,7 @@ fn description(random: &mut Random) -> String {
         if random.once_in(3) {
             law += &format!(", stiction: {:.3}", random.between(1.0, 1.5));
         }
-        // Rigid contacts must not form a loop. Of the contacts with the wall, only the first is therefore rigid.
+        // Rigid contacts must not form a loop. Therefore only the first contact with the wall is rigid.
         if contact > 0 && place.is_multiple_of(2) || random.once_in(2) {
             law += &format!(", stiffness: {:.1}", random.between(2e3, 2e4));
         }

@@ -50,7 +50,7 @@ fn settled(chain: &Chain, omega: f64) -> Option<State> {
 }
 
 /// Compares the steady states of a number of random scenes. Returns the largest difference, and the number of scenes in
-/// which one contact never slides although another one does.
+/// which one contact never slides although another contact slides.
 fn compare(count: usize) -> (f64, usize) {
     let mut random = Random::new(461);
     let (mut worst, mut mixed, mut compared) = (0.0_f64, 0, 0);

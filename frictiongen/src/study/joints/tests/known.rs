@@ -149,8 +149,8 @@ fn loop_of_an_elastic_contact() {
     }
 }
 
-/// Checks a chain of two identical halves, with one contact in each and a mass between them. Both contacts must have
-/// their events at the same instants.
+/// Checks a chain of two identical halves, with one contact in each and a mass between them. The two contacts must have
+/// their events at equal instants.
 #[test]
 fn symmetric_halves_share_their_events() {
     let chain = Chain {

@@ -243,7 +243,7 @@ fn accelerations_are_those_of_the_convex_minimum() {
                     .sum::<f64>()
         };
         let least = cost(&a);
-        // If no small displacement lowers a convex function, the function has its minimum there.
+        // If no small displacement from a point lowers a convex function, the function has its minimum at this point.
         for step in [1e-1, 1e-3] {
             for _ in 0..40 {
                 let mut other = a.clone();

@@ -83,7 +83,7 @@ fn random_scenes_settle() {
     assert_eq!(open, 0);
 }
 
-/// Repeats `random_scenes_settle` with more scenes. Some of them have periods of several cycles.
+/// Repeats `random_scenes_settle` with more scenes. Some scenes have periods of several cycles.
 #[test]
 #[ignore = "half a minute"]
 fn random_scenes_settle_long() {

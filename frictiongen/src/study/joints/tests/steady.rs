@@ -1,5 +1,5 @@
-//! Compares steady states with the reference file, with formulas and with motions in time. Also tests the response of
-//! the chain while no contact slides.
+//! Compares steady states with the reference file, with formulas and with motions in time. Further tests compare the
+//! response of the chain while no contact slides.
 
 use super::super::{Motion, stuck_response};
 use super::super::{Steady, steady_state};

@@ -187,7 +187,7 @@ impl System {
         })
     }
 
-    /// Returns the same scene with another value of one number. Damping ratios belong to the modes in ascending order
+    /// Returns this scene with another value of one number. Damping ratios belong to the modes in ascending order
     /// of natural frequency, in the original scene and in the changed one.
     ///
     /// ```

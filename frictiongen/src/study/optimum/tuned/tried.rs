@@ -286,7 +286,7 @@ impl<'s> TunedSearch<'s> {
                 }
             }
             [_] => {}
-            // One peak falls with more friction and the other rises. Both weights are then positive.
+            // One peak falls with more friction, and the other peak rises. Both weights are then positive.
             weights if weights.iter().all(|weight| 0.0 <= *weight) => {}
             _ => return None,
         }

@@ -37,9 +37,9 @@ impl Linear {
         fit(&self.a, &self.b, bar)
     }
 
-    /// Returns the step from the present displacements `to` of the inputs to the next ones, at which the derivatives
-    /// are evaluated again. The weight of each answer above the accepted error falls with its sensitivity to the
-    /// inputs, so that the curvature of the worst answer does not outweigh the others.
+    /// Returns the step from the present displacements `to` of the inputs to the next displacements, at which the code
+    /// re-evaluates the derivatives. The weight of each answer above the accepted error falls with its sensitivity to
+    /// the inputs, so that the curvature of the worst answer does not outweigh the other answers.
     pub fn step(&self, to: &[f64], bar: f64) -> Option<Vec<f64>> {
         let rest = self.a.iter().zip(&self.b).map(|(row, b)| {
             let there = row.iter().zip(to);
@@ -125,7 +125,7 @@ impl Judge<'_> {
             let questions: Vec<_> = here.iter().map(follow).collect();
             let moved = answers(&at, &place, &questions);
             // Some values in `exact` are more accurate than the formulas in double-double. The value at the displaced
-            // inputs keeps the difference between both.
+            // inputs keeps the difference between the value in `exact` and the value of the formulas.
             let better = exact.iter().zip(self.exact(&here));
             let there = moved.iter().zip(better).map(|(moved, (exact, here))| {
                 Complex::new(
@@ -216,7 +216,7 @@ impl Judge<'_> {
     }
 }
 
-/// Returns the same question at another r and β. The instant of its maximum is the one at that r and β.
+/// Returns this question at another r and β. The instant of its maximum is the instant at that r and β.
 fn follow(
     at: &DataAt<'_, Dd>,
     place: &Place<Dd>,

@@ -8,7 +8,7 @@
 //! r. They are then evaluated again at the r and β that the fit has found.
 //!
 //! This module has the answers and the verdict on a point. `error` computes the error of an answer, and `linear` the
-//! equations of the fit. `turning` chooses the displacements at which derivatives are evaluated again.
+//! equations of the fit. `turning` chooses the displacements at which the code re-evaluates the derivatives.
 
 mod error;
 mod linear;
@@ -235,8 +235,8 @@ impl<'a> Judge<'a> {
     }
 
     /// Returns the smallest backward error k that the fit finds, and the condition number of the point. The fit first
-    /// displaces r, β and τ alone, which is cheap, and then all inputs. Each time it evaluates the derivatives again
-    /// at the displacements of its last step.
+    /// displaces r, β and τ alone, which is cheap, and then all inputs. Each time it re-evaluates the derivatives at
+    /// the displacements of its last step.
     fn explained(
         &self,
         told: &[Answer],

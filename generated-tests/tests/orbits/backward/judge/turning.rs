@@ -1,8 +1,8 @@
-//! Chooses the displacements of the inputs at which the derivatives are evaluated again.
+//! Chooses the displacements of the inputs at which the code re-evaluates the derivatives.
 
 use super::linear::{BETA, Linear};
 
-/// The sequence of displacements at which the derivatives are evaluated again.
+/// Sequence of displacements at which the code re-evaluates the derivatives.
 pub(super) struct Turning {
     /// Equations at the last displacement.
     pub linear: Linear,
@@ -26,8 +26,8 @@ impl Turning {
 
     pub fn next(&mut self, bar: f64) -> Option<&[f64]> {
         if let (true, Some(moving)) = (self.linear.stands, &self.moving) {
-            // For β > |V|/|U| the contact does not move for any displacement of the other inputs. The next
-            // displacement is halfway to the last one at which the contact moved.
+            // For β > |V|/|U| the contact does not move for any displacement of the other inputs. The next displacement
+            // is halfway to the last displacement at which the contact moved.
             for (to, moving) in self.to.iter_mut().zip(moving) {
                 *to = 0.5 * (*to + moving);
             }

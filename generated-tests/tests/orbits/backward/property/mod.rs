@@ -65,12 +65,12 @@ fn run<S: Float>(scenes: &[u64], range: &Range, exact: impl Fn(S) -> Dd + Copy +
 const KINDS: usize = 17;
 /// Upper bounds on the fractions of a run's points.
 struct Shares {
-    /// Points above the accepted error. They are of two kinds: stuck responses that are differences of larger free
-    /// responses, and points whose condition number is near the largest one at which one displacement must explain
-    /// all answers.
+    /// Points above the accepted error. The points are of two kinds: stuck responses that are differences of larger
+    /// free responses, and points whose condition number is near the largest condition number at which one displacement
+    /// must explain all answers.
     above: f64,
-    /// Points at which no common displacement of the inputs explains all answers. All of them have a condition number
-    /// above 100.
+    /// Points at which no common displacement of the inputs explains all answers. All these points have a condition
+    /// number above 100.
     disagreeing: f64,
     /// Points without any explanation, for one of two reasons. Either no digit of the contact's force is known, not
     /// even in double-double. Or r is within a rounding unit of a resonance, and this unit decides whether the

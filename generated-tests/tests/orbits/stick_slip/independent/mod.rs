@@ -112,14 +112,14 @@ fn of_several_cycles() {
     for point in points(|point| point.kind() == "steady" && count(&point.expected["period"]) > 1) {
         all_values(&point, &mut tally);
         *told.entry(count(&point.expected["period"])).or_insert(0) += 1;
-        // The motion has more segments than the orbit can store, so the orbit computes some segments again when they
-        // are asked for.
+        // The motion has more segments than the orbit can store, so the orbit recomputes some segments when the test
+        // asks for them.
         followed += usize::from(count(&point.expected["segments"]) > 64);
     }
     println!("periods and how many: {told:?}; {followed} of more than 64 segments");
     assert!(told.len() >= 12 && told.values().sum::<usize>() >= 40 && followed >= 10);
     tally.end(|kind| match kind {
-        // Over so many stops, central differences lose more digits.
+        // Central differences lose more digits over this many stops.
         "multiplier" => 1e-3,
         _ => bars(kind),
     });
@@ -188,8 +188,8 @@ fn unstable() {
     assert!(points.len() >= 4 && longer >= 1 && bounded >= 3 && left <= longer);
 }
 
-/// Returns two relative displacements for each cycle of a run from rest: the one at its end, and the largest at its
-/// events.
+/// Returns two relative displacements for each cycle of a run from rest: the displacement at the end of the cycle, and
+/// the largest displacement at its events.
 fn cycles(point: &Point, count: usize) -> Vec<(f64, f64)> {
     let mut run = point.system.simulation(point.r, point.beta).expect("a run");
     let one = |_| {

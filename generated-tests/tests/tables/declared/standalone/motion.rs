@@ -17,8 +17,8 @@ struct Point {
     answers: Vec<(i32, f64, f64)>,
 }
 
-/// Returns the library's results at the compared points. Also returns how often the code is 0, how often 1, how often
-/// 2, and how often 0 in a bistable regime.
+/// Returns the library's results at the compared points, and four counts: how often the code is 0, 1 and 2, and how
+/// often it is 0 in a bistable regime.
 fn expected<S: Float>(compiled: &CompiledSystem<'_, S>) -> (Vec<Point>, [usize; 4]) {
     let mut seen = [0; 4];
     let point = |r: S| {
@@ -139,8 +139,7 @@ fn main() {
 }
 "#;
 
-/// Compares a scene. Returns how often the library's code is 0, how often 1, how often 2, and how often 0 in a
-/// bistable regime.
+/// Compares a scene. Returns how often the library's code is 0, 1 and 2, and how often it is 0 in a bistable regime.
 fn check<S: Float>(kind: &str, count: usize, damping: &str, stiction: &str) -> [usize; 4] {
     let single = S::EPSILON > 1e-10;
     let (scalar, real) = if single {
@@ -192,7 +191,7 @@ fn check<S: Float>(kind: &str, count: usize, damping: &str, stiction: &str) -> [
         );
     };
     same("C", "program");
-    // The source must also compile without its header.
+    // The source must compile without its header.
     let alone = c_source(&source, &name, None).expect("a form of its own");
     write("alone.c", &alone);
     cc(&folder, &["-c", "alone.c"]);

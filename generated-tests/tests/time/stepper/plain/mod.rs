@@ -185,7 +185,7 @@ impl Plain {
             size.max((rate * dt.powi(power as i32)).abs())
         });
         for part in 0..parts as usize {
-            // These are the polynomials of the input about the start of the sub-step.
+            // Polynomials of the input about the start of the sub-step.
             let from = dt * part as f64 / parts;
             let span = dt * (part + 1) as f64 / parts - from;
             let base = shifted(motion, from);
@@ -395,7 +395,7 @@ impl Plain {
     }
 }
 
-/// What ends a piece of motion without events.
+/// Event or bound at which a piece of motion without events ends.
 #[derive(Clone, Copy, Debug, PartialEq)]
 enum Next {
     End,
