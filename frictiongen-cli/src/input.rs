@@ -52,21 +52,21 @@ impl FileArgument {
         self.single(self.parsed(&self.text()?, limits)?)
     }
 
-    /// Reads and parses the description of a scene that may have several contacts and dashpots. Fails unless the
-    /// kinetic friction is constant.
+    /// Reads and parses the description of a scene that may have several contacts and dashpots. Fails for a single
+    /// contact whose kinetic friction depends on the speed.
     pub fn any(&self, limits: &SizeLimits) -> Result<Description, Failure> {
         self.maybe_joined(limits, true)
     }
 
     /// Reads and parses the description of a scene that may have several contacts and dashpots. If `constant` is true,
-    /// it fails unless the kinetic friction is constant.
+    /// it fails for a single contact whose kinetic friction depends on the speed.
     pub fn maybe_joined(
         &self,
         limits: &SizeLimits,
         constant: bool,
     ) -> Result<Description, Failure> {
         let description = self.parsed(&self.text()?, limits)?;
-        if constant {
+        if constant && !description.scene.is_joined() {
             self.check_constant(&description)?;
         }
         Ok(description)
@@ -132,7 +132,7 @@ impl FileArgument {
             return Ok(());
         }
         Err(Failure::new(format_args!(
-            "{}: the exact response needs a constant kinetic level, but this scene has `friction: stribeck`; write `friction: coulomb`, use its stepper, or compute a run with `frictiongen time`",
+            "{}: the exact response needs a constant kinetic level, but this scene has `friction: stribeck`; write `friction: coulomb`, compute a run with `frictiongen time`, or write the contact as `contacts: {{ name: a - b }}` for steady states of `orbit`, `curve` and `map`",
             self.name()
         )))
     }

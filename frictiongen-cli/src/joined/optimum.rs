@@ -44,6 +44,10 @@ pub fn optimum(
         ));
     }
     let measure = measure::constant(&arguments.load, &system)?;
+    let joined = match measure.scale() {
+        Some(scale) => joined.with_length(scale.length()),
+        None => joined,
+    };
     let band = band.under(&measure);
     let masses = asked::masses(&system, "--of", &arguments.of)?;
     let all: Vec<usize> = (0..system.scene().masses.len()).collect();

@@ -196,7 +196,7 @@ fn a_friction_law_without_a_constant_level() {
         "excitation: block,",
         "excitation: block, friction: stribeck(0.1: 0.8), provide: [stepper],",
     );
-    let told = "frictiongen: <stdin>: the exact response needs a constant kinetic level, but this scene has `friction: stribeck`; write `friction: coulomb`, use its stepper, or compute a run with `frictiongen time`";
+    let told = "frictiongen: <stdin>: the exact response needs a constant kinetic level, but this scene has `friction: stribeck`; write `friction: coulomb`, compute a run with `frictiongen time`, or write the contact as `contacts: { name: a - b }` for steady states of `orbit`, `curve` and `map`";
     let commands: [&[&str]; 10] = [
         &["limits", "--r", "1"],
         &["response", "--r", "1", "--beta", "1"],

@@ -427,3 +427,65 @@ fn the_best_share_of_a_contact() {
         );
     }
 }
+
+/// With `stribeck`, the answers need a load in units. Steady states are then those of the motion after many cycles, and
+/// the friction of the rigid contact falls below its level.
+#[test]
+fn friction_may_depend_on_the_speed() {
+    let scene = FRAME.replace(
+        "excitation: base",
+        "excitation: base, friction: stribeck(0.01: 0.9, 0.05: 0.8)",
+    );
+    let told = failure(&scene, &split("orbit --r 0.6 --beta 0.3"));
+    assert!(
+        told.contains("the amplitude of the load is needed") && told.lines().count() == 1,
+        "{told}"
+    );
+    let orbit = output(
+        &scene,
+        &split("orbit --hz 2.6 --friction 0.9 --base 2e-3 --csv"),
+    );
+    let time = output(
+        &scene,
+        &split(
+            "time --hz 2.6 --friction 0.9 --base 2e-3 --skip 200 --cycles 1 --samples 200 --csv",
+        ),
+    );
+    let largest = column(&time, "lower.displacement_m")
+        .iter()
+        .fold(0.0_f64, |most, x| most.max(x.abs()));
+    let amplitude = column(&orbit, "lower.amplitude_m")[0];
+    // The samples have a distance of 1/200 of a cycle.
+    assert!(
+        (largest - amplitude).abs() < 3e-4 * amplitude,
+        "{largest} {amplitude}"
+    );
+    let constant = output(
+        FRAME,
+        &split("orbit --hz 2.6 --friction 0.9 --base 2e-3 --csv"),
+    );
+    assert_ne!(amplitude, column(&constant, "lower.amplitude_m")[0]);
+    let curve = output(
+        &scene,
+        &split("curve --hz 2:0.3:2.6 --friction 0.9 --base 2e-3 --of lower --csv"),
+    );
+    let last = column(&curve, "lower.amplitude_m");
+    assert!((last[last.len() - 1] - amplitude).abs() < 1e-9 * amplitude);
+    let best = output(
+        &scene,
+        &split("optimum --hz 2.4:2.8 --of lower --base 2e-3 --json"),
+    );
+    let best: serde_json::Value = serde_json::from_str(&best).expect("JSON");
+    let number = |name: &str| best[name].as_f64().expect("a number");
+    let line = format!(
+        "orbit --hz {} --friction {} --base 2e-3 --csv",
+        best["points"][0]["frequency_Hz"],
+        number("best_friction")
+    );
+    let peak = column(&output(&scene, &split(&line)), "lower.amplitude_m")[0];
+    let amplitude = number("largest_amplitude");
+    assert!(
+        (peak - amplitude).abs() < 1e-6 * amplitude,
+        "{peak} {amplitude}"
+    );
+}

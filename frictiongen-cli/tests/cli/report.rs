@@ -366,7 +366,7 @@ fn several_contacts_have_a_page() {
         "brace: hysteresis loop, area = energy",
         "pads: hysteresis loop, area = energy",
         "The first contact that slides",
-        "2 contacts between 1 mass, from r = 0.6 to r = 1.9.",
+        "2 contacts and 1 mass, from r = 0.6 to r = 1.9.",
     ] {
         assert!(page.contains(text), "{text}: {page}");
     }

@@ -23,9 +23,10 @@ const WAIT: usize = 4;
 const CALM: usize = 2;
 
 impl<S: Float, Z: Size> Search<S, Z> {
-    /// Returns the steady state of a chain with μ = 1, if the search finds it after a few cycles.
+    /// Returns the steady state of a chain with μ = 1 and a constant kinetic friction, if the search finds it after a few
+    /// cycles.
     ///
-    /// If all contacts have μ = 1, the energy of the difference between two motions under the same loads never grows. A
+    /// If all contacts have μ = 1 and a constant kinetic friction, the energy of the difference between two motions under the same loads never grows. A
     /// steady state that attracts neighbouring motions therefore attracts every motion. The search then needs no test
     /// of the motion from rest. If the energy of the present difference is too small to make an elastic contact slide,
     /// the contact keeps the position of its slider.
@@ -35,8 +36,7 @@ impl<S: Float, Z: Size> Search<S, Z> {
     /// [`Halt`] if the motion exceeds a bound.
     pub(super) fn only(&mut self, motion: &Motion<S, Z>) -> Result<Option<Steady<S, Z>>, Halt> {
         let one = S::constant(1.0);
-        let mut contacts = motion.model().contacts().iter();
-        if contacts.any(|contact| contact.stiction != one) {
+        if !motion.model().is_contraction() {
             return Ok(None);
         }
         let mut trial = motion.clone();

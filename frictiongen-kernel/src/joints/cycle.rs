@@ -188,8 +188,7 @@ impl<S: Float, Z: Size> Watch<S, Z> {
             return;
         }
         contact.slip = contact.slip + series.length * integral(&speed, end).abs();
-        let work = integral(&product(&force, &speed), end);
-        contact.energy = contact.energy + series.length * work;
+        contact.energy = contact.energy + work(&force, &speed, series.length, end);
     }
 
     /// Returns the results of a period whose duration is `length`.
@@ -225,6 +224,15 @@ impl<S: Float, Z: Size> Observe<S, Z> for Watch<S, Z> {
             contact.stops += usize::from(before != STUCK && after == STUCK);
             contact.reversals += usize::from(before * after == -1);
         }
+    }
+}
+
+impl<S: Float, Z: Size> Series<S, Z> {
+    /// Returns the work of the contact `j` between its nodes `plus` and `minus`, up to a fraction of the time interval.
+    /// While a rigid contact slides, this is the energy that its friction dissipates.
+    pub fn work(&self, j: usize, (plus, minus): (usize, usize), fraction: S) -> S {
+        let speed = self.speed_terms(plus, minus);
+        work(&self.force_terms(j), &speed, self.length, fraction)
     }
 }
 
@@ -276,6 +284,11 @@ pub(super) fn integral<S: Float>(terms: &[S], end: S) -> S {
     terms.fold(S::constant(0.0), |sum, (order, term)| {
         (sum + *term / S::constant((order + 1) as f64)) * end
     })
+}
+
+/// Returns the work of a force up to the point `end` of a time interval. `length` is the duration of the interval.
+fn work<S: Float>(force: &Poly<S>, speed: &Poly<S>, length: S, end: S) -> S {
+    length * integral(&product(force, speed), end)
 }
 
 /// Returns the coefficients of the product of the polynomials `a` and `b`.

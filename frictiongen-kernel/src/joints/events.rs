@@ -146,7 +146,10 @@ impl<S: Float, Z: Size> Motion<S, Z> {
             let force = match self.state.phase(j) {
                 FREE => S::constant(0.0),
                 _ if !contact.is_rigid() => at(self.state.forces.as_ref(), j),
-                phase => sign::<S>(phase) * *level,
+                phase => {
+                    let velocity = contact.across(v.as_ref());
+                    sign::<S>(phase) * model.kinetic(contact, self.time, velocity)
+                }
             };
             add_contact(contact, force, (forces.as_mut(), sizes.as_mut()));
         }

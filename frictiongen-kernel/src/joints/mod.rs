@@ -4,7 +4,8 @@
 //! displacement z: the displacement of the node `plus` minus that of the node `minus`. A positive force f of the
 //! contact acts on the node `plus` in the negative direction.
 //!
-//! * A rigid contact with ż = 0 sticks while |f| is at most μF. While it slides, f = F sgn ż.
+//! * A rigid contact with ż = 0 sticks while |f| is at most μF. While it slides, f = F sgn ż. Under Stribeck's law,
+//!   f = F φ(|ż|) sgn ż, where φ consists of straight lines.
 //! * An elastic contact (Jenkins element) is a spring in series with a slider. The force f is that of the spring until
 //!   |f| reaches μF. Then |f| is F, until ż = 0.
 //! * The *level* of a contact is its kinetic friction force F. A contact with the level 0 has no force.
@@ -25,6 +26,7 @@ mod cycle;
 mod decide;
 mod events;
 mod jolt;
+mod law;
 mod least;
 mod model;
 mod neutral;

@@ -86,6 +86,10 @@ pub struct Model<S: Float, Z: Size> {
     pub damping_from_base: bool,
     /// Contacts of the chain, in the order of the description.
     pub contacts: Z::Contacts<Contact<S>>,
+    /// Points (v, φ) of the friction law of all rigid contacts, with ascending v. At the sliding speed v, the kinetic
+    /// friction force is φ times the level of the contact. φ is 1 at v = 0, linear between two points, and constant
+    /// beyond the last point. Without points, the kinetic friction does not depend on the speed.
+    pub law: Z::Points<[S; 2]>,
     /// Loads: forces on masses as functions of time, each with the index of its mass.
     pub loads: Z::Loads<(usize, Wave<S>)>,
     /// Displacement of the base as a function of time.

@@ -118,7 +118,10 @@ impl<S: Float, Z: Size> Motion<S, Z> {
                 FREE => S::constant(0.0),
                 STUCK if contact.is_rigid() => continue,
                 STUCK => at(self.state.forces.as_ref(), j),
-                side => sign::<S>(side) * contact.level.value(self.time, 0),
+                side => {
+                    let velocity = contact.across(v.as_ref());
+                    sign::<S>(side) * self.model.kinetic(contact, self.time, velocity)
+                }
             };
             contact.pull(nodes.as_mut(), *force);
         }
@@ -276,7 +279,7 @@ impl<S: Float, Z: Size> Motion<S, Z> {
     fn step(&mut self, until: S, watch: &mut impl Observe<S, Z>) -> Result<bool, Halt> {
         let one = S::constant(1.0);
         let left = until - self.time;
-        let length = crate::Scalar::min(left, self.model.stretch);
+        let length = crate::Scalar::min(left, self.longest_stretch());
         let series = Series::new(&self.model, &self.state, &self.tree, (self.time, length));
         let mut roots = self.model.size.contacts(None);
         let mut first = S::constant(2.0);
@@ -286,7 +289,11 @@ impl<S: Float, Z: Size> Motion<S, Z> {
                 first = crate::Scalar::min(first, at);
             }
         }
-        let fraction = crate::Scalar::min(first, one);
+        // A contact that leaves its line of the friction law ends the stretch, but is no event.
+        let line_end = self.line_end(&series).filter(|end| *end < first);
+        let first = line_end.map_or(first, |_| S::constant(2.0));
+        let end = line_end.unwrap_or(first);
+        let fraction = crate::Scalar::min(end, one);
         watch.stretch(&series, fraction, &self.state);
         self.take(&series, fraction);
         let same = same::<S>();
@@ -296,7 +303,7 @@ impl<S: Float, Z: Size> Motion<S, Z> {
             self.stalls = 0;
             self.state.zeros = self.model.size.contacts((0, 0));
         }
-        self.time = if first > one && length == left {
+        self.time = if end > one && length == left {
             until
         } else {
             self.time + fraction * length

@@ -56,6 +56,7 @@ impl<S: Float, Z: Size> Series<S, Z> {
             model.put_forces(x.as_ref(), v.as_ref(), load, |node, value| {
                 add(forces.as_mut(), node, value);
             });
+            series.follow_lines(model, state, order);
             for (contact, terms) in model.contacts().iter().zip(series.forces.as_ref()) {
                 contact.pull(forces.as_mut(), at(terms, order));
             }
@@ -80,6 +81,23 @@ impl<S: Float, Z: Size> Series<S, Z> {
             }
         }
         series
+    }
+
+    /// Sets one coefficient in the forces of the sliding contacts whose friction depends on the speed.
+    fn follow_lines(&mut self, model: &Model<S, Z>, state: &State<S, Z>, order: usize) {
+        for (j, contact) in model.contacts().iter().enumerate() {
+            let side = state.phase(j);
+            if [STUCK, FREE].contains(&side) || !model.has_lines(contact) {
+                continue;
+            }
+            let speeds = self.speed_terms(contact.plus, contact.minus);
+            let line = model.line(contact, at(&speeds, 0));
+            let time = (self.start, self.length);
+            let force = model.force_term(contact, (&line, side), time, (&speeds, order));
+            if let Some(terms) = self.forces.as_mut().get_mut(j) {
+                set(terms, order, force);
+            }
+        }
     }
 
     /// Returns the displacements and the velocities of the masses after the given fraction of the time interval.
@@ -136,6 +154,11 @@ impl<S: Float, Z: Size> Series<S, Z> {
     /// Returns the displacement of a node at the start of the time interval.
     pub(super) fn displacement_at_start(&self, node: usize) -> S {
         term(self.x.as_ref(), node, 0)
+    }
+
+    /// Returns the velocity of a node at the start of the time interval.
+    pub(super) fn speed_at_start(&self, node: usize) -> S {
+        term(self.v.as_ref(), node, 0)
     }
 
     /// Returns the displacement of the node `plus` minus that of the node `minus`, after the given fraction of the time

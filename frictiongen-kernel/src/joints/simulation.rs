@@ -53,6 +53,27 @@ impl<S: Float> Reference<S> {
         model.set_stretch();
     }
 
+    /// Divides the speeds of the friction law by the unit of displacement: P/k₁, or Y for base motion.
+    fn scale_law<Z: Size>(&self, model: &mut Model<S, Z>, amplitude: S) -> Result<(), OutOfDomain> {
+        let length = if self.on_base {
+            amplitude
+        } else {
+            amplitude / self.stiffness
+        };
+        let mut before = S::constant(0.0);
+        let mut is_sound = length > before && length.is_finite();
+        for [speed, _] in model.law.as_mut() {
+            *speed = *speed / length;
+            is_sound &= *speed > before && speed.is_finite();
+            before = *speed;
+        }
+        if is_sound {
+            Ok(())
+        } else {
+            Err(OutOfDomain::LoadAmplitude(Given::of(amplitude)))
+        }
+    }
+
     /// Starts a motion at a maximum of the load. Returns the motion and the angular frequency of the load.
     ///
     /// # Errors
@@ -122,6 +143,23 @@ impl<S: Float, Z: Size> Simulation<S, Z> {
             omega,
             stiffness: reference.stiffness,
         })
+    }
+
+    /// Starts a motion as [`new`](Self::new) does, under a load of the given amplitude in the units of the scene. The
+    /// speeds of the friction law have these units.
+    ///
+    /// # Errors
+    ///
+    /// The errors of [`new`](Self::new). [`OutOfDomain::LoadAmplitude`] if the amplitude is not positive and finite, or if
+    /// it makes two speeds of the law equal.
+    pub fn under(
+        mut model: Model<S, Z>,
+        reference: Reference<S>,
+        (r, beta, amplitude): (S, S, S),
+        state: Option<Start<'_, S>>,
+    ) -> Result<Self, OutOfDomain> {
+        reference.scale_law(&mut model, amplitude)?;
+        Self::new(model, reference, (r, beta), state)
     }
 
     /// Advances the motion by `reach` in the phase τ, in rad. Returns the number of events during this time.

@@ -27,6 +27,8 @@ pub trait Size: Clone + Debug + PartialEq {
     /// Type of a square matrix with a row and a column for each unknown of a steady state. The matrix is stored column
     /// by column.
     type Square<T: Value>: Array<T>;
+    /// Type of an array with one entry for each point of the friction law.
+    type Points<T: Value>: Array<T>;
     /// Type of an array of any length whose entries do not change.
     type Constants<T: Value>: AsRef<[T]> + Clone + Debug;
 
@@ -46,7 +48,7 @@ pub trait Size: Clone + Debug + PartialEq {
 
 /// Size of a chain in emitted code, with N masses, NODES = N + 2 nodes, M contacts and L loads. For steady states, U =
 /// 2N + 2M is the number of unknowns, and SQUARE = U² is the number of entries of a matrix. If the code needs only
-/// closed forms, U is 2N.
+/// closed forms, U is 2N. LAW is the number of points of the friction law, or 0 if the kinetic friction is constant.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Fixed<
     const N: usize,
@@ -55,6 +57,7 @@ pub struct Fixed<
     const L: usize,
     const U: usize = 0,
     const SQUARE: usize = 0,
+    const LAW: usize = 0,
 >;
 
 impl<
@@ -64,7 +67,8 @@ impl<
     const L: usize,
     const U: usize,
     const SQUARE: usize,
-> Size for Fixed<N, NODES, M, L, U, SQUARE>
+    const LAW: usize,
+> Size for Fixed<N, NODES, M, L, U, SQUARE, LAW>
 {
     type Masses<T: Value> = [T; N];
     type Nodes<T: Value> = [T; NODES];
@@ -72,6 +76,7 @@ impl<
     type Loads<T: Value> = [T; L];
     type Unknowns<T: Value> = [T; U];
     type Square<T: Value> = [T; SQUARE];
+    type Points<T: Value> = [T; LAW];
     type Constants<T: Value> = &'static [T];
 
     fn masses<T: Value>(&self, value: T) -> [T; N] {

@@ -41,6 +41,7 @@ fn chain() -> Chain {
             contact((2, WALL), 1.0, Some(2500.0)),
             contact((2, 1), 1.3, None),
         ],
+        law: [],
         loads: LOADED.map(|mass| (mass, Wave::zero())),
         base: Curve::zero(),
         stretch: 0.0,

@@ -148,8 +148,8 @@ scene_errors! {
         "the base moves, but no spring, dashpot or contact joins a mass to it, so nothing is excited; join a mass to `base`, or put a force on a mass",
     LawOfEachContact { field: String, example: String } =>
         "with `contacts`, each contact has its own `{field}`; write it in braces after the sides of a contact, for example `m1 - wall {{ {field}: {example} }}`",
-    NoStribeckJoined {} =>
-        "`stribeck` is not possible with `contacts` or `dampers`; write `friction: coulomb`",
+    StribeckAllElastic {} =>
+        "`stribeck` acts on rigid contacts, but every contact of this scene has a `stiffness`; leave the `stiffness` of a contact out, or write `friction: coulomb`",
     NoTablesJoined { tables: String } =>
         "tables are not possible with `contacts` or `dampers`; leave `{tables}` and its range out",
     StictionBelowOne { value: f64 } =>
@@ -184,6 +184,8 @@ scene_errors! {
         "`stribeck` works only in the stepper and the simulation, because the exact continuous response needs a constant kinetic level; write `provide: [simulation]`, or `friction: coulomb`",
     NeedsConstantLevel { item: String } =>
         "`{item}` is not possible with `stribeck`, because it needs a constant kinetic level; leave it out, or write `friction: coulomb`",
+    OrbitNeedsAmplitude {} =>
+        "`orbit` is not possible with `stribeck`, because emitted steady states take ratios without the amplitude of the load; leave it out, or use `frictiongen orbit`",
     NothingToTabulate { field: String } =>
         "`{field}` is for limits and motion, which are not provided; add `limits` to `provide`, or leave the field out",
     StribeckWithoutPoints {} =>

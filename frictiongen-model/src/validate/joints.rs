@@ -230,9 +230,14 @@ fn check_fields(scene: &Scene, errors: &mut Vec<SceneError>) {
             }
         }
     }
-    if scene.friction != FrictionLaw::Coulomb {
+    let contacts = &scene.joints.contacts;
+    let all_elastic = !contacts.is_empty()
+        && contacts
+            .iter()
+            .all(|contact| contact.law.stiffness.is_some());
+    if scene.friction != FrictionLaw::Coulomb && all_elastic {
         let path = Path::Friction(None);
-        errors.push(SceneError::NoStribeckJoined { path });
+        errors.push(SceneError::StribeckAllElastic { path });
     }
     if scene.declared.is_tabled() {
         let (path, tables) = match scene.declared.budget {

@@ -15,7 +15,9 @@ pub(super) fn check(scene: &Scene, checks: &Checks, errors: &mut Vec<SceneError>
     let moves = stepper || scene.provides(&Provide::Simulation);
     if let FrictionLaw::Stribeck(points) = &scene.friction {
         check_points(scene, points, errors);
-        if !moves {
+        if scene.is_joined() {
+            check_amplitude(scene, checks, errors);
+        } else if !moves {
             let path = Path::Friction(None);
             errors.push(SceneError::StribeckWithoutMotion { path });
         } else if checks.provide {
@@ -60,6 +62,7 @@ fn check_points(scene: &Scene, points: &[[f64; 2]], errors: &mut Vec<SceneError>
         let path = Path::Friction(None);
         errors.push(SceneError::StribeckWithoutPoints { path });
     }
+    let stiction = least_stiction(scene);
     let mut before = 0.0;
     for (index, [speed, level]) in points.iter().copied().enumerate() {
         let path = Path::Friction(Some(2 * index));
@@ -79,15 +82,23 @@ fn check_points(scene: &Scene, points: &[[f64; 2]], errors: &mut Vec<SceneError>
         }
         if level < 0.0 {
             errors.push(SceneError::StribeckNegative { path, value: level });
-        } else if scene.stiction < level && scene.stiction >= 1.0 {
+        } else if stiction < level && stiction >= 1.0 {
             // An invalid μ is reported by another check.
             errors.push(SceneError::StribeckAboveStatic {
                 path,
                 value: level,
-                stiction: scene.stiction,
+                stiction,
             });
         }
     }
+}
+
+/// Returns the smallest μ of the contacts on which the friction law acts. The law acts on rigid contacts.
+fn least_stiction(scene: &Scene) -> f64 {
+    let contacts = scene.joints.contacts.iter();
+    let rigid = contacts.filter(|contact| contact.law.stiffness.is_none());
+    let stictions = rigid.map(|contact| contact.law.stiction);
+    stictions.reduce(f64::min).unwrap_or(scene.stiction)
 }
 
 /// Returns true if a number is finite and not too large. Otherwise the function reports an error, and `what` names the
@@ -102,6 +113,19 @@ fn check_finite(value: f64, path: Path, what: &str, errors: &mut Vec<SceneError>
         return true;
     }
     false
+}
+
+/// Reports steady states in the emitted code of a scene with several contacts. They take ratios, but the speeds of the
+/// friction law need the amplitude of the load.
+fn check_amplitude(scene: &Scene, checks: &Checks, errors: &mut Vec<SceneError>) {
+    let orbit = scene
+        .provide
+        .iter()
+        .position(|item| *item == Provide::Orbit);
+    if let Some(index) = orbit.filter(|_| checks.provide) {
+        let path = Path::Provide(Some(index));
+        errors.push(SceneError::OrbitNeedsAmplitude { path });
+    }
 }
 
 /// Reports every provided item that requires constant kinetic friction. Only the stepper and the simulation allow

@@ -202,6 +202,7 @@ const _: () = {
                     stiffness: ::core::option::Option::None,
                 },
             ],
+            law: [],
             loads: [
                 (
                     1,

@@ -72,8 +72,8 @@ pub struct Answer {
 
 /// A stepper of a scene with one contact, or of a scene with several contacts.
 enum Kind<'a> {
-    One(SystemStepper<'a>),
-    Several(JoinedStepper<'a>),
+    One(Box<SystemStepper<'a>>),
+    Several(Box<JoinedStepper<'a>>),
 }
 
 /// A run of a stepper that starts from rest.
@@ -98,9 +98,11 @@ impl<'a> Run<'a> {
         let kind = if scene.is_joined() {
             let joined = system.joined().map_err(|error| error.to_string())?;
             let stepper = joined.stepper(dt).map_err(|error| error.to_string())?;
-            Kind::Several(stepper)
+            Kind::Several(Box::new(stepper))
         } else {
-            Kind::One(system.stepper(dt).map_err(|error| error.to_string())?)
+            Kind::One(Box::new(
+                system.stepper(dt).map_err(|error| error.to_string())?,
+            ))
         };
         let frictions = frictions.iter();
         let mut run = Self {

@@ -76,7 +76,7 @@ fn summary(contents: &Contents<'_>) -> Markup {
         section #short aria-label="In short" {
             ul.short {
                 li {
-                    (count(question.joined.contact_names().len(), "contact")) " between "
+                    (count(question.joined.contact_names().len(), "contact")) " and "
                     (count(question.system.scene().masses.len(), "mass")) ", from " (ends[0]) " to " (ends[1]) "."
                 }
                 @if let Some(largest) = largest {

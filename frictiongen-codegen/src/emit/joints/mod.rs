@@ -64,8 +64,12 @@ impl<'a> JointsEmission<'a> {
         } else {
             0
         };
-        if unknowns > 0 {
+        let points = scene.friction.points().len();
+        if unknowns > 0 || points > 0 {
             sizes.extend([unknowns, unknowns * unknowns]);
+        }
+        if points > 0 {
+            sizes.push(points);
         }
         let sizes = sizes.into_iter().map(Literal::usize_unsuffixed);
         let precision = scalar(scene.precision);
@@ -168,6 +172,10 @@ impl<'a> JointsEmission<'a> {
             code!((#mass, #rest))
         });
         let (zero, one) = (self.number(0.0), self.number(1.0));
+        let law = scene.friction.points().iter().map(|[speed, level]| {
+            let (speed, level) = (self.number(*speed), self.number(*level));
+            code!([#speed, #level])
+        });
         code! {
             /// The chain. Node numbers are those of the masses, then the wall, then the base. The level of each contact
             /// is its share. The start of a motion sets the stretch.
@@ -179,6 +187,7 @@ impl<'a> JointsEmission<'a> {
                 damping: &[#(#damping),*],
                 damping_from_base: #from_base,
                 contacts: [#(#contacts),*],
+                law: [#(#law),*],
                 loads: [#(#loads),*],
                 base: #engine::Curve {
                     wave: #rest,
@@ -304,7 +313,8 @@ fn scene_type(emission: &JointsEmission<'_>) -> TokenStream {
     }
     if emission.provides(&Provide::Simulation) {
         lines.push(format!(
-            "* `simulation(r, beta)` returns [`{simulation}`], the motion in time under a harmonic load"
+            "* `{}` returns [`{simulation}`], the motion in time under a harmonic load",
+            simulation::start(&description.scene)
         ));
     }
     if emission.provides_at() {

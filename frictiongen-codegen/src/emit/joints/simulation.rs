@@ -1,70 +1,144 @@
 //! Emits the simulation of a scene with several contacts.
 
 use super::{JointsEmission, wrapper};
+use crate::Description;
 use crate::emit::names::TypeNames;
+use frictiongen_model::scene::{FrictionLaw, Scene};
 use proc_macro2::{Literal, TokenStream};
 
 /// Emits the simulation: its type, and its items.
 pub(super) fn emit(emission: &JointsEmission<'_>) -> (TokenStream, TokenStream) {
-    let JointsEmission {
-        description,
-        scalar,
-        engine,
-        ..
-    } = emission;
     let TypeNames {
         name, simulation, ..
     } = &emission.names;
-    let facade = &description.facade;
-    let scene = &description.scene;
+    let scene = &emission.description.scene;
     let about = format!(
         " Exact motion of [`{name}`] in time under a harmonic load, from event to event.  Displacements are over P/k₁ (over Y for base motion), velocities are dx̄/dτ, and forces are over P (over k₁Y)."
     );
     let types = wrapper(emission, simulation, "Simulation", &about);
     let masses = Literal::usize_unsuffixed(scene.masses.len());
     let methods = methods(emission);
+    let starts = if scene.friction == FrictionLaw::Coulomb {
+        starts(emission, &masses)
+    } else {
+        starts_under(emission, &masses)
+    };
     let items = code! {
         impl #name {
-            /// Starts the exact motion in time from rest, at a maximum of the excitation.  β is the common friction: the
-            /// friction of each contact is its share of it.
-            ///
-            /// # Errors
-            /// `OutOfDomain` unless r is positive and finite, and β finite and not negative.
-            pub fn simulation(
-                r: #scalar,
-                beta: #scalar,
-            ) -> ::core::result::Result<#simulation, #facade::OutOfDomain> {
-                #engine::Simulation::new(
-                    Self::CHAIN,
-                    Self::REFERENCE,
-                    (r, beta),
-                    ::core::option::Option::None,
-                )
-                .map(#simulation)
-            }
-
-            /// Starts from a state at a maximum of the excitation: x̄ and dx̄/dτ of every mass.
-            ///
-            /// # Errors
-            /// `OutOfDomain` also for a state that is not finite.
-            pub fn simulation_from(
-                r: #scalar,
-                beta: #scalar,
-                state: (&[#scalar; #masses], &[#scalar; #masses]),
-            ) -> ::core::result::Result<#simulation, #facade::OutOfDomain> {
-                #engine::Simulation::new(
-                    Self::CHAIN,
-                    Self::REFERENCE,
-                    (r, beta),
-                    ::core::option::Option::Some((&state.0[..], &state.1[..])),
-                )
-                .map(#simulation)
-            }
+            #starts
         }
 
         #methods
     };
     (types, items)
+}
+
+/// Returns the call that starts the simulation of a scene, for its documentation.
+pub(super) fn start(scene: &Scene) -> &'static str {
+    if scene.friction == FrictionLaw::Coulomb {
+        "simulation(r, beta)"
+    } else {
+        "simulation_under(r, beta, amplitude)"
+    }
+}
+
+/// Emits the constructors of a simulation with constant kinetic friction.
+fn starts(emission: &JointsEmission<'_>, masses: &Literal) -> TokenStream {
+    let JointsEmission {
+        description: Description { facade, .. },
+        scalar,
+        engine,
+        names: TypeNames { simulation, .. },
+        ..
+    } = emission;
+    code! {
+        /// Starts the exact motion in time from rest, at a maximum of the excitation.  β is the common friction: the
+        /// friction of each contact is its share of it.
+        ///
+        /// # Errors
+        /// `OutOfDomain` unless r is positive and finite, and β finite and not negative.
+        pub fn simulation(
+            r: #scalar,
+            beta: #scalar,
+        ) -> ::core::result::Result<#simulation, #facade::OutOfDomain> {
+            #engine::Simulation::new(
+                Self::CHAIN,
+                Self::REFERENCE,
+                (r, beta),
+                ::core::option::Option::None,
+            )
+            .map(#simulation)
+        }
+
+        /// Starts from a state at a maximum of the excitation: x̄ and dx̄/dτ of every mass.
+        ///
+        /// # Errors
+        /// `OutOfDomain` also for a state that is not finite.
+        pub fn simulation_from(
+            r: #scalar,
+            beta: #scalar,
+            state: (&[#scalar; #masses], &[#scalar; #masses]),
+        ) -> ::core::result::Result<#simulation, #facade::OutOfDomain> {
+            #engine::Simulation::new(
+                Self::CHAIN,
+                Self::REFERENCE,
+                (r, beta),
+                ::core::option::Option::Some((&state.0[..], &state.1[..])),
+            )
+            .map(#simulation)
+        }
+    }
+}
+
+/// Emits the constructors of a simulation whose kinetic friction depends on the speed.
+fn starts_under(emission: &JointsEmission<'_>, masses: &Literal) -> TokenStream {
+    let JointsEmission {
+        description: Description { facade, .. },
+        scalar,
+        engine,
+        names: TypeNames { simulation, .. },
+        ..
+    } = emission;
+    code! {
+        /// Starts the exact motion in time from rest, at a maximum of the excitation.  `amplitude` is that of the load, in
+        /// the units of the scene.  β is the common friction at vanishing speed: the friction of each contact is its share of
+        /// it.
+        ///
+        /// # Errors
+        /// `OutOfDomain` unless r and the amplitude are positive and finite, and β finite and not negative.
+        pub fn simulation_under(
+            r: #scalar,
+            beta: #scalar,
+            amplitude: #scalar,
+        ) -> ::core::result::Result<#simulation, #facade::OutOfDomain> {
+            #engine::Simulation::under(
+                Self::CHAIN,
+                Self::REFERENCE,
+                (r, beta, amplitude),
+                ::core::option::Option::None,
+            )
+            .map(#simulation)
+        }
+
+        /// Starts from a state at a maximum of the excitation: x̄ and dx̄/dτ of every mass.
+        ///
+        /// # Errors
+        /// `OutOfDomain` also for a state that is not finite.
+        pub fn simulation_under_from(
+            r: #scalar,
+            beta: #scalar,
+            amplitude: #scalar,
+            state: (&[#scalar; #masses], &[#scalar; #masses]),
+        ) -> ::core::result::Result<#simulation, #facade::OutOfDomain> {
+            #engine::Simulation::under(
+                Self::CHAIN,
+                Self::REFERENCE,
+                (r, beta, amplitude),
+                ::core::option::Option::Some((&state.0[..], &state.1[..])),
+            )
+            .map(#simulation)
+        }
+    }
 }
 
 /// Emits the methods of the simulation.

@@ -136,10 +136,13 @@ impl<'a> JoinedTable<'a> {
     pub fn at(&self, frequency: Frequency) -> Result<JoinedAt<'a>, JoinedError> {
         let physical =
             self.setting.frequency.is_physical() && self.setting.measure.scale().is_some();
-        if physical {
-            self.joined.at_any(frequency.r)
-        } else {
-            self.joined.at(frequency.r)
+        if !physical && self.joined.scene().springs.is_empty() {
+            return Err(JoinedError::NoSpring);
+        }
+        let omega = self.setting.system.angular_frequency(frequency.r);
+        match self.setting.measure.scale_at(omega) {
+            Some(scale) => self.joined.at_length(frequency.r, scale.length()),
+            None => self.joined.at_any(frequency.r),
         }
     }
 

@@ -42,6 +42,8 @@ pub enum JoinedError {
     Frequency(Given),
     /// The amplitude of the load is not positive and finite.
     Amplitude(Given),
+    /// The scene has `friction: stribeck`. Its speeds have units, so that the load needs an amplitude in units.
+    NoAmplitude,
     /// The frequency is an undamped resonance of the linear chain.
     Resonance,
     /// The interval of a contact's share does not begin above 0, or does not end above its start.
@@ -78,6 +80,10 @@ impl fmt::Display for JoinedError {
             Self::Amplitude(given) => write!(
                 f,
                 "the amplitude of the load must be above 0 and finite, but it is {given}"
+            ),
+            Self::NoAmplitude => write!(
+                f,
+                "`friction: stribeck` has speeds in the units of the scene, so that the amplitude of the load is needed; give the frequency in Hz or rad/s, the load in N or m and the friction in N"
             ),
             Self::Resonance => write!(
                 f,

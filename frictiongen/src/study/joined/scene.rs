@@ -1,14 +1,13 @@
 //! The chain of a scene, in the units of its description.
 
 use super::error::{JoinedError, UnknownContact};
-use crate::Unsupported;
 use crate::study::error::UnknownMass;
 use crate::study::joints::{Chain, Joint, MAX_MASSES, Wave};
 use crate::study::system::System;
 use frictiongen_kernel::Float;
 use frictiongen_model::joined::damping_matrix;
 use frictiongen_model::modal::Modal;
-use frictiongen_model::scene::{FrictionLaw, Scene};
+use frictiongen_model::scene::Scene;
 
 /// A scene with several contacts or dashpots, whose methods compute the responses.
 #[derive(Clone, Debug)]
@@ -18,6 +17,9 @@ pub struct Joined<'a> {
     chain: Chain,
     /// Reference angular frequency √(k₁/m₁), in rad per unit of time.
     reference: f64,
+    /// Unit of displacement of a load, for answers in ratios: P/k₁, or Y for base motion. The speeds of a friction law
+    /// need it.
+    length: Option<f64>,
 }
 
 impl<S: Float> System<S> {
@@ -25,12 +27,9 @@ impl<S: Float> System<S> {
     /// The solver also supports a scene with a single contact, which has the name `contact`. It computes in `f64`.
     ///
     /// # Errors
-    /// [`JoinedError`] for `friction: stribeck`, and for more than 64 masses.
+    /// [`JoinedError`] for more than 64 masses.
     #[doc(hidden)]
     pub fn joined(&self) -> Result<Joined<'_>, JoinedError> {
-        if self.scene().friction != FrictionLaw::Coulomb {
-            return Err(Unsupported::FrictionLaw.into());
-        }
         let count = self.scene().masses.len();
         if count > MAX_MASSES {
             return Err(JoinedError::TooManyMasses(count));
@@ -59,6 +58,7 @@ impl<'a> Joined<'a> {
                 .collect(),
             contacts: contacts.collect(),
             damping_from_base: scene.is_damped_from_base(),
+            law: scene.friction.points().to_vec(),
             ..Chain::default()
         };
         chain.masses = masses;
@@ -67,6 +67,7 @@ impl<'a> Joined<'a> {
             scene,
             chain,
             reference: modal.reference.to_f64(),
+            length: None,
         }
     }
 
@@ -81,6 +82,21 @@ impl<'a> Joined<'a> {
     #[must_use]
     pub fn chain(&self) -> &Chain {
         &self.chain
+    }
+
+    /// Returns a solver for ratios under a load whose unit of displacement is `length`: P/k₁, or Y for base motion. Only
+    /// the speeds of `friction: stribeck` depend on it.
+    #[must_use]
+    pub fn with_length(&self, length: f64) -> Self {
+        Self {
+            length: Some(length),
+            ..self.clone()
+        }
+    }
+
+    /// Returns the unit of displacement of the load, if it is known.
+    pub(super) fn length(&self) -> Option<f64> {
+        self.length
     }
 
     /// Replaces the shares of the contacts. `shares` follows the order of the description.

@@ -17,6 +17,8 @@ pub(super) struct Slide {
     ends: (usize, usize),
     /// Kinetic friction force of the contact.
     level: f64,
+    /// True if the kinetic friction force depends on the sliding speed.
+    has_law: bool,
     /// Energy that an elastic contact dissipates at a break-away, divided by the square of the kinetic friction force.
     drop: f64,
     /// Distance that the slider has travelled, added over both directions.
@@ -31,6 +33,7 @@ impl Slides {
         let contacts = model.contacts.iter().map(|contact| Slide {
             ends: (contact.plus, contact.minus),
             level: contact.level.constant,
+            has_law: contact.is_rigid() && !model.law.is_empty(),
             // At the break-away the force falls from μF to F. Friction dissipates the energy that the spring of the
             // contact loses.
             drop: contact.stiffness.map_or(0.0, |stiffness| {
@@ -77,7 +80,11 @@ impl Observe<f64, Heap> for Slides {
                 // A contact keeps its direction of sliding during a stretch (time interval of a power series).
                 let travel = series.place(slide.ends, end) - series.place(slide.ends, 0.0);
                 slide.slip += travel.abs();
-                slide.energy += slide.level * travel.abs();
+                slide.energy += if slide.has_law {
+                    series.work(index, slide.ends, end)
+                } else {
+                    slide.level * travel.abs()
+                };
             }
         }
     }

@@ -8,6 +8,7 @@ mod sensitivity;
 mod shares;
 mod single;
 mod stepper;
+mod stribeck;
 mod undamped;
 
 use crate::System;

@@ -73,6 +73,9 @@ pub struct Chain {
     pub damping_from_base: bool,
     /// Contacts of the chain.
     pub contacts: Vec<Joint>,
+    /// Points (v, φ) of the friction law of the rigid contacts. At the sliding speed v, the kinetic friction force is φ
+    /// times the level. The list is empty if the kinetic friction does not depend on the speed.
+    pub law: Vec<[f64; 2]>,
     /// Forces on masses, each with the index of the mass.
     pub loads: Vec<(usize, Wave)>,
     /// Displacement of the base as a function of time.

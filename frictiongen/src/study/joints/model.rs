@@ -38,6 +38,7 @@ impl Chain {
             damping: self.damping_by_rows(),
             damping_from_base: self.damping_from_base,
             contacts: contacts.collect::<Result<_, JointError>>()?,
+            law: self.law.clone(),
             loads: self.loads.clone(),
             base: self.base.into(),
             stretch: 0.0,
@@ -123,6 +124,7 @@ fn check_numbers(chain: &Chain) -> Result<(), JointError> {
             chain.contacts.iter().all(level_fits),
             "the level of a contact",
         ),
+        (law_fits(&chain.law), "a point of the friction law"),
         (
             chain
                 .contacts
@@ -142,6 +144,16 @@ fn check_numbers(chain: &Chain) -> Result<(), JointError> {
         Some((_, what)) => Err(JointError::Number(what)),
         None => Ok(()),
     }
+}
+
+/// Returns true if the speeds of a friction law ascend from a number above 0, and if its levels are not negative.
+fn law_fits(points: &[[f64; 2]]) -> bool {
+    let speeds = points.iter().map(|[speed, _]| *speed);
+    let ascends = std::iter::once(0.0).chain(speeds.clone()).zip(speeds);
+    ascends.into_iter().all(|(a, b)| a < b && b.is_finite())
+        && points
+            .iter()
+            .all(|[_, level]| *level >= 0.0 && level.is_finite())
 }
 
 /// Returns true if the friction force of a contact is valid.

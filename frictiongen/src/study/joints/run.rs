@@ -36,6 +36,7 @@ impl Size for Heap {
     type Loads<T: Value> = Vec<T>;
     type Unknowns<T: Value> = Vec<T>;
     type Square<T: Value> = Vec<T>;
+    type Points<T: Value> = Vec<T>;
     type Constants<T: Value> = Vec<T>;
 
     fn masses<T: Value>(&self, value: T) -> Vec<T> {

@@ -8,6 +8,7 @@ mod records;
 mod reference;
 mod settled;
 mod steady;
+mod stribeck;
 
 use super::{Chain, Joint, Wave};
 use frictiongen_model::scene::Node;

@@ -260,7 +260,20 @@ struct Frame {
 }
 }
 
-mod case_797_several_contacts_with_stribeck {
+mod case_797_stribeck_with_elastic_contacts_only {
+frictiongen::friction_system! {
+struct Frame {
+    masses: { lower: 3.27, upper: 3.25 },
+    springs: { base - lower: 1190.0, lower - upper: 1323.0 },
+    contacts: { pads: upper - wall { stiffness: 5e3 } },
+    excitation: base,
+    friction: stribeck(0.1: 0.8),
+    provide: [simulation],
+}
+}
+}
+
+mod case_7971_orbit_of_several_contacts_with_stribeck {
 frictiongen::friction_system! {
 struct Frame {
     masses: { lower: 3.27, upper: 3.25 },
@@ -268,7 +281,7 @@ struct Frame {
     contacts: { pads: upper - wall },
     excitation: base,
     friction: stribeck(0.1: 0.8),
-    provide: [simulation],
+    provide: [simulation, orbit],
 }
 }
 }

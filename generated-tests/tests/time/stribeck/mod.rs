@@ -7,6 +7,7 @@ mod coulomb;
 mod edges;
 mod emitted;
 mod independent;
+mod joined;
 mod plain;
 mod steps;
 

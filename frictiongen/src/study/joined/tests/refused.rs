@@ -152,7 +152,13 @@ fn bad_numbers_are_refused() {
     let stribeck =
         "struct B { masses: { b: 1 }, springs: { base - b: 1 }, contact: b - wall, excitation: b,
         friction: stribeck(0.1: 0.8), provide: [simulation] }";
-    assert!(system(stribeck).joined().is_err());
+    let system = system(stribeck);
+    let joined = system.joined().expect("answers");
+    assert_eq!(
+        joined.at(0.9).err(),
+        Some(super::super::JoinedError::NoAmplitude)
+    );
+    assert!(joined.with_length(0.1).at(0.9).is_ok() && joined.under(1.0, 0.1).is_ok());
 }
 
 /// Checks that evaluations of recordings require a single contact.

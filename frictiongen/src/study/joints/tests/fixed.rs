@@ -30,6 +30,7 @@ fn scene(amplitude: f64) -> Chain {
                 ..rigid((Mass(2), Wall), 0.5, 1.1)
             },
         ],
+        law: Vec::new(),
         loads: vec![(2, Wave::harmonic(amplitude, 7.0))],
         base: Wave::harmonic(0.02, 5.0),
     }
@@ -74,6 +75,7 @@ fn fixed<S: Float>(model: &Model) -> joints::Model<S, Small> {
         damping: numbers(&model.damping),
         damping_from_base: model.damping_from_base,
         contacts: [contact(0), contact(1), contact(2)],
+        law: [],
         loads: [(model.loads[0].0, wave(&model.loads[0].1))],
         base: wave(&model.base.wave).into(),
         stretch: number(model.stretch),
