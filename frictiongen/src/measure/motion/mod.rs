@@ -16,10 +16,16 @@ use model::MotionProblem;
 const POOR: f64 = 0.1;
 /// Factors on the first guess of the friction force for further starting points of the fit.
 const FACTORS: [f64; 2] = [0.5, 2.0];
-/// Largest number of further fits from starting points with the first guess of the parameters that are at a bound. A
-/// fit counts if it reduces the sum of squares below the fraction [`BETTER`].
+/// Factors that give further starting points near the best fit, as in a fit to a sweep. Each of these points has one
+/// parameter of the best fit multiplied by one of the factors. The code repeats the fits from these points as long as
+/// the sum of squares decreases below the fraction [`BETTER`], at most [`ROUNDS`] times.
+const HOPS: [f64; 2] = [0.97, 1.03];
 const ROUNDS: usize = 4;
 const BETTER: f64 = 0.999;
+/// Relative distance from the best fit so far at which a further fit ends early.
+const BACK: f64 = 1e-5;
+/// Fraction of the motion below which nothing remains to be improved.
+const PERFECT: f64 = 1e-6;
 
 /// Numbers of a scene that explain the whole motion in a recording, with their 95 % intervals.
 #[doc(hidden)]
@@ -105,24 +111,8 @@ fn solve(problem: &MotionProblem<'_>) -> Result<MotionFit, MeasureError> {
             best = fits.min_by(|a, b| a.squares.total_cmp(&b.squares));
         }
     }
-    let mut fit = best.ok_or(MeasureError::NoFit)?;
-    // At a bound the motion may not depend on a parameter at all, as on μ = 1 if the contact then reverses without a
-    // stop. The fit cannot leave such a bound by itself.
-    for _ in 0..ROUNDS {
-        let mut from = fit.parameters.clone();
-        let places = from.iter_mut().zip(&bounds).zip(&start);
-        let mut at_bound = false;
-        for ((value, (low, high)), start) in places {
-            if *value == *low || *value == *high {
-                (*value, at_bound) = (*start, true);
-            }
-        }
-        let found = at_bound.then(|| run(&from)).flatten();
-        match found.filter(|found| found.squares < BETTER * fit.squares) {
-            Some(found) => fit = found,
-            None => break,
-        }
-    }
+    let best = best.ok_or(MeasureError::NoFit)?;
+    let fit = improved(problem, (&start, &bounds), best);
     let system = problem.system_at(&fit.parameters);
     let freedom = data - fit.rank;
     let reduced = (freedom > 0).then(|| fit.squares / freedom as f64);
@@ -152,4 +142,49 @@ fn solve(problem: &MotionProblem<'_>) -> Result<MotionFit, MeasureError> {
         differences: count.differences,
         system: system.ok_or(MeasureError::NoFit)?,
     })
+}
+
+/// Improves a fit by further fits from nearby starting points. Where an event appears or vanishes, the sum of squares has
+/// a bend and may have a false minimum. At a bound, the motion may not depend on a parameter at all, as on μ = 1 if the
+/// contact then reverses without a stop.
+fn improved(
+    problem: &MotionProblem<'_>,
+    (start, bounds): (&[f64], &[(f64, f64)]),
+    mut best: FitResult,
+) -> FitResult {
+    let enough = PERFECT * PERFECT * problem.data() as f64;
+    for _ in 0..ROUNDS {
+        if best.squares < enough {
+            break;
+        }
+        let known = &best.parameters;
+        let moved = |place: usize, hop: f64| {
+            let mut moved = known.clone();
+            let (value, (low, high)) = (moved.get_mut(place)?, bounds.get(place)?);
+            *value = match start.get(place) {
+                Some(start) if value == low || value == high => *start,
+                _ => (*value * hop).clamp(*low, *high),
+            };
+            Some(moved)
+        };
+        let linearise = |at: &[f64]| {
+            let pairs = at.iter().zip(known);
+            let back = pairs.fold(0.0_f64, |most, (new, old)| {
+                most.max((new - old).abs() / old.abs().max(BACK))
+            });
+            (BACK < back).then(|| problem.linearise(at))?
+        };
+        let hops = (0..known.len()).flat_map(|place| HOPS.map(|hop| (place, hop)));
+        let found = hops.filter_map(|(place, hop)| {
+            let from = moved(place, hop)?;
+            let fit = minimise(&from, bounds, |at| problem.residuals(at), linearise)?;
+            fit.settled.then_some(fit)
+        });
+        let found = found.min_by(|a, b| a.squares.total_cmp(&b.squares));
+        match found.filter(|fit| fit.squares < BETTER * best.squares) {
+            Some(fit) => best = fit,
+            None => break,
+        }
+    }
+    best
 }

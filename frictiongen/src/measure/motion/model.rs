@@ -3,10 +3,11 @@
 use crate::measure::identify::model::value;
 use crate::measure::least_squares::Linearised;
 use crate::measure::{Dimension, Inputs, MeasureError, Recording, Unknown};
-use crate::study::sensitivity::{Quantity, Sensitive};
+use crate::study::sensitivity::Quantity;
 use crate::study::stepper::SystemStepper;
 use crate::study::{System, optimum::Tunable};
 use frictiongen_kernel::Float;
+use frictiongen_kernel::number::dual::Dual;
 use nalgebra::{DMatrix, DVector};
 use std::cell::Cell;
 
@@ -245,20 +246,22 @@ impl<'p> MotionProblem<'p> {
             }
             None => vec![system.unvaried()],
         };
-        let fixed = |value: f64| Sensitive::fixed(value.into());
         let friction = friction.map(|force| match place {
-            None => Sensitive::variable(force.into()),
-            Some(_) => fixed(force),
+            None => Dual::variable(force),
+            Some(_) => Dual::fixed(force),
         });
         let mut column = DVector::<f64>::zeros(self.data());
         for varied in &varied {
-            let mut stepper = varied.stepper(self.inputs.dt()).ok()?;
-            let computed = self.follow(&mut stepper, fixed, friction)?;
+            let steps = varied.rounded_steps()?;
+            let mut stepper = steps.stepper(self.inputs.dt())?;
+            let computed = self.follow(&mut stepper, Dual::fixed, friction)?;
             self.add(|count| count.exact += 1);
-            stepper.check_derivatives().ok()?;
+            if stepper.grazed() {
+                return None;
+            }
             let sizes = self.motions.iter().map(|motion| motion.size).cycle();
             for ((entry, computed), size) in column.iter_mut().zip(computed).zip(sizes) {
-                *entry -= computed.slope.to_f64() / size;
+                *entry -= computed.slope / size;
             }
         }
         column
