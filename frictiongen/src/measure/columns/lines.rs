@@ -230,6 +230,10 @@ pub fn identify_lines(
         }
     }
     lines.number("condition", "condition", found.condition, "");
+    if 0 < found.differences {
+        let count = found.differences as f64;
+        lines.number("differences", "derivatives by differences", count, "");
+    }
     if let Some(misfit) = found.misfit {
         lines.number("misfit", "misfit (1 is noise)", misfit, "");
     }
