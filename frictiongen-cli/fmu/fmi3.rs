@@ -83,7 +83,7 @@ pub unsafe extern "C" fn fmi3InstantiateCoSimulation(
     _visible: bool,
     _logging: bool,
     event_mode: bool,
-    _early_return: bool,
+    early_return: bool,
     _intermediate: *const u32,
     intermediate_count: usize,
     environment: *mut c_void,
@@ -109,7 +109,7 @@ pub unsafe extern "C" fn fmi3InstantiateCoSimulation(
         "the FMU has no intermediate update; instantiate it without intermediate variables"
             .to_owned()
     } else {
-        return Box::into_raw(Box::new(Instance::new(log)));
+        return Box::into_raw(Box::new(Instance::new(log, early_return)));
     };
     log(Status::Error, &refused);
     std::ptr::null_mut()
@@ -208,18 +208,23 @@ pub extern "C" fn fmi3DoStep(
     _no_set_state_before: bool,
     event: Option<&mut bool>,
     terminate: Option<&mut bool>,
-    early_return: Option<&mut bool>,
+    mut early_return: Option<&mut bool>,
     last: Option<&mut f64>,
 ) -> i32 {
-    for flag in [event, terminate, early_return].into_iter().flatten() {
+    let flags = [event, terminate, early_return.as_deref_mut()];
+    for flag in flags.into_iter().flatten() {
         *flag = false;
     }
     answer(instance, |instance| {
-        let stepped = instance.state.advance(now, length);
+        let stepped = instance.advance(now, length);
         if let Some(last) = last {
             *last = instance.state.time();
         }
-        stepped
+        let is_early = stepped?;
+        if let Some(flag) = early_return {
+            *flag = is_early;
+        }
+        Ok(())
     })
 }
 

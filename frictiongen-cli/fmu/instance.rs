@@ -1,7 +1,6 @@
-//! An instance of the FMU: its variables, its steps and its state.
+//! An instance of the FMU: its variables and its state.  `steps` has its steps.
 
-use crate::inputs::between;
-use crate::scene::{self, DT, INPUTS, Kind, MASSES, OUTPUTS, SETTABLE, STICTION, Stepper};
+use crate::scene::{self, INPUTS, Kind, MASSES, OUTPUTS, SETTABLE, STICTION, Stepper};
 
 /// Status of FMI 3.0.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -38,7 +37,7 @@ impl Refusal {
         ))
     }
 
-    fn discard(text: String) -> Self {
+    pub fn discard(text: String) -> Self {
         Self {
             status: Status::Discard,
             text,
@@ -49,15 +48,23 @@ impl Refusal {
 /// An instance: its state, and where its messages go.
 pub struct Instance {
     log: Box<dyn Fn(Status, &str)>,
+    /// True if fmi3DoStep may return before the end of the communication step.
+    early_return: bool,
     pub state: State,
 }
 
 impl Instance {
-    pub fn new(log: impl Fn(Status, &str) + 'static) -> Self {
+    pub fn new(log: impl Fn(Status, &str) + 'static, early_return: bool) -> Self {
         Self {
             log: Box::new(log),
+            early_return,
             state: State::new(),
         }
+    }
+
+    /// Advances by whole steps.  Returns true if the FMU has returned before the end of the communication step.
+    pub fn advance(&mut self, now: f64, length: f64) -> Result<bool, Refusal> {
+        self.state.advance(now, length, self.early_return)
     }
 
     pub fn log(&self, refusal: &Refusal) {
@@ -87,16 +94,19 @@ pub struct State {
     pub last: [f64; INPUTS],
     /// Events of the last call of fmi3DoStep.
     pub events: u64,
+    /// Instant of the last event since the start, s.  Before the first event it is the start time.
+    pub event_time: f64,
     /// The stepper, once the initialization has ended.
     pub stepper: Option<Stepper>,
 }
 
-/// First value references of outputs: reals, then a flag, a direction and two counts.
+/// First value references of outputs: reals, then a flag, a direction, two counts and an instant.
 const FIRST_OUTPUT: usize = 1 + SETTABLE;
 const STICKS: usize = FIRST_OUTPUT + OUTPUTS.len();
 const DIRECTION: usize = STICKS + 1;
 const EVENTS: usize = STICKS + 2;
 const EXCEEDED: usize = STICKS + 3;
+const EVENT_TIME: usize = STICKS + 4;
 
 impl State {
     pub fn new() -> Self {
@@ -107,11 +117,12 @@ impl State {
             values: scene::VARIABLES.map(|variable| variable.start),
             last: [0.0; INPUTS],
             events: 0,
+            event_time: 0.0,
             stepper: None,
         }
     }
 
-    fn demand(&self, phase: Phase, call: &str) -> Result<(), Refusal> {
+    pub fn demand(&self, phase: Phase, call: &str) -> Result<(), Refusal> {
         if self.phase == phase {
             return Ok(());
         }
@@ -129,6 +140,7 @@ impl State {
             )));
         }
         (self.start, self.stop, self.phase) = (start, stop, Phase::Initialization);
+        self.event_time = start;
         Ok(())
     }
 
@@ -146,7 +158,7 @@ impl State {
         Ok(())
     }
 
-    fn inputs(&self) -> [f64; INPUTS] {
+    pub fn inputs(&self) -> [f64; INPUTS] {
         std::array::from_fn(|index| self.values[index])
     }
 
@@ -174,7 +186,7 @@ impl State {
     }
 
     /// Returns names and values of variables for a message.
-    fn told(&self, range: std::ops::Range<usize>) -> String {
+    pub fn told(&self, range: std::ops::Range<usize>) -> String {
         let variables = scene::VARIABLES[range.clone()]
             .iter()
             .zip(&self.values[range]);
@@ -194,71 +206,11 @@ impl State {
         }
     }
 
-    /// Returns the time of the last communication point, s.
-    pub fn time(&self) -> f64 {
-        let steps = self.stepper.as_ref().map_or(0, |stepper| stepper.steps());
-        self.start + steps as f64 * DT
-    }
-
-    /// Advances by whole steps.  A refusal changes nothing.
-    pub fn advance(&mut self, now: f64, length: f64) -> Result<(), Refusal> {
-        self.demand(Phase::Step, "fmi3DoStep")?;
-        let time = self.time();
-        if !((now - time).abs() < 0.5 * DT) {
-            return Err(Refusal::error(format!(
-                "the communication point is {now} s, but the FMU is at {time} s; restore a state for another time"
-            )));
-        }
-        let count = (length / DT).round();
-        if !(1.0 <= count && count < 1e12 && (length - count * DT).abs() <= 1e-3 * DT) {
-            return Err(Refusal::error(format!(
-                "the communication step is {length} s; give a multiple of the step {DT} s of the description"
-            )));
-        }
-        if self.stop + 0.5 * DT < time + count * DT {
-            return Err(Refusal::error(format!(
-                "a step of {length} s from {time} s passes the stop time {} s",
-                self.stop
-            )));
-        }
-        let before = (count > 1.0).then(|| self.stepper.clone());
-        let events = self.steps(count as u64);
-        match events {
-            Ok(events) => {
-                (self.events, self.last) = (events, self.inputs());
-                Ok(())
-            }
-            Err(text) => {
-                if let Some(before) = before {
-                    self.stepper = before;
-                }
-                Err(Refusal::discard(format!(
-                    "{text}; the inputs are {}",
-                    self.told(0..INPUTS)
-                )))
-            }
-        }
-    }
-
-    /// Takes steps.  Returns the number of events, or the reason why a step failed.
-    fn steps(&mut self, count: u64) -> Result<u64, String> {
-        let (last, inputs) = (self.last, self.inputs());
-        let stepper = self.stepper.as_mut().ok_or("the FMU has no stepper")?;
-        let mut events = 0;
-        for index in 1..=count {
-            let sample = between(&last, &inputs, index, count);
-            let stepped = stepper
-                .advance(scene::input(&sample))
-                .map_err(|error| error.to_string())?;
-            events += u64::from(stepped.events);
-        }
-        Ok(events)
-    }
-
     pub fn reals(&self, references: &[u32], values: &mut [f64]) -> Result<(), Refusal> {
         let numbers = self.with(scene::outputs)?;
         read(references, values, |reference| match reference {
             0 => Some(self.time()),
+            EVENT_TIME => Some(self.event_time),
             _ if reference < FIRST_OUTPUT => self.values.get(reference - 1).copied(),
             _ => numbers.get(reference - FIRST_OUTPUT).copied(),
         })

@@ -4,7 +4,7 @@ use crate::instance::{Phase, Refusal, State};
 use crate::scene::{self, Stepper};
 
 /// First bytes of a serialised state, with the version of its form.
-const MARK: [u8; 8] = *b"fmi3 v01";
+const MARK: [u8; 8] = *b"fmi3 v02";
 
 /// Returns a checksum (FNV-1a).
 fn checksum(bytes: &[u8]) -> u64 {
@@ -20,7 +20,7 @@ impl State {
         bytes.extend(scene::HASH.to_le_bytes());
         bytes.extend([self.phase as u8, u8::from(self.stepper.is_some())]);
         bytes.extend(self.events.to_le_bytes());
-        let numbers = [self.start, self.stop]
+        let numbers = [self.start, self.stop, self.event_time]
             .into_iter()
             .chain(self.values)
             .chain(self.last);
@@ -67,11 +67,13 @@ impl State {
         let State {
             start,
             stop,
+            event_time,
             values,
             last,
             ..
         } = &mut state;
-        for place in [start, stop].into_iter().chain(values).chain(last) {
+        let numbers = [start, stop, event_time].into_iter();
+        for place in numbers.chain(values).chain(last) {
             *place = f64::from_le_bytes(reader.take());
         }
         if has_stepper == 1 {

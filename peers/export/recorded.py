@@ -25,7 +25,7 @@ class Unit:
 
     told = []
 
-    def __init__(self, folder, description, start=()):
+    def __init__(self, folder, description, start=(), early_return=False):
         self.variables = {variable.name: variable for variable in description.modelVariables}
         self.step_size = float(description.defaultExperiment.stepSize)
         self.fmu = FMU3Slave(
@@ -34,7 +34,7 @@ class Unit:
             modelIdentifier=description.coSimulation.modelIdentifier,
             instanceName="unit",
         )
-        self.fmu.instantiate(logMessage=LOGGER)
+        self.fmu.instantiate(earlyReturnAllowed=early_return, logMessage=LOGGER)
         self.time = 0.0
         for name, value in start:
             self.set(name, value)
@@ -49,8 +49,10 @@ class Unit:
         return read([variable.valueReference])[0]
 
     def step(self, steps=1):
-        self.fmu.doStep(self.time, steps * self.step_size)
-        self.time += steps * self.step_size
+        """Takes steps in one call. Returns false unless the FMU has returned early."""
+        event, terminates, early, self.time = self.fmu.doStep(self.time, steps * self.step_size)
+        assert not (event or terminates)
+        return early
 
     def bytes(self):
         state = self.fmu.getFMUState()
@@ -185,18 +187,13 @@ def saved(unit, fresh, recording, middle, end):
     recording.run([fresh], middle, end)
 
 
-def several_steps(one, other, recording, hold):
-    """One call over three steps gives the results of three calls with the inputs between the samples."""
+def between(recording, hold, step_size, steps):
+    """Inputs of the steps in a call over several steps, from the second row of the recording to the third."""
     last = [recording.rows[1][place] for place in range(len(recording.inputs))]
     new = [recording.rows[2][place] for place in range(len(recording.inputs))]
-    for unit in (one, other):
-        recording.apply(unit, 1)
-        unit.fmu.exitInitializationMode()
-    recording.apply(one, 2)
-    one.step(3)
-    length = 3 * other.step_size
-    for step in (1, 2, 3):
-        s = step / 3
+    length = steps * step_size
+    for step in range(1, steps + 1):
+        s = step / steps
         sample = list(new) if hold else [a + (b - a) * s for a, b in zip(last, new)]
         sample[-1] = new[-1]
         if not hold and recording.inputs[0] == "base.displacement":
@@ -207,17 +204,60 @@ def several_steps(one, other, recording, hold):
             ends = [y0, v0 * length, y1, v1 * length]
             sample[0] = sum(a * b for a, b in zip(functions, ends))
             sample[1] = sum(a * b for a, b in zip(slopes, ends)) / length
-        for name, value in zip(recording.inputs, sample):
+        yield dict(zip(recording.inputs, sample))
+
+
+def several_steps(one, other, recording, samples):
+    """A call over several steps gives the results of one call for each step with the inputs between the samples. If
+    the FMU returns early, the last step before its return is the first with an event. Returns the number of steps."""
+    for unit in (one, other):
+        recording.apply(unit, 1)
+        unit.fmu.exitInitializationMode()
+    recording.apply(one, 2)
+    early = one.step(len(samples))
+    taken = round(one.time / one.step_size)
+    assert early == (taken < len(samples))
+    events = 0
+    for sample in samples[:taken]:
+        assert not (early and events), "the FMU passed an event before it returned early"
+        for name, value in sample.items():
             other.set(name, value)
         other.step()
-    compared = 0
+        events += other.get("contact.events")
+    assert events == one.get("contact.events")
+    assert events or not early, "the FMU returned early without an event"
     for name in recording.outputs:
         if one.variables[name].type == "Float64":
             a, b = one.get(name), other.get(name)
             # The samples differ by a few roundings: of f64, or of f32 where the scene computes in it.
             assert abs(a - b) <= (1e-10 if DOUBLE else 1e-4) * max(abs(b), 1e-6), f"{name}: {a!r}, {b!r}"
-            compared += 1
-    return compared
+    return taken
+
+
+def instants(path, start, samples, outputs):
+    """With early return, FMPy's loop records the end of each step with events, and the instant is within this step.
+    Returns the numbers of instants and of early returns."""
+    description = read_model_description(path)
+    step = float(description.defaultExperiment.stepSize)
+    result = simulate_fmu(
+        path, input=samples, output=outputs, start_values=dict(start), output_interval=8 * step,
+        stop_time=(len(samples) // 8) * 8 * step, early_return_allowed=True,
+    )
+    found, early = 0, 0
+    for before, row in zip(result, result[1:]):
+        # Only an early return ends between two multiples of the communication step.
+        is_early = round(row["time"] / step) % 8 != 0
+        assert not is_early or row["contact.events"], "the FMU returned early without an event"
+        early += is_early
+        if row["contact.events"]:
+            since = row["contact.last_event_time"] - (row["time"] - step)
+            # A rounding of the time decides at the ends of the step.
+            assert -1e-9 * row["time"] <= since <= step + 1e-9 * row["time"], f"{since} s after the start of a step"
+            found += 1
+        else:
+            assert row["contact.last_event_time"] == before["contact.last_event_time"]
+    assert 0 < early <= found, (early, found)
+    return found, early
 
 
 def main():
@@ -255,10 +295,13 @@ def main():
     for unit in units:
         unit.close()
 
-    pair = [Unit(folder, description, start) for _ in range(2)]
-    several_steps(*pair, recording, description.modelName == "Held")
-    for unit in pair:
-        unit.close()
+    hold, step = description.modelName == "Held", float(description.defaultExperiment.stepSize)
+    for early_return, steps in [(False, 3), (True, 3), (True, 1000)]:
+        pair = [Unit(folder, description, start, early) for early in (early_return, False)]
+        taken = several_steps(*pair, recording, list(between(recording, hold, step, steps)))
+        assert taken == steps or early_return
+        for unit in pair:
+            unit.close()
     other = read_model_description(path)
     other.guid = "of another scene"
     Unit.told.clear()
@@ -270,12 +313,12 @@ def main():
         raise AssertionError("another instantiation token was accepted")
 
     # FMPy's own loop sets the sample of a step at its start.
-    step = float(description.defaultExperiment.stepSize)
     columns = [("time", float), *((name, float) for name in recording.inputs)]
     samples = [(row * step, *values[: len(recording.inputs)]) for row, values in enumerate(recording.rows[1:])]
+    samples = numpy.array(samples, dtype=columns)
     result = simulate_fmu(
         path,
-        input=numpy.array(samples, dtype=columns),
+        input=samples,
         output=recording.outputs,
         start_values=dict(start),
         output_interval=step,
@@ -285,9 +328,11 @@ def main():
     for row, values in zip(result, recording.rows):
         for name, value in zip(recording.outputs, values[len(recording.inputs):]):
             assert bits(row[name]) == bits(value), f"simulate_fmu at {row['time']} s: {name} is {row[name]!r}, in Rust {value!r}"
+    found, early = instants(path, start, samples, recording.outputs)
     print(
         f"{description.modelName}: no message of the validator; {end - 1} steps by two instances and by simulate_fmu, "
-        f"{len(recording.outputs)} outputs each with the bits of Rust; saved, restored and refused as stated"
+        f"{len(recording.outputs)} outputs each with the bits of Rust; {early} early returns, {found} instants of events; "
+        "saved, restored and refused as stated"
     )
 
 

@@ -99,12 +99,20 @@ pub struct FitArguments {
     /// File with the description, whose values are the first guess; standard input if it is -
     #[arg(value_name = "FILE")]
     pub scene: PathBuf,
-    /// Sweep as CSV, with the columns frequency_Hz, and NAME.transmissibility and NAME.deviation for each mass
+    /// Sweep as CSV, with the columns frequency_Hz, and NAME.transmissibility and NAME.deviation for each mass. With
+    /// --friction or --vary, a recording of the whole motion as CSV
     #[arg(value_name = "SWEEP")]
     pub sweep: PathBuf,
     /// Fit one damping ratio for all modes as well
-    #[arg(long)]
+    #[arg(long, conflicts_with_all = ["friction", "vary"])]
     pub damping: bool,
+    /// Fit the kinetic friction force to a recording of the whole motion; F in N is the first guess
+    #[arg(long, value_name = "F", allow_hyphen_values = true)]
+    pub friction: Option<String>,
+    /// Fit this number of the description to a recording of the whole motion, such as `mu`, `k2`, `m upper` or `zeta`;
+    /// may be given more than once
+    #[arg(long, value_name = "NAME")]
+    pub vary: Vec<String>,
     /// Arguments for the format of the output.
     #[command(flatten)]
     pub format: FormatArguments,
@@ -228,6 +236,16 @@ The sweep must be measured without friction, and the scene must be driven by its
 the natural frequency. With two masses it gives the frequency ratio r per Hz, the mass ratio gamma and the
 stiffness ratio kappa (equations 6.15 to 6.20 of the thesis). Each further mass adds a mass ratio and a
 stiffness ratio. Base motion determines only ratios. The first mass therefore keeps its value.
+
+Recordings of the whole motion (--friction, --vary):
+  The fit compares every sample with the motion of the scene from rest under the recorded excitation. The
+  recording has the channels of `frictiongen drive`, and displacements or velocities of one or more masses,
+  which are absolute. Displacements are relative to the first sample. If the recording has a channel friction,
+  leave --friction out.
+  The names of --vary are those of `frictiongen optimum --vary`. The values of the description are the first
+  guess. Intervals assume that the residuals are random noise.
+  derivatives  exact, through all stops, break-aways and reversals. At a motion that grazes an event, the fit
+               uses a difference of two motions instead, and the output gives the number of such differences.
 
 Exit status:
   0 without errors. Otherwise 2, with one line on standard error for each error.";

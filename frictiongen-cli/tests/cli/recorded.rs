@@ -307,3 +307,100 @@ fn stiction_without_a_stop_is_not_determined() {
     }
     assert!(alone[1] < 0.53 && 0.53 < alone[2], "{alone:?}");
 }
+
+/// Fits the whole motion of a plate that sticks and slides, which a stepper has computed.
+#[test]
+fn a_whole_motion() {
+    use frictiongen::study::{System, SystemInput};
+    let text = "struct Plate { masses: { plate: 2 }, springs: { base - plate: 752 }, contact: plate - wall,
+        excitation: base, damping: modal(0.02), stiction: 1.3 }";
+    let system: System = text.parse().unwrap();
+    let mut step = system.stepper(0.01).unwrap();
+    let mut csv = "time_s,base_mm,plate_mm\n".to_owned();
+    // A cubic spline through these samples begins with the slope 0, as the base here, up to its fourth derivative.
+    let base = |sample: u32| {
+        let time = 0.01 * f64::from(sample);
+        let (size, rate) = (time.min(1.0).powi(4), 4.0 * time.min(1.0).powi(3));
+        let (sine, cosine) = (13.0 * time).sin_cos();
+        let grows = if time < 1.0 { rate * sine } else { 0.0 };
+        (3.0 * size * sine, 3.0 * (grows + 13.0 * size * cosine))
+    };
+    for sample in 0..300 {
+        let (place, velocity) = base(sample);
+        let input = SystemInput::base(1e-3 * place, 1e-3 * velocity).friction(0.8);
+        if sample == 0 {
+            step.begin(input).unwrap();
+        } else {
+            step.advance(input).unwrap();
+        }
+        let plate = 1e3 * step.mass_at(0).displacement();
+        let _ = writeln!(csv, "{:.2},{place:?},{plate:?}", 0.01 * f64::from(sample));
+    }
+    let recording = file("whole.csv", &csv);
+    let guess = text
+        .replace("1.3", "1.2")
+        .replace("modal(0.02)", "modal(0.03)");
+    let scene = file("guess.friction", &guess);
+    let asked = [
+        "fit",
+        &scene,
+        &recording,
+        "--friction",
+        "0.6",
+        "--vary",
+        "mu",
+        "--vary",
+        "zeta",
+    ];
+    let answer = json(&output("", &[&asked[..], &["--json"]].concat()));
+    assert_eq!(answer["derivatives"], "exact", "{answer}");
+    let value = |key: &str| {
+        let points = answer["points"].as_array().unwrap();
+        let point = points.iter().find(|point| point["key"] == key);
+        point.unwrap()["value"].as_f64().unwrap()
+    };
+    // The spline through the samples of the base differs from the base by about 1e-6 of its amplitude.
+    for (key, expected, near) in [
+        ("friction_N", 0.8, 1e-3),
+        ("mu", 1.3, 5e-3),
+        ("zeta", 0.02, 1e-3),
+    ] {
+        assert!((value(key) - expected).abs() < near, "{key}: {answer}");
+    }
+    assert!(
+        value("scatter") < 1e-3 && value("exact_derivatives") > 6.0,
+        "{answer}"
+    );
+    assert_eq!(value("differences"), 0.0);
+    // A scene that cannot move as the recording does.
+    let stiff = file("stiff.friction", &guess.replace("752", "1900"));
+    let table = output("", &["fit", &stiff, &recording, "--friction", "0.6"]);
+    let verdict = table.lines().find(|line| line.starts_with("verdict"));
+    assert!(
+        verdict.unwrap().contains("does not explain the recording"),
+        "{table}"
+    );
+
+    for (more, said) in [
+        (
+            &["--friction", "0"][..],
+            "--friction `0`: a force in N above 0",
+        ),
+        (&["--vary", "m3"], "--vary `m3`: there is no number `m3`"),
+        (&["--vary", "mu"], "whole.csv: no friction force is given"),
+        (&["--friction", "1", "--damping"], "cannot be used with"),
+    ] {
+        let asked = [&["fit", &scene, &recording][..], more].concat();
+        let told = failure("", &asked).join("\n");
+        assert!(told.contains(said), "{told}");
+    }
+    let still = csv.replace("plate_mm", "plate_N");
+    let told = failure(
+        "",
+        &["fit", &scene, &file("still.csv", &still), "--friction", "1"],
+    );
+    assert!(
+        told[0].contains("no motion of a mass was recorded"),
+        "{told:?}"
+    );
+}

@@ -30,6 +30,9 @@ pub struct StepInterval<'t, 'a, S, const D: usize, K> {
     pub events: u32,
     /// True if the number of events or of pieces of motion in the sub-interval has reached its bound.
     pub exceeded: bool,
+    /// The sub-interval as a part of the step.
+    #[cfg(feature = "event-times")]
+    pub(super) stretch: super::drive::SubInterval<S>,
 }
 
 /// State of a contact that starts to slide from zero velocity.
@@ -73,6 +76,17 @@ impl<S: Float, const D: usize, K: ContactChain<S>> StepInterval<'_, '_, S, D, K>
     pub(super) fn account(&mut self, load: S, friction: S) {
         self.status.load = self.status.load.plus(load);
         self.status.dissipated = self.status.dissipated.plus(friction);
+    }
+
+    /// Counts an event at the present instant.
+    #[inline]
+    pub(super) fn count_event(&mut self) {
+        self.events += 1;
+        #[cfg(feature = "event-times")]
+        {
+            let within = self.stretch.length * self.progress;
+            self.status.last_event = Some(self.stretch.start + within);
+        }
     }
 
     /// Advances the present instant by `tau`. Moves the origin of the inputs' polynomials to the new instant.

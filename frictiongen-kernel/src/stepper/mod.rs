@@ -23,6 +23,8 @@ mod events;
 mod graze;
 mod image;
 mod input;
+#[cfg(feature = "event-times")]
+mod instant;
 mod interval;
 mod law;
 mod now;

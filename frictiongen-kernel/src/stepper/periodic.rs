@@ -30,6 +30,10 @@ impl<S: Float, const D: usize, T: StepTables<S, D>, V: Store<S, D>, K: StepConta
         self.check_work()?;
         let pace = self.tables.view().pace;
         let stiffness = self.scene.units.stiffness;
+        #[cfg(feature = "event-times")]
+        {
+            self.status.last_event = None;
+        }
         self.status.level = sample.friction / stiffness;
         let per_step = |[place, rate]: [S; 2]| [place, rate * pace.step];
         let base = [self.status.base, sample.base].map(per_step);
@@ -65,6 +69,8 @@ impl<S: Float, const D: usize, T: StepTables<S, D>, V: Store<S, D>, K: StepConta
                 progress: S::constant(0.0),
                 events: 0,
                 exceeded: false,
+                #[cfg(feature = "event-times")]
+                stretch,
             };
             interval.advance();
             stepped.events += interval.events;

@@ -164,6 +164,10 @@ impl<'a, S: Float, const D: usize, T: StepTables<S, D>, V: Store<S, D>, K: StepC
                 return Err(OutOfDomain::StepSteepness);
             }
         }
+        #[cfg(feature = "event-times")]
+        {
+            self.status.last_event = None;
+        }
         let hold = self.scene.input == Input::Hold;
         let from = if hold { sample.base } else { self.status.base };
         if hold {
@@ -253,6 +257,8 @@ impl<'a, S: Float, const D: usize, T: StepTables<S, D>, V: Store<S, D>, K: StepC
             progress: S::constant(0.0),
             events: 0,
             exceeded: false,
+            #[cfg(feature = "event-times")]
+            stretch,
         }
     }
 

@@ -167,7 +167,7 @@ impl<S: Float, const D: usize, K: StepContact<S>> StepInterval<'_, '_, S, D, K> 
             self.status.line = self.status.line.saturating_sub(1);
             return None;
         }
-        self.events += 1;
+        self.count_event();
         if self.is_elastic() {
             self.start_sticking(None);
             return None;

@@ -179,6 +179,10 @@ pub struct Status<S> {
     /// Sum of the absolute values of the terms in the contact's velocity, for a given initial state. The rounding error
     /// of this velocity is proportional to the sum. After the first step the field is zero.
     pub given: S,
+    /// Instant of the last event in the last step, as a fraction of the step from 0 to 1. `None` if the step had no
+    /// event. Images and written states do not contain it.
+    #[cfg(feature = "event-times")]
+    pub last_event: Option<S>,
 }
 
 impl<S: Float> Status<S> {
@@ -210,6 +214,8 @@ impl<S: Float> Status<S> {
             energy: zero,
             pull: zero,
             given: zero,
+            #[cfg(feature = "event-times")]
+            last_event: None,
         }
     }
 

@@ -104,7 +104,7 @@ impl<S: Float, const D: usize, K: StepContact<S>> StepInterval<'_, '_, S, D, K> 
             } else {
                 grip.max(now.abs())
             };
-            self.events += 1;
+            self.count_event();
             self.yield_under(contact.sign::<S>() * force, contact);
             return None;
         }
@@ -113,7 +113,7 @@ impl<S: Float, const D: usize, K: StepContact<S>> StepInterval<'_, '_, S, D, K> 
         } else {
             law.slide(contact, grip.max(now.abs()))
         };
-        self.events += 1;
+        self.count_event();
         self.start_sliding();
         self.status.contact = slide.contact;
         self.status.line = 0;

@@ -190,14 +190,18 @@ impl<S: Scalar> Transient<S> {
     }
 }
 
-impl Transient<Dual<Dd>> {
+impl<S: Scalar> Transient<S> {
     /// Creates the data from modal data with derivatives, including the derivatives of the held modes (contact stuck).
-    /// The weights get no derivatives, because they only give first guesses of a state.
+    /// The weights get no derivatives, because they only give first guesses of a state. `to` rounds each number once.
     ///
     /// Returns `None` if single modes have no derivative. Single modes have no derivative in three cases: two equal
     /// modes become different, two held modes are equal, or the contact begins to drive a mode.
     #[must_use]
-    pub fn along(scene: &Scene, modal: &Modal<Dual<Dd>>) -> Option<Self> {
+    pub fn along(
+        scene: &Scene,
+        modal: &Modal<Dual<Dd>>,
+        to: impl Fn(Dual<Dd>) -> S,
+    ) -> Option<Self> {
         let plain = plain_modes(modal);
         let parts = |a: &SlidingMode<Dual<Dd>>, b: &SlidingMode<Dual<Dd>>| {
             let size = (a.resonance.slope.abs() + b.resonance.slope.abs()) * Dd::from(EQUAL);
@@ -222,9 +226,7 @@ impl Transient<Dual<Dd>> {
             compliance,
         )?;
         let scene = (scene, compliance);
-        Some(Self::with_pairs(scene, modal, &plain, &pairs, |value| {
-            value
-        }))
+        Some(Self::with_pairs(scene, modal, &plain, &pairs, to))
     }
 }
 

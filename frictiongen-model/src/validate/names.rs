@@ -61,6 +61,7 @@ pub const RESERVED: &[&str] = &[
     "image",
     "image_len",
     "IMAGE",
+    "last_event",
     "read_masses",
     "restore",
     "restore_image",

@@ -74,6 +74,16 @@ impl<'r> Inputs<'r> {
         system: &System,
         friction: Option<f64>,
     ) -> Result<Self, MeasureError> {
+        let channels: Vec<&Channel> = recording.channels().iter().collect();
+        Self::of_channels((recording, &channels), system, friction)
+    }
+
+    /// Collects the inputs of a scene from some channels of a recording, as [`of`](Self::of) does from all.
+    pub(super) fn of_channels(
+        (recording, channels): (&Recording, &[&'r Channel]),
+        system: &System,
+        friction: Option<f64>,
+    ) -> Result<Self, MeasureError> {
         let scene = system.scene();
         let moving = scene.excitation == Excitation::Base;
         let dt = 1.0 / recording.rate();
@@ -86,7 +96,7 @@ impl<'r> Inputs<'r> {
             friction: DriveFriction::Constant(friction.unwrap_or(0.0)),
         };
         let mut recorded = None;
-        for channel in recording.channels() {
+        for channel in channels.iter().copied() {
             let name = channel.name.as_str();
             let is_mass = scene.masses.iter().any(|mass| mass.name == name);
             match name {

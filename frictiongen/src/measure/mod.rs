@@ -22,6 +22,7 @@ mod error;
 mod identify;
 mod least_squares;
 mod measured;
+mod motion;
 mod recording;
 mod regression;
 mod spectrum;
@@ -39,6 +40,8 @@ pub use identify::{
     Datum, Estimate, Explained, Identified, IdentifyRequest, Observation, Unknown, Using, Verdict,
 };
 pub use measured::{Measured, Transmissibility};
+#[doc(hidden)]
+pub use motion::MotionFit;
 pub use recording::{Channel, CsvColumn, CsvRequest, Dimension, Recording, Unit};
 pub use regression::Regression;
 #[doc(hidden)]

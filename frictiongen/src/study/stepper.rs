@@ -227,6 +227,20 @@ impl<'n, S: Float> SystemInput<'n, S> {
         }
     }
 
+    /// Converts the numbers of the input to another scalar.
+    #[cfg(feature = "measure")]
+    pub(crate) fn map<T>(self, number: impl Fn(S) -> T) -> SystemInput<'n, T> {
+        let more = self.more.into_iter();
+        SystemInput {
+            excitation: match self.excitation {
+                ExcitationLoad::Force(force) => ExcitationLoad::Force(number(force)),
+                ExcitationLoad::Base(base) => ExcitationLoad::Base(base.map(&number)),
+            },
+            more: more.map(|(mass, force)| (mass, number(force))).collect(),
+            friction: number(self.friction),
+        }
+    }
+
     /// Adds a force on another mass. Forces on the same mass add up.
     pub fn on(mut self, mass: &'n str, force: S) -> Self {
         self.more.push((mass, force));

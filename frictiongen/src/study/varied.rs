@@ -167,6 +167,13 @@ impl Varied {
         })
     }
 
+    /// Returns the system with derivatives in double precision.
+    #[cfg(feature = "measure")]
+    pub(super) fn rounded(&self) -> System<Dual<f64>> {
+        let (scene, modal) = (self.system.scene().clone(), self.system.modal.clone());
+        System::with_data(scene, modal, &self.data, rounded)
+    }
+
     /// Returns the system without derivatives.
     pub(super) fn plain(&self) -> &System {
         self.plain.get_or_init(|| self.system.without_derivatives())
@@ -182,7 +189,7 @@ impl Varied {
     pub(super) fn transient(&self) -> Option<&Transient<Sensitive>> {
         let transient = self
             .transient
-            .get_or_init(|| Transient::along(self.system.scene(), &self.data));
+            .get_or_init(|| Transient::along(self.system.scene(), &self.data, |value| value));
         transient.as_ref()
     }
 
@@ -191,6 +198,14 @@ impl Varied {
     #[must_use]
     pub fn modal(&self) -> &Modal<Sensitive> {
         &self.data
+    }
+}
+
+/// Rounds a number and its derivative to double precision.
+pub(super) fn rounded(number: Sensitive) -> Dual<f64> {
+    Dual {
+        value: number.value.to_f64(),
+        slope: number.slope.to_f64(),
     }
 }
 
@@ -276,12 +291,7 @@ impl<S: Float> System<S> {
         let mut gradient = Vec::new();
         for quantity in quantities(&self.scene) {
             if let Some(varied) = self.along(quantity) {
-                let answer = question(&varied)?;
-                let rounded = Dual {
-                    value: answer.value.to_f64(),
-                    slope: answer.slope.to_f64(),
-                };
-                gradient.push((quantity, rounded));
+                gradient.push((quantity, rounded(question(&varied)?)));
             }
         }
         Ok(gradient)

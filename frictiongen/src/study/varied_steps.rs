@@ -5,11 +5,17 @@ mod tests;
 
 use super::sensitivity::{NoDerivative, Quantity, Sensitive, Varied};
 use super::stepper::SystemStepper;
+#[cfg(feature = "measure")]
+use super::{system::System, varied::rounded};
 use frictiongen_kernel::Scalar;
 use frictiongen_kernel::number::dd::Dd;
+#[cfg(feature = "measure")]
+use frictiongen_kernel::number::dual::Dual;
 use frictiongen_kernel::stepper::Units;
 use frictiongen_model::scene::{Node, Scene};
 use frictiongen_model::stepping::StepperSettings;
+#[cfg(feature = "measure")]
+use frictiongen_model::transient::Transient;
 
 impl Varied {
     /// Returns a stepper with time steps of `dt` seconds, which starts from rest without load. Every result
@@ -112,6 +118,58 @@ impl Varied {
             springs.filter(|(_, spring)| spring.from == Node::Base || spring.to == Node::Base);
         let stiffnesses = on_base.filter_map(|(index, _)| self.spring(index));
         stiffnesses.fold(Sensitive::constant(0.0), |sum, stiffness| sum + stiffness)
+    }
+}
+
+/// The data of steppers with derivatives in double precision. A step takes a small part of the time of a step with
+/// [`Sensitive`] numbers.
+#[cfg(feature = "measure")]
+pub(crate) struct RoundedSteps {
+    system: System<Dual<f64>>,
+    settings: StepperSettings<Dual<f64>>,
+    transient: Transient<Dual<f64>>,
+}
+
+#[cfg(feature = "measure")]
+impl Varied {
+    /// Returns the data of steppers with derivatives in double precision. Each number is rounded once. Returns `None`
+    /// if the modes have no derivative.
+    pub(crate) fn rounded_steps(&self) -> Option<RoundedSteps> {
+        let settings = self.settings();
+        let Units {
+            stiffness,
+            rate,
+            support,
+        } = settings.units;
+        let law = settings.law.into_iter();
+        Some(RoundedSteps {
+            system: self.rounded(),
+            transient: Transient::along(self.system().scene(), self.modal(), rounded)?,
+            settings: StepperSettings {
+                units: Units {
+                    stiffness: rounded(stiffness),
+                    rate: rounded(rate),
+                    support: rounded(support),
+                },
+                on_base: settings.on_base,
+                damped_from_base: settings.damped_from_base,
+                forces: settings.forces,
+                input: settings.input,
+                law: law.map(|point| point.map(rounded)).collect(),
+                speed: rounded(settings.speed),
+            },
+        })
+    }
+}
+
+#[cfg(feature = "measure")]
+impl RoundedSteps {
+    /// Returns a stepper with time steps of `dt` seconds, as [`Varied::stepper`] does. Returns `None` for a scene
+    /// without a stepper.
+    pub(crate) fn stepper(&self, dt: f64) -> Option<SystemStepper<'_, Dual<f64>>> {
+        let dynamics = self.transient.contact_dynamics();
+        let data = (&self.system, &self.settings);
+        SystemStepper::new(data, dynamics, Dual::fixed(dt), None).ok()
     }
 }
 

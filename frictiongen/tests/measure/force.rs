@@ -320,3 +320,40 @@ fn two_amplitudes_at_resonance() {
         "{simple}, {damping}"
     );
 }
+
+/// Where a stop is about to appear or disappear, no derivative exists. The fit then counts its differences, and finds
+/// the same numbers.
+#[test]
+fn differences_are_counted() {
+    let system: System = "struct Plate { masses: { plate: 2.0 }, springs: { base - plate: 752.0 },
+        contact: plate - wall, excitation: base, damping: modal(0.02), stiction: 1.3 }"
+        .parse()
+        .unwrap();
+    let mut counts = [0.8, 1.5].into_iter().zip([0.4, 0.6]).map(|(hertz, beta)| {
+        let mut seen = seen(
+            &system,
+            system.frequency_ratio_at_hertz(hertz),
+            beta,
+            &[0],
+            1e-3,
+        );
+        let response = system.at(system.frequency_ratio_at_hertz(hertz)).unwrap();
+        let response = response.response(beta).unwrap();
+        seen.motions.push(Datum {
+            mass: 0,
+            harmonic: 3,
+            value: response.harmonic(Of::Mass(0), 3).unwrap(),
+            deviation: 1e-3,
+        });
+        let request = IdentifyRequest {
+            unknowns: vec![Unknown::Stiction],
+            ..IdentifyRequest::default()
+        };
+        let found = system.identify(&[seen], &request).unwrap();
+        assert!((found.friction.value - beta * scale(&system)).abs() < 1e-9);
+        assert!((found.unknowns[0].1.value - 1.3).abs() < 1e-6);
+        found.differences
+    });
+    assert_eq!(counts.next(), Some(0));
+    assert!(counts.next().is_some_and(|count| 0 < count));
+}

@@ -8,6 +8,8 @@
 )]
 
 mod builder;
+#[cfg(feature = "event-times")]
+mod instants;
 mod limits;
 mod runs;
 mod slices;

@@ -40,7 +40,7 @@ pub fn write(
          description=\"Stepper of a chain with a friction contact\"\n  generationTool=\"frictiongen {version}\"\n  \
          variableNamingConvention=\"{convention}\">\n  \
          <CoSimulation\n    modelIdentifier=\"{identifier}\"\n    fixedInternalStepSize=\"{step:?}\"\n    \
-         canHandleVariableCommunicationStepSize=\"false\"\n    canGetAndSetFMUState=\"true\"\n    \
+         canHandleVariableCommunicationStepSize=\"false\"\n    mightReturnEarlyFromDoStep=\"true\"\n    canGetAndSetFMUState=\"true\"\n    \
          canSerializeFMUState=\"true\"/>\n  \
          <UnitDefinitions>\n{units}  </UnitDefinitions>\n  \
          <LogCategories>\n    <Category name=\"logStatusDiscard\"/>\n    <Category name=\"logStatusError\"/>\n  </LogCategories>\n  \
@@ -111,10 +111,17 @@ fn listed(variables: &Variables) -> (String, std::ops::Range<usize>) {
             "contact.exceeded",
             "number of steps since the start that reached the bound on events",
         ),
+        (
+            "Float64",
+            "contact.last_event_time",
+            "instant of the last stop, break-away or reversal; the start time before the first of them",
+        ),
     ];
     for (index, (kind, name, about)) in discrete.into_iter().enumerate() {
-        let more = "causality=\"output\" variability=\"discrete\" initial=\"calculated\"";
-        text.push_str(&variable(kind, (rest + index, name, about), more));
+        let unit = if kind == "Float64" { " unit=\"s\"" } else { "" };
+        let more =
+            format!("causality=\"output\" variability=\"discrete\" initial=\"calculated\"{unit}");
+        text.push_str(&variable(kind, (rest + index, name, about), &more));
     }
     (text, first..rest + discrete.len())
 }

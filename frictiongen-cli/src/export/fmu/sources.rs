@@ -4,12 +4,13 @@ use super::variables::{Variability, Variables};
 use frictiongen::study::scene::{Excitation, Precision, Scene, StepInput};
 
 /// Source files that are the same for every scene.
-pub const FIXED: [(&str, &str); 5] = [
+pub const FIXED: [(&str, &str); 6] = [
     ("src/fmi3.rs", include_str!("../../../fmu/fmi3.rs")),
     ("src/inputs.rs", include_str!("../../../fmu/inputs.rs")),
     ("src/instance.rs", include_str!("../../../fmu/instance.rs")),
     ("src/missing.rs", include_str!("../../../fmu/missing.rs")),
     ("src/saved.rs", include_str!("../../../fmu/saved.rs")),
+    ("src/steps.rs", include_str!("../../../fmu/steps.rs")),
 ];
 
 /// Returns the text of `src/lib.rs` of an FMU's crate.
@@ -18,7 +19,7 @@ pub fn library(head: &str, prefix: &str) -> String {
         "{head}//\n// `scene.rs` has the variables of the scene.  The other modules are the same for every scene.\n\
          #![deny(unsafe_code)]\n#![allow(missing_docs, dead_code, non_snake_case, clippy::all)]\n\n\
          frictiongen::friction_system!(\"{prefix}.friction\");\n\n\
-         #[allow(unsafe_code)]\nmod fmi3;\nmod inputs;\nmod instance;\n#[allow(unsafe_code)]\nmod missing;\nmod saved;\nmod scene;\n"
+         #[allow(unsafe_code)]\nmod fmi3;\nmod inputs;\nmod instance;\n#[allow(unsafe_code)]\nmod missing;\nmod saved;\nmod scene;\nmod steps;\n"
     )
 }
 

@@ -72,17 +72,18 @@ fn both_files_number_the_variables_alike() {
         let quoted = lists.split('"').skip(1).step_by(2);
         let units = ["", "m", "m/s", "N"];
         let quoted: Vec<&str> = quoted.filter(|text| !units.contains(text)).collect();
-        let reals = names.len() - 4;
+        // The last five outputs are the same for every scene: a flag, a direction, two counts and an instant.
+        let reals = names.len() - 5;
         assert_eq!(quoted, names[1..reals]);
-        // With 3 masses there are 3 or 4 inputs, stiction, 6 initial values and 6 + 3 + 4 + 4 outputs.
+        // With 3 masses there are 3 or 4 inputs, stiction, 6 initial values and 6 + 3 + 4 + 5 outputs.
         let inputs = variables.fields.len();
-        assert_eq!(names.len(), 1 + inputs + 1 + 6 + 17);
+        assert_eq!(names.len(), 1 + inputs + 1 + 6 + 18);
         // The description lists each output twice: as an output, and as an initial unknown.
         let outputs = attributes(structure, "valueReference");
         let first = 1 + inputs + 1 + 6;
-        assert_eq!(outputs.len(), 34);
-        assert_eq!(outputs[..17], references[first..]);
-        assert_eq!(outputs[17..], references[first..]);
+        assert_eq!(outputs.len(), 36);
+        assert_eq!(outputs[..18], references[first..]);
+        assert_eq!(outputs[18..], references[first..]);
         assert!(xml.contains("variableNamingConvention=\"flat\""), "{xml}");
         let ascii = scene_of_ascii(text);
         let xml = description::write(&ascii, &Variables::of(&ascii), ("odd", "token", 1e-3));

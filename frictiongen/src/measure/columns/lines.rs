@@ -3,7 +3,9 @@
 
 use super::drive;
 use super::once::scaled;
-use crate::measure::{Estimate, Explained, FreeDecay, Identified, Observation, SweepFit, Unknown};
+use crate::measure::{
+    Estimate, Explained, FreeDecay, Identified, MotionFit, Observation, SweepFit, Unknown,
+};
 use crate::study::columns::{Cell, Column, ColumnKind, Columns, Head, Measure, Shown, TableRow};
 use crate::study::sensitivity::Quantity;
 use crate::study::units::{hertz, polar};
@@ -149,6 +151,28 @@ pub fn fit_lines(system: &System, found: &SweepFit, points: usize) -> Vec<Quanti
     lines.all
 }
 
+/// Returns the result of a fit to the whole motion in a recording, as lines of a table.
+#[must_use]
+pub fn motion_lines(system: &System, found: &MotionFit) -> Vec<QuantityLine> {
+    let mut lines = QuantityLines::default();
+    if let Some(friction) = found.friction {
+        lines.estimate("friction_N", "friction force", friction, "N");
+    }
+    for (number, estimate) in &found.numbers {
+        let symbol = number.symbol(system.scene());
+        let key = symbol.replace(" - ", "-").replace(' ', ".");
+        lines.estimate(&key, &symbol, *estimate, number.unit());
+    }
+    lines.number("scatter", "relative scatter", found.scatter, "");
+    lines.number("condition", "condition", found.condition, "");
+    lines.number("runs", "runs", found.runs as f64, "");
+    let label = "runs with exact derivatives";
+    lines.number("exact_derivatives", label, found.derivatives as f64, "");
+    let label = "derivatives by differences";
+    lines.number("differences", label, found.differences as f64, "");
+    lines.all
+}
+
 fn natural_frequency(lines: &mut QuantityLines, mode: usize, found: Estimate) {
     let key = format!("natural_frequency_{mode}_Hz");
     lines.estimate(&key, &format!("natural frequency {mode}"), found, "Hz");
@@ -206,6 +230,10 @@ pub fn identify_lines(
         }
     }
     lines.number("condition", "condition", found.condition, "");
+    if 0 < found.differences {
+        let count = found.differences as f64;
+        lines.number("differences", "derivatives by differences", count, "");
+    }
     if let Some(misfit) = found.misfit {
         lines.number("misfit", "misfit (1 is noise)", misfit, "");
     }

@@ -11,7 +11,7 @@ mod transmissibility;
 
 pub use driven::{Driven, DrivenRow};
 pub use joined::{JoinedDriven, JoinedDrivenRow, JoinedPart};
-pub use lines::{QuantityLine, decay_lines, fit_lines, identify_lines, line_columns};
+pub use lines::{QuantityLine, decay_lines, fit_lines, identify_lines, line_columns, motion_lines};
 pub use once::{Keyed, SingleValue, decay_values, fit_values, identify_values};
 pub use residuals::{
     ExtremeRow, FittedRow, MotionKnown, ResidualRow, extreme_columns, extremes, fitted,

@@ -121,6 +121,9 @@ pub struct Identified {
     pub freedom: usize,
     /// Condition number of the fit: the largest factor by which a relative error of the data grows in a fitted value.
     pub condition: f64,
+    /// Number of derivatives that the fit took by finite differences, because a stop or reversal was about to appear or
+    /// disappear and no exact derivative exists.
+    pub differences: usize,
     /// Each observation with the response of the scene.
     pub explained: Vec<Explained>,
     /// The scene with the values that the fit has found.

@@ -320,6 +320,7 @@ impl Alone {
         }
         Ok(Identified {
             condition: condition(problem, &friction, &explained),
+            differences: 0,
             friction,
             levels: self.levels.into_iter().map(|(level, _)| level).collect(),
             verdict,

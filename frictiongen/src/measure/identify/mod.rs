@@ -4,7 +4,7 @@ mod answer;
 mod data;
 mod explained;
 mod friction;
-mod model;
+pub(super) mod model;
 mod observation;
 mod request;
 mod several;

@@ -89,7 +89,7 @@ pub(super) fn sticks_from(system: &System, seen: &Observation) -> Option<(f64, f
 }
 
 /// Returns the value that an unknown of the fit has in a scene.
-pub(super) fn value(system: &System, unknown: Unknown) -> Option<f64> {
+pub(in crate::measure) fn value(system: &System, unknown: Unknown) -> Option<f64> {
     let scene = system.scene();
     Some(match unknown {
         Unknown::Stiction => scene.stiction,

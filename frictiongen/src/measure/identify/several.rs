@@ -11,6 +11,7 @@ use crate::measure::least_squares::{FitResult, Linearised, minimise};
 use crate::measure::statistics::{NORMAL, excess, is_chance};
 use crate::study::{System, sensitivity::Quantity};
 use nalgebra::{DMatrix, DVector};
+use std::cell::Cell;
 
 /// Step of a finite difference, divided by the value of the unknown. The fit uses finite differences if no exact
 /// derivative exists.
@@ -53,6 +54,8 @@ struct SeveralFit<'p, 'a> {
     problem: &'p IdentifyProblem<'a>,
     unknowns: &'p [Unknown],
     weighed: Vec<Weighed<'a>>,
+    /// Number of derivatives by finite differences so far.
+    differences: Cell<usize>,
 }
 
 impl SeveralFit<'_, '_> {
@@ -133,6 +136,7 @@ impl SeveralFit<'_, '_> {
             *moved.get_mut(index)? += by;
             self.residuals(&moved)
         };
+        self.differences.set(self.differences.get() + 1);
         // The step increases the value, because the value may be at its lower bound.
         Some((moved(step)? - moved(0.0)?) / step)
     }
@@ -194,6 +198,7 @@ pub(super) fn fit(
         problem,
         unknowns,
         weighed: problem.weighed(problem.system, None)?,
+        differences: Cell::new(0),
     };
     let data: usize = several.weighed.iter().map(Weighed::len).sum();
     if data < 1 + unknowns.len() {
@@ -280,6 +285,7 @@ fn answer(
         misfit,
         freedom,
         condition: fit.condition,
+        differences: several.differences.get(),
         explained,
         system,
     })

@@ -7,13 +7,12 @@ use crate::measure::identify::Estimate;
 use crate::measure::least_squares::FitResult;
 use crate::measure::statistics::{NORMAL, excess, student};
 use crate::measure::{MeasureError, SweepPoint};
+use crate::study::System;
 use crate::study::units::hertz;
 use nalgebra::DVector;
 
 /// Largest fraction of the measured amplitudes that may remain unexplained. With a larger fraction, the fit has failed.
 const GROSS: f64 = 0.5;
-/// Step of the finite difference for a derivative, divided by the parameter that it changes.
-const DIFFERENCE: f64 = 1e-6;
 
 pub(super) fn answer(sweep: &Sweep<'_>, fit: &FitResult) -> Result<SweepFit, MeasureError> {
     let system = sweep.at(&fit.parameters).ok_or(MeasureError::NoFit)?;
@@ -78,7 +77,7 @@ pub(super) fn answer(sweep: &Sweep<'_>, fit: &FitResult) -> Result<SweepFit, Mea
         .filter_map(|(mode, omega)| {
             Some(interval(
                 hertz(*omega),
-                &gradient(sweep, fit, mode, *omega)?,
+                &gradient(sweep, (fit, &system), mode, *omega)?,
             ))
         })
         .collect();
@@ -104,13 +103,24 @@ pub(super) fn answer(sweep: &Sweep<'_>, fit: &FitResult) -> Result<SweepFit, Mea
 }
 
 /// Returns the derivatives of a natural frequency in Hz with respect to the parameters of the fit.
-fn gradient(sweep: &Sweep<'_>, fit: &FitResult, mode: usize, omega: f64) -> Option<DVector<f64>> {
+fn gradient(
+    sweep: &Sweep<'_>,
+    (fit, system): (&FitResult, &System),
+    mode: usize,
+    omega: f64,
+) -> Option<DVector<f64>> {
     let slopes = fit.parameters.iter().enumerate().map(|(index, value)| {
-        let step = DIFFERENCE * value.abs().max(DIFFERENCE);
-        let mut moved = fit.parameters.clone();
-        *moved.get_mut(index)? += step;
-        let there = *sweep.at(&moved)?.natural_frequencies().get(mode)?;
-        Some(hertz(there - omega) / step)
+        if index == 0 {
+            // The first parameter multiplies all frequencies.
+            return Some(hertz(omega) / value);
+        }
+        let mut sum = 0.0;
+        for (quantity, scale) in sweep.directions(index, system) {
+            let modal = system.modal().along(system.scene(), quantity)?;
+            let natural = *modal.resonances.get(mode)? * modal.reference;
+            sum += scale * hertz(natural.slope.to_f64());
+        }
+        Some(sum)
     });
     Some(DVector::from_vec(slopes.collect::<Option<Vec<f64>>>()?))
 }

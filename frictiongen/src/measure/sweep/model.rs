@@ -92,7 +92,7 @@ impl<'a> Sweep<'a> {
 
     /// Returns the quantities of the description that a parameter of the fit changes, each with its factor. The list is
     /// empty for the first parameter, because this parameter changes only r.
-    fn directions(&self, index: usize, system: &System) -> Vec<(Quantity, f64)> {
+    pub(super) fn directions(&self, index: usize, system: &System) -> Vec<(Quantity, f64)> {
         let masses = self.masses();
         let scene = system.scene();
         if index < masses {

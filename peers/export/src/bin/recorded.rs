@@ -30,7 +30,7 @@ macro_rules! run {
         $(names.extend(["displacement", "velocity"].map(|what| format!("{}.{what}", stringify!($mass))));)*
         names.extend(["displacement", "velocity", "force"].map(|what| format!("contact.{what}")));
         names.extend(["load", "friction", "damping", "stored"].map(|what| format!("work.{what}")));
-        names.extend(["sticks", "direction", "events", "exceeded"].map(|what| format!("contact.{what}")));
+        names.extend(["sticks", "direction", "events", "exceeded", "last_event_time"].map(|what| format!("contact.{what}")));
         println!("{}", names.join(","));
         let mut random = Random(88_172_645_463_325_252);
         let mut input = || $input {
@@ -40,6 +40,7 @@ macro_rules! run {
         let start = [$(stringify!($mass)),*].map(|mass| 1e-3 * mass.len() as $real);
         let mut stepper = $scene::stepper_from($scene::STEP, (&start, &start))?;
         let mut now = input();
+        let mut last_event = 0.0;
         for step in 0..=$steps {
             // A simulation begins with the inputs of its first step.
             let events = match step {
@@ -49,6 +50,9 @@ macro_rules! run {
                 }
                 _ => stepper.advance(now)?.events,
             };
+            if let Some(since) = stepper.last_event() {
+                last_event = (step - 1) as f64 * f64::from($scene::STEP) + f64::from(since);
+            }
             let (contact, work) = (stepper.contact(), stepper.work());
             let mut values = vec![$(f64::from(now.$field),)* f64::from(now.friction)];
             $(values.extend([f64::from(stepper.$mass().displacement()), f64::from(stepper.$mass().velocity())]);)*
@@ -62,6 +66,7 @@ macro_rules! run {
             let mut texts: Vec<String> = values.iter().map(|value| format!("{value:?}")).collect();
             texts.push(u8::from(contact.is_sticking()).to_string());
             texts.extend([direction.to_string(), events.to_string(), stepper.exceeded().to_string()]);
+            texts.push(format!("{last_event:?}"));
             println!("{}", texts.join(","));
             if step > 0 {
                 now = input();

@@ -63,7 +63,7 @@ impl Tunable {
     }
 
     /// Returns all quantities of the description that change together with this number.
-    pub(super) fn quantities(self, scene: &Scene) -> Vec<Quantity> {
+    pub(crate) fn quantities(self, scene: &Scene) -> Vec<Quantity> {
         match self {
             Self::Quantity(quantity) => vec![quantity],
             Self::DampingRatios => (0..scene.masses.len())

@@ -1,0 +1,309 @@
+//! Fits scenes to recordings that a stepper has made.
+#![allow(
+    clippy::unwrap_used,
+    clippy::indexing_slicing,
+    reason = "a test may fail"
+)]
+
+use super::model::MotionProblem;
+use super::{MotionFit, solve};
+use crate::measure::{Channel, MeasureError, Recording, Unit};
+use crate::study::optimum::Tunable;
+use crate::study::sensitivity::Quantity;
+use crate::study::{System, SystemInput};
+use std::time::Instant;
+
+/// The scene that makes the recordings. Its motion depends on every number.
+const FRAME: &str = "struct Frame {
+    masses: { lower: 3.0, upper: 2.0 }, springs: { base - lower: 1200, lower - upper: 900 },
+    contact: upper - wall, excitation: base, damping: modal(0.02), stiction: 1.3,
+}";
+const FRICTION: f64 = 6.0;
+const DT: f64 = 0.01;
+
+/// Random numbers with the standard normal distribution, as sums of twelve uniform ones (xorshift, Marsaglia 2003).
+struct Noise(u64);
+
+impl Noise {
+    fn next(&mut self) -> f64 {
+        let uniform = |_| {
+            self.0 ^= self.0 << 13;
+            self.0 ^= self.0 >> 7;
+            self.0 ^= self.0 << 17;
+            (self.0 >> 11) as f64 / 9_007_199_254_740_992.0
+        };
+        (0..12).map(uniform).sum::<f64>() - 6.0
+    }
+}
+
+fn channel(name: &str, unit: &str, samples: Vec<f64>) -> Channel {
+    Channel {
+        name: name.to_owned(),
+        unit: unit.parse::<Unit>().unwrap(),
+        samples,
+    }
+}
+
+/// Returns a recording of the base, the displacement of the upper mass in mm and the velocity of the lower mass. Its
+/// noise has a standard deviation of `noise` times the largest value.
+fn recorded(system: &System, samples: usize, noise: f64, seed: u64) -> Recording {
+    // Two beating frequencies, and a jump of the amplitude.
+    let place = |sample: usize| {
+        let time = sample as f64 * DT;
+        let size = if time < 1.5 { 12e-3 } else { 8e-3 };
+        size * ((11.0 * time).sin() + 0.6 * (17.3 * time).sin()) * (time / 0.2).min(1.0)
+    };
+    let base: Vec<f64> = (0..samples).map(place).collect();
+    let only_base = Recording::inputs(1.0 / DT, vec![channel("base", "m", base.clone())]).unwrap();
+    let inputs = crate::measure::Inputs::of(&only_base, system, Some(FRICTION)).unwrap();
+    let mut stepper = system.stepper(DT).unwrap();
+    stepper.begin(inputs.at(0)).unwrap();
+    let (mut upper, mut lower, mut events) = (vec![0.0], vec![0.0], 0);
+    for sample in 1..samples {
+        events += stepper.advance(inputs.at(sample)).unwrap().events;
+        upper.push(1e3 * stepper.mass_at(1).displacement());
+        lower.push(stepper.mass_at(0).velocity());
+    }
+    assert!(samples / 30 <= events as usize, "{events} events");
+    let mut random = Noise(seed);
+    for values in [&mut upper, &mut lower] {
+        let most = values
+            .iter()
+            .fold(0.0_f64, |most, value| most.max(value.abs()));
+        for value in values.iter_mut().skip(1) {
+            *value += noise * most * random.next();
+        }
+    }
+    let channels = vec![
+        channel("base", "m", base),
+        channel("upper", "mm", upper),
+        channel("lower", "m/s", lower),
+    ];
+    Recording::inputs(1.0 / DT, channels).unwrap()
+}
+
+/// Returns the scene of the first guess, and the numbers to fit.
+fn guess(system: &System) -> (System, Vec<Tunable>) {
+    let names = ["mu", "k2", "zeta", "m upper"];
+    let vary: Vec<Tunable> = names.map(|name| system.tunable_named(name).unwrap()).into();
+    let mut guess = system.clone();
+    for (tunable, value) in vary.iter().zip([1.25, 930.0, 0.03, 2.05]) {
+        guess = guess.with_value(*tunable, value).unwrap();
+    }
+    (guess, vary)
+}
+
+/// Prints the numbers of runs of a fit, and its time.
+fn told(fit: &MotionFit, started: Instant) {
+    println!(
+        "{} runs, {} of them differences, {} exact derivatives, {:.3} s, scatter {:e}",
+        fit.runs,
+        fit.differences,
+        fit.derivatives,
+        started.elapsed().as_secs_f64(),
+        fit.scatter
+    );
+}
+
+/// Compares the exact derivatives with differences of the residuals, and the number of runs and the time of both.
+#[test]
+fn derivatives_and_differences() {
+    let system: System = FRAME.parse().unwrap();
+    let recording = recorded(&system, 300, 0.0, 1);
+    let (guess, vary) = guess(&system);
+    let problem =
+        |exact| MotionProblem::new(&guess, &recording, (Some(5.2), &vary), exact).unwrap();
+    let exact = problem(true);
+    let start = exact.start().unwrap();
+    let lines = exact.linearise(&start).unwrap();
+    assert_eq!(exact.count().differences, 0);
+    let mut worst = 0.0_f64;
+    for (index, value) in start.iter().enumerate() {
+        let step = 1e-6 * value;
+        let at = |by: f64| {
+            let mut moved = start.clone();
+            moved[index] += by;
+            exact.residuals(&moved).unwrap()
+        };
+        let expected = (at(step) - at(-step)) / (2.0 * step);
+        let found = lines.jacobian.column(index);
+        worst = worst.max((&expected - found).norm() / found.norm());
+    }
+    println!("largest relative difference of a column: {worst:e}");
+    // The differences have an error of about 1e-10 from rounding, and 1e-6 from the change of the events' instants.
+    assert!(worst < 1e-5, "{worst:e}");
+
+    let solved = [true, false].map(|exact| {
+        let started = Instant::now();
+        let fit = solve(&problem(exact)).unwrap();
+        told(&fit, started);
+        fit
+    });
+    let [exact, differences] = solved;
+    assert_eq!((exact.differences, differences.derivatives), (0, 0));
+    for (fit, near) in [(&exact, 1e-9), (&differences, 1e-5)] {
+        let found = std::iter::once(fit.friction.unwrap().value);
+        let found = found.chain(fit.numbers.iter().map(|(_, number)| number.value));
+        for (found, expected) in found.zip([FRICTION, 1.3, 900.0, 0.02, 2.0]) {
+            assert!(
+                (found - expected).abs() < near * expected,
+                "{found} instead of {expected}"
+            );
+        }
+    }
+}
+
+/// With noise, the intervals contain the true numbers.
+#[test]
+fn intervals_under_noise() {
+    let system: System = FRAME.parse().unwrap();
+    let (guess, vary) = guess(&system);
+    let (mut inside, mut outside) = (0, 0);
+    for seed in 1..=4 {
+        let recording = recorded(&system, 240, 0.02, 7919 * seed);
+        let [fit, other] = [true, false].map(|exact| {
+            let asked = (Some(6.6), &vary[..]);
+            let problem = MotionProblem::new(&guess, &recording, asked, exact).unwrap();
+            let started = Instant::now();
+            let fit = solve(&problem).unwrap();
+            told(&fit, started);
+            fit
+        });
+        // Both derivatives lead to the same minimum. The difference of a forward difference is about 1e-6.
+        assert!((fit.scatter / other.scatter - 1.0).abs() < 1e-6);
+        // The residuals of the true scene are the noise alone. A fit with few unknowns is not much nearer.
+        let truth = [FRICTION, 1.3, 900.0, 0.02, 2.0];
+        let problem = MotionProblem::new(&guess, &recording, (Some(6.0), &vary), true).unwrap();
+        let noise = problem.residuals(&truth).unwrap().norm() / (problem.data() as f64).sqrt();
+        println!("scatter {} with noise {noise}", fit.scatter);
+        assert!((0.97..=1.0).contains(&(fit.scatter / noise)));
+        assert_eq!(fit.differences, 0);
+        let mut all = vec![(fit.friction.unwrap(), FRICTION)];
+        let numbers = fit.numbers.iter().zip([1.3, 900.0, 0.02, 2.0]);
+        all.extend(numbers.map(|((_, found), expected)| (*found, expected)));
+        for (found, expected) in all {
+            let width = found.to - found.from;
+            assert!(width < 0.2 * expected, "{found:?} for {expected}");
+            if found.holds(expected) {
+                inside += 1;
+            } else {
+                outside += 1;
+            }
+        }
+    }
+    println!(
+        "{inside} of {} intervals contain the number",
+        inside + outside
+    );
+    // Of 20 intervals at 95 %, more than 4 miss with a probability of 0.3 %.
+    assert!(
+        outside <= 4,
+        "{outside} intervals do not contain the number"
+    );
+}
+
+/// If the force of the stuck contact just touches μF, no derivative exists. The fit uses a difference, and says so.
+#[test]
+fn a_motion_that_grazes_an_event() {
+    let system: System = "struct Block {
+        masses: { block: 1 }, springs: { base - block: 400 }, contact: block - wall, excitation: base,
+        stiction: 1.25,
+    }"
+    .parse()
+    .unwrap();
+    // The base stops at 10 mm for an instant, where the spring pulls with 4 N. Later it moves farther.
+    let samples = 160;
+    let base: Vec<f64> = (0..samples)
+        .map(|sample| {
+            let time = f64::from(sample) * DT;
+            let slow = 5e-3 * (1.0 - (std::f64::consts::PI * time / 0.4).cos());
+            if time < 0.8 { slow } else { 3.0 * slow }
+        })
+        .collect();
+    let motion = |friction: f64| {
+        let only = vec![channel("base", "m", base.clone())];
+        let only = Recording::inputs(1.0 / DT, only).unwrap();
+        let inputs = crate::measure::Inputs::of(&only, &system, Some(friction)).unwrap();
+        let mut stepper = system.stepper(DT).unwrap();
+        stepper.begin(inputs.at(0)).unwrap();
+        let mut values = vec![0.0];
+        for sample in 1..inputs.len() {
+            stepper.advance(inputs.at(sample)).unwrap();
+            values.push(stepper.mass_at(0).displacement());
+        }
+        values
+    };
+    let truth = 3.3;
+    let channels = vec![
+        channel("base", "m", base.clone()),
+        channel("block", "m", motion(truth)),
+    ];
+    let recording = Recording::inputs(1.0 / DT, channels).unwrap();
+    let touching = 4.0 / 1.25;
+    let mut differences = 0;
+    for share in [1.0 - 1e-12, 1.0, 1.02] {
+        let fit = system
+            .fit_motion(&recording, Some(touching * share), &[])
+            .unwrap();
+        let found = fit.friction.unwrap().value;
+        assert!((found - truth).abs() < 1e-7, "{found} from {share}");
+        println!(
+            "from {share}: {} differences, {} exact",
+            fit.differences, fit.derivatives
+        );
+        differences += fit.differences;
+        if share == 1.02 {
+            assert_eq!(fit.differences, 0, "no graze at the first guess");
+        }
+    }
+    assert!(0 < differences, "no difference at a graze");
+}
+
+/// Recordings and requests that do not fit.
+#[test]
+fn what_is_refused() {
+    let system: System = FRAME.parse().unwrap();
+    let recording = recorded(&system, 120, 0.0, 1);
+    let with = |change: &dyn Fn(&mut Vec<Channel>)| {
+        let mut channels = recording.channels().to_vec();
+        change(&mut channels);
+        Recording::inputs(1.0 / DT, channels).unwrap()
+    };
+    let mu = [Tunable::Quantity(Quantity::Stiction)];
+    let fit = |recording: &Recording, friction, vary: &[Tunable]| -> Result<MotionFit, _> {
+        system.fit_motion(recording, friction, vary)
+    };
+    let still = with(&|channels| channels[1].samples.fill(2.0));
+    let error = fit(&still, Some(1.0), &mu).unwrap_err();
+    assert_eq!(error, MeasureError::Constant("upper".to_owned()));
+    let driven = with(&|channels| channels.truncate(1));
+    assert_eq!(
+        fit(&driven, Some(1.0), &mu).unwrap_err(),
+        MeasureError::NoMass
+    );
+    assert_eq!(
+        fit(&recording, None, &mu).unwrap_err(),
+        MeasureError::NoFriction
+    );
+    let known = with(&|channels| {
+        let samples = vec![FRICTION; channels[0].samples.len()];
+        channels.push(channel("friction", "N", samples));
+    });
+    let error = fit(&known, Some(1.0), &mu).unwrap_err();
+    assert_eq!(error, MeasureError::TwoFrictions);
+    assert!(matches!(
+        fit(&known, None, &[]),
+        Err(MeasureError::Asked(_))
+    ));
+    let found = fit(&known, None, &mu).unwrap();
+    assert!(found.friction.is_none() && (found.numbers[0].1.value - 1.3).abs() < 1e-12);
+    let shaken = with(&|channels| channels[2].unit = "m/s2".parse().unwrap());
+    let error = fit(&shaken, Some(1.0), &mu).unwrap_err();
+    assert!(
+        matches!(error, MeasureError::WrongDimension { .. }),
+        "{error}"
+    );
+    let input = SystemInput::force(1.0).on("upper", 2.0).friction(3.0);
+    let twice = SystemInput::force(2.0).on("upper", 4.0).friction(6.0);
+    assert_eq!(input.map(|number| 2.0 * number), twice);
+}
