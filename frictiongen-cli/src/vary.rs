@@ -1,6 +1,8 @@
 //! The option `--vary NAME=a:b` of `frictiongen optimum`.
 
 use crate::failure::Failure;
+use frictiongen::System;
+use frictiongen::study::optimum::Tuning;
 use std::fmt::Display;
 
 /// The text of the option `--vary`, divided into a name and an interval.
@@ -38,6 +40,14 @@ impl<'t> Vary<'t> {
             number.map_err(|_| self.wrong(&format_args!("`{}` is not a number", end.trim())))
         };
         Ok((end(from)?, end(to)?))
+    }
+
+    /// Returns the number of the description that varies, with its interval.
+    pub fn tuning(&self, system: &System) -> Result<Tuning, Failure> {
+        let of = system.tunable_named(self.name);
+        let of = of.map_err(|error| self.wrong(&error))?;
+        let (from, to) = self.ends()?;
+        Ok(Tuning { of, from, to })
     }
 
     /// Returns the failure for an error in the option `--vary`.

@@ -30,7 +30,7 @@ pub fn map<'py>(
             "the frequency with the index {index} is infinite, but a map needs finite frequencies"
         )));
     }
-    let measure = measure::constant(system, &load)?;
+    let measure = measure::of(system, &load)?;
     let frictions = FrictionValues::of(&friction, &measure)?;
     let parts = parts(system, "of", of.as_ref())?;
     let table = MapTable {
@@ -45,11 +45,13 @@ pub fn map<'py>(
         beta: frictions.beta.clone(),
         of: parts.iter().map(|part| part.of).collect(),
     };
-    let map = without_lock(py, |stop| system.map(&request, |_| stop.goes_on()))?.map_err(domain)?;
+    let fall = measure.fall();
+    let map = without_lock(py, |stop| system.map_under(&request, fall, |_| stop.goes_on()))?;
+    let map = map.map_err(domain)?;
 
     let (along, up) = (frequencies.all(system), frictions.all());
     let limits: Vec<_> = MapTable::limits(&map, along.iter().copied()).collect();
-    let rows: Vec<_> = MapTable::rows(&map, along.into_iter(), up.into_iter()).collect();
+    let rows: Vec<_> = MapTable::rows(measure, &map, along.into_iter(), up.into_iter()).collect();
     let mut arrays = NamedArrays::new(py, &frequencies.shape());
     frequencies.put(&mut arrays, &table.setting)?;
     arrays.table(&table.limits_columns(), &limits)?;

@@ -189,7 +189,7 @@ pub struct OptimumArguments {
     pub of: Vec<String>,
     /// Keep the largest value of another quantity within a bound, for example `roof-base <= 5mm`; may be given more than
     /// once
-    #[arg(long, value_name = "NAME<=BOUND", conflicts_with = "vary")]
+    #[arg(long, value_name = "NAME<=BOUND")]
     pub keep: Vec<String>,
     /// Vary one number of the description between a and b as well, for example `k base - lower=a:b`
     #[arg(long, value_name = "NAME=a:b", allow_hyphen_values = true)]

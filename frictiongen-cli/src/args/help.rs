@@ -265,6 +265,8 @@ With --vary NAME=a:b:
   to b, and then refines the smallest amplitude between neighbouring values. It may miss a minimum
   between these values. Frequencies, forces and lengths keep their units while the number changes.
   Without a load, r and beta refer to the first mass and spring of the original description.
+  With --keep as well, the search takes only frictions within the bounds. A value at which no friction
+  holds them has the amplitude inf.
   With the field `contacts`, only shares can vary: `share pads=a:b` is the share of one contact, and `share=a:b` are
   the shares of all contacts but the first. The search begins at the shares of the description, changes one number
   at a time, and finds a local minimum.

@@ -21,7 +21,9 @@ pub fn draw(
     form: OutputFormat,
     out: &mut dyn Write,
 ) -> Result<(), Failure> {
-    let (map, grids) = (report.map, &report.grids);
+    // The picture has one unit of force and one unit of length: those that the load has at r = 1.
+    let (map, grids) = (&report.map.at_reference(), &report.grids);
+    let fall = grids.measure.fall();
     let ends = map
         .columns
         .iter()
@@ -36,7 +38,10 @@ pub fn draw(
     let lines = grids
         .system
         .limit_lines(ends.0, ends.1, LINES)
-        .map_err(Failure::new)?;
+        .map_err(Failure::new)?
+        .at_reference(fall);
+    let boundaries = boundaries.iter();
+    let boundaries: Vec<Boundary> = boundaries.map(|each| each.at_reference(fall)).collect();
     let shade = match shade {
         ShadeArgument::Regime => desk::Shade::Regime,
         ShadeArgument::Stuck => desk::Shade::Stuck,
@@ -60,7 +65,7 @@ pub fn draw(
         Label::verbatim(&title),
         map,
         &lines,
-        boundaries,
+        &boundaries,
         shade,
         &scales,
     );

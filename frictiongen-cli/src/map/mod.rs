@@ -64,7 +64,7 @@ pub fn run(arguments: &MapArguments, out: &mut dyn Write) -> Result<(), Failure>
     frequencies.check(&system)?;
     let parts = asked::parts(&system, &arguments.of)?;
     asked::without_rates(&parts)?;
-    let measure = measure::constant(&arguments.point.load, &system)?;
+    let measure = measure::of(&arguments.point.load, &system)?;
     let frequencies = frequencies.under(&measure);
     let frictions = frictions.under(&measure)?;
     let request = MapRequest {
@@ -77,7 +77,7 @@ pub fn run(arguments: &MapArguments, out: &mut dyn Write) -> Result<(), Failure>
     };
     interrupt::watch();
     let progress = Mutex::new(Progress::silent(request.r.len(), "frequencies"));
-    let map = system.map(&request, |done| {
+    let map = system.map_under(&request, measure.fall(), |done| {
         if let Ok(mut progress) = progress.lock() {
             progress.reach(done);
         }

@@ -40,7 +40,7 @@ impl<'m> ResultTable for MapReport<'m> {
     fn each(&self, visit: Visitor<'_, MapRow<'m>>) -> Result<(), Failure> {
         let frequencies = self.grids.frequencies.all(&self.grids.system);
         let frictions = self.grids.frictions.all();
-        let mut rows = MapTable::rows(self.map, frequencies, frictions);
+        let mut rows = MapTable::rows(self.grids.measure, self.map, frequencies, frictions);
         rows.try_for_each(|row| visit(&row))
     }
 

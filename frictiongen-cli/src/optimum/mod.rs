@@ -18,7 +18,7 @@ use crate::vary::Vary;
 use frictiongen::System;
 use frictiongen::study::columns::{Column, OptimumLine, OptimumTable, Setting, Tuned};
 use frictiongen::study::optimum::{
-    FrequencyBand, Optimum, OptimumError, OptimumRequest, Tunable, TunedOptimum, Tuning,
+    FrequencyBand, OptimumError, OptimumRequest, Tunable, TunedOptimum,
 };
 use frictiongen_codegen::SizeLimits;
 use std::io::Write;
@@ -76,13 +76,13 @@ pub fn run(arguments: &OptimumArguments, out: &mut dyn Write) -> Result<(), Fail
             let found = system.optimum_watched(&request, &watch);
             table.lines(&found.map_err(Failure::new)?, None)
         }
+        Some(text) if !kept.is_empty() => {
+            keep::varied_lines(&table, &request, &kept, text, &watch)?
+        }
         Some(text) => {
             let (of, found) = tuned(&system, &request, text, &watch)?;
-            let optimum = Optimum {
-                evaluations: found.evaluations,
-                ..found.optimum.clone()
-            };
-            table.lines(&optimum, Some(&Tuned { of, found: &found }))
+            let tuned = Tuned { of, found: &found };
+            table.lines(&tuned.optimum(), Some(&tuned))
         }
     };
     drop(progress);
@@ -134,15 +134,13 @@ fn tuned(
     watch: &(dyn Fn() -> bool + Sync),
 ) -> Result<(Tunable, TunedOptimum), Failure> {
     let vary = Vary::parsed(text)?;
-    let of = system.tunable_named(vary.name);
-    let of = of.map_err(|error| vary.wrong(&error))?;
-    let (from, to) = vary.ends()?;
-    let found = system.tuned_optimum_watched(request, &Tuning { of, from, to }, watch);
+    let tuning = vary.tuning(system)?;
+    let found = system.tuned_optimum_watched(request, &tuning, watch);
     let found = found.map_err(|error| match error {
         OptimumError::Interval | OptimumError::Scene(_) => vary.wrong(&error),
         _ => Failure::new(error),
     })?;
-    Ok((of, found))
+    Ok((tuning.of, found))
 }
 
 struct OptimumReport<'a> {

@@ -277,6 +277,70 @@ fn bounds_on_other_quantities() {
     assert!(failure(&frame, &groups)[0].contains("a value with a unit needs the load"));
 }
 
+/// Checks `--vary` together with `--keep`: the best stiffness is inside its interval, and the bound decides it. No other
+/// stiffness and friction of a map by `response` holds the bound with a smaller amplitude.
+#[test]
+fn bounds_with_a_varied_number() {
+    let block = |stiffness: &str| {
+        format!(
+            "struct Block {{ masses: {{ block: 1 }}, springs: {{ base - block: 1, block - wall: {stiffness} }},
+            contact: block - base, excitation: base, damping: modal(0.05) }}"
+        )
+    };
+    let (most, vary) = (0.645, "k block - wall=2:3");
+    let bound = format!("block-base <= {most}");
+    let line = ["optimum", "--of", "block", "--r", "0.9:1.2"];
+    let text = output(
+        &block("1"),
+        &[&line[..], &["--vary", vary, "--keep", &bound]].concat(),
+    );
+    let word = |label: &str| {
+        let line = text.lines().find(|line| line.starts_with(label)).unwrap();
+        line[label.len()..].split_whitespace().next().unwrap()
+    };
+    let value = |label: &str| word(label).parse::<f64>().unwrap();
+    let (stiffness, friction) = (word("k block - wall"), value("friction"));
+    let best = value("largest amplitude of block");
+    assert!(text.contains("a bound on another quantity"), "{text}");
+    assert!(value("largest value of block-base") <= most, "{text}");
+    assert!(!text.contains("which is a bound of the interval"), "{text}");
+    let frictions = [0.3, 0.7, 0.9, 0.99, 1.0, 1.01, 1.1, 1.5, 9.0];
+    let betas = frictions.map(|share| (share * friction).to_string());
+    let betas = betas.join(",");
+    let mut holds = 0;
+    for other in ["2", "2.3", "2.65", stiffness, "2.67", "2.7", "3"] {
+        let grid = split("response --r 0.9:0.005:1.2 --csv --of block --of block-base --beta");
+        let csv = output(&block(other), &[&grid[..], &[&betas]].concat());
+        let head = csv.lines().next().unwrap();
+        let place = |name: &str| head.split(',').position(|column| column == name).unwrap();
+        let columns = ["beta", "block.amplitude", "block-base.amplitude"].map(place);
+        let rows = csv.lines().skip(1).map(|line| {
+            let all: Vec<&str> = line.split(',').collect();
+            columns.map(|place| all[place].parse::<f64>().unwrap())
+        });
+        let rows: Vec<[f64; 3]> = rows.collect();
+        for share in frictions {
+            let beta = share * friction;
+            let here = rows.iter().filter(|row| (row[0] - beta).abs() < 1e-12);
+            let [amplitude, drift] = here.fold([0.0_f64; 2], |most, row| {
+                [most[0].max(row[1]), most[1].max(row[2])]
+            });
+            if other == stiffness && share == 1.0 {
+                // The printed numbers have seven digits. The largest drift lies between two frequencies of the map.
+                assert!((amplitude / best - 1.0).abs() < 3e-6, "{amplitude} {best}");
+                assert!(
+                    drift < most * (1.0 + 1e-5) && 0.999 * most < drift,
+                    "{drift}"
+                );
+            } else if drift < 0.999 * most {
+                holds += 1;
+                assert!(best < amplitude, "{other} {share}: {amplitude} {drift}");
+            }
+        }
+    }
+    assert!(10 < holds, "{holds}");
+}
+
 /// Checks several quantities: the largest quotient is smallest, and each message names its option and the way out.
 #[test]
 fn several_quantities() {

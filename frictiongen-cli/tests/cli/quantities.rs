@@ -418,7 +418,7 @@ fn energy_is_the_area_of_the_loop() {
 fn mistakes_of_loads() {
     let curve = ["curve", FRAME, "--hz", "1.8:2.2", "--friction", "0.5"];
     let optimum = ["optimum", FRAME, "--hz", "1.8:2.2", "--of", "upper"];
-    let map = ["map", FRAME, "--hz", "1.8:0.1:2.2", "--friction", "0:0.1:1"];
+    let features = ["features", FRAME, "--hz", "1.8:2.2"];
     let cases: [(&[&str], &[&str], &str); 6] = [
         (
             &curve,
@@ -441,7 +441,7 @@ fn mistakes_of_loads() {
             "--beta: the amplitude of this load depends on frequency",
         ),
         (
-            &map,
+            &features,
             &["--base", "0.2g"],
             "--base: the amplitude of this load depends on frequency",
         ),

@@ -161,7 +161,7 @@ impl std::fmt::Display for LoadError {
             Self::SeveralContacts => crate::Unsupported::SeveralContacts.fmt(f),
             Self::Varies => write!(
                 f,
-                "the amplitude of this load depends on frequency, which `limits`, `response`, `orbit`, `curve`, `optimum` and `sensitivity` take into account; give a base motion in m, or a force"
+                "the amplitude of this load depends on frequency, which `limits`, `response`, `orbit`, `curve`, `map`, `optimum` and `sensitivity` take into account; give a base motion in m, or a force"
             ),
         }
     }

@@ -300,6 +300,7 @@ fn bounds_hold_on_a_map() {
         index: 0,
         least: value,
         beta,
+        value: None,
     }) = error
     else {
         panic!("{error:?}");

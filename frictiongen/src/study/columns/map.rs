@@ -2,7 +2,7 @@
 
 use super::builder::Columns;
 use super::column::{Column, ColumnAxis, Head, TableRow};
-use super::measure::PhysicalQuantity;
+use super::measure::{Measure, PhysicalQuantity};
 use super::setting::{AtFrequency, AtFriction, Frequency, FrictionSetting, Setting};
 use crate::study::{
     map::{Boundary, Map, MapColumn, MapPoint},
@@ -113,7 +113,9 @@ fn placed<T>(
 
 impl<'a> MapTable<'a> {
     /// Returns the table rows of a map at these frequencies and frictions. The rows of one frequency follow each other.
+    /// If the amplitude of the load depends on frequency, each row has the friction ratio at its frequency.
     pub fn rows<'m>(
+        measure: Measure,
         map: &'m Map,
         frequencies: impl Iterator<Item = Frequency>,
         frictions: impl Iterator<Item = FrictionSetting> + Clone,
@@ -125,7 +127,7 @@ impl<'a> MapTable<'a> {
                 let pattern = found.as_ref().map(|found| found.pattern);
                 MapRow {
                     frequency,
-                    friction,
+                    friction: friction.at(&measure, frequency),
                     region: words::region(pattern.map_err(|error| *error)),
                     found,
                 }
@@ -151,11 +153,11 @@ impl<'a> MapTable<'a> {
         boundaries: &[Boundary],
         frequencies: impl Iterator<Item = Frequency>,
     ) -> impl Iterator<Item = BoundaryRow> {
-        let scale = self.setting.measure.scale();
+        let measure = self.setting.measure;
         let found = placed(frequencies, boundaries, |boundary| boundary.r);
         found.map(move |(frequency, boundary)| BoundaryRow {
             frequency,
-            friction: FrictionSetting::of_ratio(boundary.beta, scale),
+            friction: FrictionSetting::of_ratio(boundary.beta, measure.scale_at(frequency.omega)),
             width: boundary.width,
             below: words::region(boundary.below),
             above: words::region(boundary.above),

@@ -9,7 +9,7 @@ use super::column::{Column, Head, TableRow};
 use super::measure::PhysicalQuantity;
 use super::setting::{AtFrequency, Frequency, MovingPart, Setting};
 use crate::study::{
-    optimum::{Optimum, OptimumEnd, OptimumPeak, Tolerance, TunedPoint},
+    optimum::{Optimum, OptimumEnd, OptimumPeak, Tolerance},
     sensitivity::{OperatingPoint, Parameter},
     words,
 };
@@ -59,8 +59,6 @@ impl AtFrequency for PeakRow {
 impl TableRow for Tolerance {}
 
 impl TableRow for OptimumSensitivityRow {}
-
-impl TableRow for TunedPoint {}
 
 /// Returns the width of the interval of β that contains the best friction. Returns `None` if the search converged.
 fn unsure(optimum: &Optimum) -> Option<f64> {

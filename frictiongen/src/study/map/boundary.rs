@@ -23,6 +23,21 @@ pub struct Boundary {
     pub above: Result<Pattern, Error>,
 }
 
+impl Boundary {
+    /// Returns the boundary in the units that the load has at r = 1, under a load whose amplitude is proportional to r⁻ⁿ
+    /// with n = `fall`.
+    #[doc(hidden)]
+    #[must_use]
+    pub fn at_reference(&self, fall: i32) -> Self {
+        let factor = self.r.powi(-fall);
+        Self {
+            beta: self.beta * factor,
+            width: self.width * factor,
+            ..*self
+        }
+    }
+}
+
 impl System {
     /// Returns the boundaries in a map, at each of its frequency ratios.
     ///
@@ -72,7 +87,8 @@ impl System {
                 Ok(point) => Ok(point.pattern),
                 Err(error) => Err(*error),
             });
-            let known: Vec<_> = map.beta.iter().copied().zip(patterns).collect();
+            let betas = map.beta.iter().map(|beta| map.ratio(column.r, *beta));
+            let known: Vec<_> = betas.zip(patterns).collect();
             let pairs = known.windows(2).map(|pair| match pair {
                 &[below, above] if below.0 < above.0 => {
                     let mut trace = Trace {

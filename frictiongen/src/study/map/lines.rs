@@ -19,6 +19,20 @@ pub struct LimitLines {
     pub points: Vec<(f64, Limits<f64>)>,
 }
 
+impl LimitLines {
+    /// Returns the limits in the units that the load has at r = 1, under a load whose amplitude is proportional to r⁻ⁿ
+    /// with n = `fall`.
+    #[doc(hidden)]
+    #[must_use]
+    pub fn at_reference(&self, fall: i32) -> Self {
+        let points = self.points.iter();
+        let points = points.map(|(r, limits)| (*r, super::scaled(*limits, r.powi(-fall))));
+        Self {
+            points: points.collect(),
+        }
+    }
+}
+
 impl System {
     /// Returns β_lim and β*_lim over a range of frequency ratios. Straight lines between neighbouring points deviate
     /// from the limits by at most `accuracy`, measured in β/(1 + β).

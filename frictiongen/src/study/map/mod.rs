@@ -72,8 +72,12 @@ pub struct MapColumn {
 /// A map: the responses over a grid of frequency ratios and friction ratios.
 #[derive(Clone, Debug)]
 pub struct Map {
-    /// Friction ratios β of the points, in the order of the request.
+    /// Friction ratios β of the points, in the order of the request. If the amplitude of the load depends on frequency,
+    /// these are the friction ratios at r = 1.
     pub beta: Vec<f64>,
+    /// Exponent n of the load's amplitude, which is proportional to r⁻ⁿ. It is 0 for a load of constant amplitude.
+    #[doc(hidden)]
+    pub fall: i32,
     /// The computed columns, in the order of the request. Columns are missing only if the caller has cancelled the map.
     pub columns: Vec<MapColumn>,
 }
@@ -171,6 +175,23 @@ impl System {
         request: &MapRequest,
         go_on: impl Fn(usize) -> bool + Sync,
     ) -> Result<Map, OutOfDomain> {
+        self.map_under(request, 0, go_on)
+    }
+
+    /// Returns a map as [`map`](Self::map) does, under a load whose amplitude P or Y is proportional to r⁻ⁿ with n =
+    /// `fall`. The friction ratios of the request are those at r = 1. At another r they are multiplied by rⁿ, so that
+    /// the friction force is the same at every frequency. The amplitudes of a point are multiples of P/k₁ (of Y for base
+    /// motion) with P and Y at the frequency of the point.
+    ///
+    /// # Errors
+    /// Same errors as [`map`](Self::map).
+    #[doc(hidden)]
+    pub fn map_under(
+        &self,
+        request: &MapRequest,
+        fall: i32,
+        go_on: impl Fn(usize) -> bool + Sync,
+    ) -> Result<Map, OutOfDomain> {
         self.constant_force()?;
         let usable = |value: &f64| 0.0 <= *value && value.is_finite();
         if let Some(r) = request.r.iter().find(|r| !usable(r)) {
@@ -186,7 +207,7 @@ impl System {
         let stopped = std::sync::atomic::AtomicBool::new(!go_on(0));
         let relaxed = std::sync::atomic::Ordering::Relaxed;
         let column = |r: &f64| {
-            let column = self.column(*r, request, || !stopped.load(relaxed))?;
+            let column = self.column(*r, (request, fall), || !stopped.load(relaxed))?;
             if column.is_some() && !go_on(done.fetch_add(1, relaxed) + 1) {
                 stopped.store(true, relaxed);
             }
@@ -198,6 +219,7 @@ impl System {
         let columns: Vec<Option<MapColumn>> = columns.collect::<Result<_, OutOfDomain>>()?;
         Ok(Map {
             beta: request.beta.clone(),
+            fall,
             columns: columns.into_iter().flatten().collect(),
         })
     }
@@ -207,7 +229,7 @@ impl System {
     fn column(
         &self,
         r: f64,
-        request: &MapRequest,
+        (request, fall): (&MapRequest, i32),
         go_on: impl Fn() -> bool,
     ) -> Result<Option<MapColumn>, OutOfDomain> {
         let at = self.at(r)?;
@@ -218,7 +240,7 @@ impl System {
                 return Ok(None);
             }
             let point = at
-                .response(*beta)
+                .response(beta * r.powi(fall))
                 .map(|response| MapPoint::of(&response, &request.of));
             points.push(point.and_then(|point| point.ok_or(OutOfDomain::Mass.into())));
         }
@@ -227,11 +249,48 @@ impl System {
 }
 
 impl Map {
-    /// Returns all points of the map, column by column, each with its r and β.
+    /// Returns all points of the map, column by column, each with its r and β. If the amplitude of the load depends on
+    /// frequency, β is the friction ratio at this frequency.
     pub fn points(&self) -> impl Iterator<Item = (f64, f64, &Result<MapPoint, Error>)> {
         self.columns.iter().flat_map(|column| {
             let points = self.beta.iter().zip(&column.points);
-            points.map(|(beta, point)| (column.r, *beta, point))
+            points.map(|(beta, point)| (column.r, self.ratio(column.r, *beta), point))
         })
+    }
+
+    /// Returns the friction ratio at the frequency ratio r for a friction ratio at r = 1.
+    pub(super) fn ratio(&self, r: f64, beta: f64) -> f64 {
+        beta * r.powi(self.fall)
+    }
+
+    /// Returns the map in the units that the load has at r = 1. These units are the same at all frequencies, as a
+    /// picture needs them.
+    #[doc(hidden)]
+    #[must_use]
+    pub fn at_reference(&self) -> Self {
+        let columns = self.columns.iter().map(|column| {
+            let factor = column.r.powi(-self.fall);
+            let mut column = column.clone();
+            column.limits = scaled(column.limits, factor);
+            for point in column.points.iter_mut().flatten() {
+                point.offset *= factor;
+                let all = point.amplitudes.iter_mut().chain(&mut point.centred);
+                all.for_each(|size| *size *= factor);
+            }
+            column
+        });
+        Self {
+            beta: self.beta.clone(),
+            fall: 0,
+            columns: columns.collect(),
+        }
+    }
+}
+
+/// Returns limits of the friction in another unit of force. An infinite limit stays infinite.
+fn scaled(limits: Limits<f64>, factor: f64) -> Limits<f64> {
+    Limits {
+        continuous: limits.continuous * factor,
+        sliding: limits.sliding * factor,
     }
 }

@@ -11,7 +11,7 @@ use super::problem::OptimumProblem;
 use super::request::{OptimumError, OptimumRequest};
 use super::scan::{Scanned, scanned_at};
 use super::search::Least;
-use super::whole::{WORK_OF_ALL_CHECKS, whole};
+use super::whole::{OF_ALL_CHECKS, whole};
 use crate::Of;
 use crate::study::response::MotionQuantity;
 use crate::study::system::System;
@@ -41,6 +41,17 @@ pub struct KeptQuantity {
     pub most: f64,
 }
 
+impl KeptQuantity {
+    /// Returns the request that minimises this quantity instead of the quantity of `request`.
+    pub(super) fn request(&self, request: &OptimumRequest) -> OptimumRequest {
+        OptimumRequest {
+            of: self.of,
+            size: self.size,
+            ..request.clone()
+        }
+    }
+}
+
 /// The best friction among those that satisfy all bounds.
 #[derive(Clone, Debug)]
 pub struct KeptOptimum {
@@ -66,67 +77,141 @@ impl System {
         kept: &[KeptQuantity],
         watch: &(dyn Fn() -> bool + Sync),
     ) -> Result<KeptOptimum, OptimumError> {
-        let own = OptimumProblem::new(self, request)?.watched_by(Some(watch));
-        let others = kept.iter().map(|kept| {
-            let (of, size) = (kept.of, kept.size);
-            let request = OptimumRequest {
-                of,
-                size,
-                ..request.clone()
-            };
-            Ok(OptimumProblem::new(self, &request)?.watched_by(Some(watch)))
-        });
-        let others = others.collect::<Result<Vec<_>, OptimumError>>()?;
-        let left = Cell::new(WORK_OF_ALL_CHECKS);
-        let search = KeptSearch {
-            band: own.band(),
-            others: others.iter().map(OptimumProblem::band).collect(),
-            most: kept.iter().map(|kept| kept.most).collect(),
-            watch,
-            left: &left,
-        };
-        let least = OptimumProblem::least(&search.band, super::WORK)?;
-        search.go_on()?;
-        let (at, bounded) = search.best(&others, &least)?;
-        left.set(WORK_OF_ALL_CHECKS);
-        let largest = search.largest(at.beta);
-        let largest = largest.iter().map(|scanned| scanned.value).collect();
-        search.go_on()?;
-        if !bounded {
-            let optimum = own.told(&search.band, &least)?;
-            return Ok(KeptOptimum { optimum, largest });
-        }
-        let beta = at.beta;
-        let least = Least {
-            bracket: [beta; 2],
-            at,
-            ..least
-        };
-        let optimum = Optimum {
-            kind: OptimumKind::Bounded,
-            end: OptimumEnd::Converged,
-            beyond_jump: None,
-            // Tolerances and sensitivities describe a minimum. A friction ratio that a bound determines is not a
-            // minimum.
-            tolerances: Vec::new(),
-            sensitivities: Vec::new(),
-            ..own.told(&search.band, &least)?
-        };
+        let problem = KeptProblem::new(self, request, kept, watch)?;
+        let found = problem.found(super::WORK)?;
+        let optimum = problem.told(&found)?;
+        let largest = found.largest;
         Ok(KeptOptimum { optimum, largest })
     }
 }
 
+/// A checked request for the best friction under bounds.
+pub(super) struct KeptProblem<'s> {
+    own: OptimumProblem<'s>,
+    others: Vec<OptimumProblem<'s>>,
+    most: Vec<f64>,
+    watch: KeepGoing<'s>,
+}
+
+/// The best friction under bounds, and its frequency band.
+pub(super) struct Kept<'s> {
+    pub least: Least,
+    band: AmplitudeBand<'s>,
+    /// True if a bound excluded a better friction.
+    bounded: bool,
+    /// The largest value over the band of each kept quantity, in the order of the bounds.
+    pub largest: Vec<f64>,
+    /// Number of amplitudes that the search has computed.
+    pub asked: usize,
+}
+
+impl<'s> KeptProblem<'s> {
+    pub(super) fn new(
+        system: &'s System,
+        request: &OptimumRequest,
+        kept: &[KeptQuantity],
+        watch: KeepGoing<'s>,
+    ) -> Result<Self, OptimumError> {
+        let own = OptimumProblem::new(system, request)?.watched_by(Some(watch));
+        let others = kept.iter().map(|kept| {
+            let problem = OptimumProblem::new(system, &kept.request(request))?;
+            Ok(problem.watched_by(Some(watch)))
+        });
+        let others = others.collect::<Result<Vec<_>, OptimumError>>()?;
+        let most = kept.iter().map(|kept| kept.most).collect();
+        Ok(Self {
+            own,
+            others,
+            most,
+            watch,
+        })
+    }
+
+    /// Finds the best friction that satisfies all bounds. `work` is the bound on the work of one search over all
+    /// frictions. All checks of the whole band together may take twice this work.
+    pub(super) fn found(&self, work: usize) -> Result<Kept<'s>, OptimumError> {
+        let (left, asked) = (Cell::new(OF_ALL_CHECKS * work), Cell::new(0));
+        let search = KeptSearch {
+            band: self.own.band(),
+            others: self.others.iter().map(OptimumProblem::band).collect(),
+            most: self.most.clone(),
+            watch: self.watch,
+            work,
+            left: &left,
+            asked: &asked,
+        };
+        let least = OptimumProblem::least(&search.band, work)?;
+        search.go_on()?;
+        let (at, bounded) = search.best(&self.others, &least)?;
+        left.set(OF_ALL_CHECKS * work);
+        let largest = search.largest(at.beta);
+        let largest = largest.iter().map(|scanned| scanned.value).collect();
+        search.go_on()?;
+        search.count();
+        let least = if bounded {
+            Least {
+                bracket: [at.beta; 2],
+                at,
+                ..least
+            }
+        } else {
+            least
+        };
+        Ok(Kept {
+            least,
+            band: search.band,
+            bounded,
+            largest,
+            asked: asked.get(),
+        })
+    }
+
+    /// Returns the whole result for the best friction under bounds.
+    pub(super) fn told(&self, found: &Kept<'_>) -> Result<Optimum, OptimumError> {
+        let optimum = self.own.told(&found.band, &found.least)?;
+        Ok(if found.bounded {
+            bounded(optimum)
+        } else {
+            optimum
+        })
+    }
+}
+
+/// Returns the result for a friction that a bound determines.
+pub(super) fn bounded(optimum: Optimum) -> Optimum {
+    Optimum {
+        kind: OptimumKind::Bounded,
+        end: OptimumEnd::Converged,
+        beyond_jump: None,
+        // Tolerances and sensitivities describe a minimum. A friction ratio that a bound determines is not a minimum.
+        tolerances: Vec::new(),
+        sensitivities: Vec::new(),
+        ..optimum
+    }
+}
+
 /// A search for the best friction under bounds. It has one frequency band for each quantity.
-struct KeptSearch<'s> {
+struct KeptSearch<'s, 'k> {
     band: AmplitudeBand<'s>,
     others: Vec<AmplitudeBand<'s>>,
     most: Vec<f64>,
     watch: KeepGoing<'s>,
+    /// Bound on the work of one search over all frictions, in units of about 10 µs.
+    work: usize,
     /// Work that remains for the checks of the whole band, in units of about 10 µs.
-    left: &'s Cell<usize>,
+    left: &'k Cell<usize>,
+    /// Number of amplitudes that finished searches have computed.
+    asked: &'k Cell<usize>,
 }
 
-impl<'s> KeptSearch<'s> {
+impl<'s> KeptSearch<'s, '_> {
+    /// Adds the amplitudes that this search has computed to those of finished searches.
+    fn count(&self) {
+        let bands = [&self.band].into_iter().chain(&self.others);
+        let asked: usize = bands.map(|band| band.amplitude.asked.get()).sum();
+        self.asked.set(self.asked.get() + asked);
+    }
+
     /// Returns an error if the caller has stopped the search.
     fn go_on(&self) -> Result<(), OptimumError> {
         if (self.watch)() {
@@ -156,7 +241,7 @@ impl<'s> KeptSearch<'s> {
             .iter()
             .map(|beta| (*beta, self.seems_to_hold(*beta)))
             .collect();
-        self.band.amplitude.allow(super::WORK);
+        self.band.amplitude.allow(self.work);
         for _ in 0..CHECKS {
             self.go_on()?;
             let Some(found) = self.refined(&known) else {
@@ -263,16 +348,23 @@ impl<'s> KeptSearch<'s> {
                 others: before.iter().map(OptimumProblem::band).collect(),
                 most: self.most.iter().take(index).copied().collect(),
                 watch: self.watch,
+                work: self.work,
                 left: self.left,
+                asked: self.asked,
             };
-            let least = OptimumProblem::least(&search.band, super::WORK)?;
+            let least = OptimumProblem::least(&search.band, self.work)?;
             let (at, _) = search.best(before, &least)?;
             let value = whole(&search.band, at.beta, self.left).value;
             self.go_on()?;
+            search.count();
             let most = self.most.get(index).copied().unwrap_or(f64::INFINITY);
             if !(value <= most) {
-                let (least, beta) = (value, at.beta);
-                return Err(OptimumError::Unreachable { index, least, beta });
+                return Err(OptimumError::Unreachable {
+                    index,
+                    least: value,
+                    beta: at.beta,
+                    value: None,
+                });
             }
             found = Some(at.beta);
         }

@@ -64,7 +64,8 @@ pub enum OptimumError {
     /// The request contains several quantities, and the value that divides one of the quantities is missing, 0,
     /// negative, infinite or NaN.
     Weight,
-    /// No friction satisfies this bound together with all earlier bounds in the request.
+    /// No friction satisfies this bound together with all earlier bounds in the request. If the request varies a number
+    /// of the description, no value of this number in its interval does.
     Unreachable {
         /// Index of the bound in the request.
         index: usize,
@@ -73,6 +74,8 @@ pub enum OptimumError {
         least: f64,
         /// Friction ratio at which the quantity has this smallest value.
         beta: f64,
+        /// Value of the varied number at which the quantity has this smallest value. `None` if no number varies.
+        value: Option<f64>,
     },
 }
 
@@ -102,12 +105,21 @@ impl std::fmt::Display for OptimumError {
             Self::Interval => "both bounds of an interval must be finite, the second above the first",
             Self::Scene(error) => return error.fmt(f),
             Self::Weight => "each of several quantities needs a value above 0 to divide it by",
-            Self::Unreachable { index, least, beta } => {
-                return write!(
+            Self::Unreachable {
+                index,
+                least,
+                beta,
+                value,
+            } => {
+                write!(
                     f,
                     "bound {} cannot hold together with those before it: the least value is {least}, with the friction ratio {beta}",
                     index + 1
-                );
+                )?;
+                return match value {
+                    Some(value) => write!(f, " and the value {value} of the varied number"),
+                    None => Ok(()),
+                };
             }
             Self::Size => {
                 "the search minimises displacements, velocities, accelerations and forces, and of the contact also force and energy; a force has neither a velocity nor an acceleration, and `zeta_eq` is best where it is large"

@@ -8,8 +8,10 @@ use std::cell::Cell;
 
 /// Bound on the work of one check of the whole band for one quantity, in units of about 10 µs.
 const WORK_OF_A_CHECK: usize = super::WORK / 2;
+/// Bound on the work of all checks of one search, divided by the bound on the work of a search over all frictions.
+pub(super) const OF_ALL_CHECKS: usize = 2;
 /// Bound on the work of all checks of one search, in units of about 10 µs.
-pub(super) const WORK_OF_ALL_CHECKS: usize = 2 * super::WORK;
+pub(super) const WORK_OF_ALL_CHECKS: usize = OF_ALL_CHECKS * super::WORK;
 
 /// Evaluates the whole band, within a bound on work. All later evaluations of the band take its largest peaks into
 /// account. `left` is the work that remains for all checks together.

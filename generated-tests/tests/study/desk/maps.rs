@@ -350,3 +350,49 @@ fn no_column_is_lost() {
         assert!(map.columns.iter().all(|column| column.points.len() == 3));
     }
 }
+
+/// Checks a map under a load whose amplitude falls with 1/r². Each point is the response to the friction ratio at its
+/// frequency. In the unit of force of the load at r = 1, friction and limits compare as β and the limits do.
+#[test]
+fn a_load_over_frequency() {
+    for (name, text) in &SCENES[..2] {
+        let system = system(text);
+        let map = system.map_under(&request(), 2, |_| true).unwrap();
+        let boundaries = system.boundaries(&map, 4);
+        let reference = map.at_reference();
+        let columns = map.columns.iter().zip(&reference.columns);
+        for (column, scaled) in columns.step_by(7) {
+            // The amplitude of the load at r, divided by that at r = 1.
+            let load = 1.0 / (column.r * column.r);
+            let at = system.at(column.r).unwrap();
+            for (place, (point, own)) in column.points.iter().zip(&scaled.points).enumerate() {
+                let friction = map.beta[place];
+                let (Ok(point), Ok(response)) = (point, at.response(friction / load)) else {
+                    continue;
+                };
+                let amplitude = response.swing(Of::Mass(0)).unwrap().amplitude;
+                let what = format!("{name}, r = {}, F = {friction}", column.r);
+                assert_eq!(point.pattern, Pattern::of(&response), "{what}");
+                let own = own.as_ref().unwrap();
+                let off = |found: f64, expected: f64| (found - expected).abs() <= 1e-9 * expected;
+                assert!(off(point.amplitudes[1], amplitude), "{what}");
+                assert!(off(own.amplitudes[1], amplitude * load), "{what}");
+                let stuck = scaled.limits.sliding <= friction;
+                assert_eq!(stuck, at.limits().sliding <= friction / load, "{what}");
+            }
+            let limits = [at.limits().continuous, at.limits().sliding];
+            for boundary in boundaries.iter().filter(|of| of.r == column.r) {
+                let exact = boundary.width == 0.0;
+                assert!(!exact || limits.contains(&boundary.beta), "{boundary:?}");
+                let off = boundary.at_reference(2).beta / (boundary.beta * load) - 1.0;
+                assert!(off.abs() < 1e-14);
+            }
+        }
+        let lines = system.limit_lines(0.5, 1.5, 1e-3).unwrap().at_reference(2);
+        for &(r, limits) in lines.points.iter().step_by(50) {
+            let expected = system.at(r).unwrap().limits().sliding / (r * r);
+            let off = limits.sliding / expected - 1.0;
+            assert!(off.abs() < 1e-14, "{name}, r = {r}");
+        }
+    }
+}

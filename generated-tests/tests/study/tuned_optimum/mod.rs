@@ -10,6 +10,7 @@
 
 mod brute_force;
 mod case;
+mod kept;
 mod numbers;
 
 use brute_force::{Tried, golden};

@@ -6,7 +6,7 @@ use crate::study::columns::cell::Cell;
 use crate::study::columns::column::{Column, ColumnKind, Head, Shown, TableRow};
 use crate::study::columns::measure::PhysicalQuantity;
 use crate::study::columns::setting::MovingPart;
-use crate::study::optimum::{Optimum, Tunable, TunedOptimum, TunedPoint};
+use crate::study::optimum::{Optimum, Tunable, TunedOptimum};
 
 /// A row of the result about the best friction: one value with its label and its key.
 #[derive(Clone, Debug)]
@@ -39,6 +39,17 @@ pub struct Tuned<'a> {
     pub of: Tunable,
     /// The result of the search for the number and the friction.
     pub found: &'a TunedOptimum,
+}
+
+impl Tuned<'_> {
+    /// Returns the best friction, with the number of amplitudes that the whole search has computed.
+    #[must_use]
+    pub fn optimum(&self) -> Optimum {
+        Optimum {
+            evaluations: self.found.evaluations,
+            ..self.found.optimum.clone()
+        }
+    }
 }
 
 /// Quantities of a result about the best friction, in addition to the minimised quantity. Each entry has three items:
@@ -254,15 +265,13 @@ impl<'a> OptimumTable<'a> {
     }
 
     fn scan_lines(&self, tuned: &Tuned<'_>, lines: &mut Vec<OptimumLine>) {
-        let mut columns = Columns::new(&self.setting.measure);
-        let head = Head::of("beta", PhysicalQuantity::Force).under_load("friction");
-        columns.number(head.titled(&["  best friction"]), |row: &TunedPoint| {
-            Some(row.beta)
-        });
-        let head = Head::of("amplitude", PhysicalQuantity::Length).titled(&["  largest amplitude"]);
-        columns.number(head, |row| Some(row.amplitude));
-        let columns = columns.done();
+        let measure = &self.setting.measure;
         let name = tuned.of.symbol(self.setting.system.scene());
+        let reference = tuned.found.optimum.reference;
+        let key = match measure.scale() {
+            Some(_) => "friction",
+            None => "beta",
+        };
         for (row, point) in (1..).zip(&tuned.found.scan) {
             let mut entry = LineEntry {
                 lines: &mut *lines,
@@ -271,13 +280,25 @@ impl<'a> OptimumTable<'a> {
                 excess: None,
                 name: "",
             };
-            entry.line(
-                "value",
-                format!("at {name}"),
-                point.value.into(),
-                tuned.of.unit(),
-            );
-            entry.lines(&columns, point);
+            let value = point.value.into();
+            entry.line("value", format!("at {name}"), value, tuned.of.unit());
+            let numbers = [
+                (key, "  best friction", PhysicalQuantity::Force, point.beta),
+                (
+                    "amplitude",
+                    "  largest amplitude",
+                    self.size(),
+                    point.amplitude,
+                ),
+            ];
+            for (key, label, dimension, value) in numbers {
+                let unit = match measure.unit(dimension) {
+                    "" => measure.reference(dimension),
+                    unit => unit,
+                };
+                let value = measure.convert(dimension, value, reference);
+                entry.line(key, label.to_owned(), value.into(), unit);
+            }
         }
     }
 

@@ -1,13 +1,15 @@
 //! The best friction together with the best value of one number of the description.
 
 mod answer;
+mod kept;
 mod number;
 mod search;
 mod tried;
 
-use super::{OptimumError, OptimumRequest};
+use super::{KeptQuantity, OptimumError, OptimumRequest};
 use crate::study::system::System;
 pub use answer::{TunedOptimum, TunedPoint, Tuning};
+use kept::KeptTunedSearch;
 pub use number::{Tunable, UnknownTunable};
 use tried::TunedSearch;
 
@@ -86,5 +88,31 @@ impl System {
     ) -> Result<TunedOptimum, OptimumError> {
         let search = TunedSearch::new(self, request, *tuning)?;
         search.watched_by(watch).solved()
+    }
+
+    /// Finds the best friction together with the best value of one number of the description, among all pairs with which
+    /// other quantities stay within their bounds over the whole band. The result also has the largest value over the
+    /// band of each kept quantity, in the order of the bounds.
+    ///
+    /// The search evaluates the same 17 values of the number as [`tuned_optimum`](Self::tuned_optimum). For each value
+    /// it finds the best friction within the bounds, as [`kept_optimum`](Self::kept_optimum) does. Around the best of
+    /// these values it narrows the interval, until seven digits of the value are known. If no friction satisfies the
+    /// bounds at any of the 17 values, the search minimises the bounded quantities one after another.
+    ///
+    /// The search calls `watch` after each evaluation, from several threads. If `watch` returns false once, it must
+    /// return false from then on. The search then ends with the best result so far.
+    ///
+    /// # Errors
+    /// Same errors as [`tuned_optimum`](Self::tuned_optimum) and [`kept_optimum`](Self::kept_optimum).
+    #[doc(hidden)]
+    pub fn kept_tuned_optimum(
+        &self,
+        request: &OptimumRequest,
+        tuning: &Tuning,
+        kept: &[KeptQuantity],
+        watch: &(dyn Fn() -> bool + Sync),
+    ) -> Result<(TunedOptimum, Vec<f64>), OptimumError> {
+        let search = TunedSearch::new(self, request, *tuning)?.watched_by(watch);
+        KeptTunedSearch::new(&search, kept, watch).solved()
     }
 }

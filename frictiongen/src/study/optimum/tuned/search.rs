@@ -91,7 +91,8 @@ impl TunedSearch<'_> {
         Err(OptimumError::TooLong)
     }
 
-    fn scan(&self) -> Result<Vec<Tried>, OptimumError> {
+    /// Returns the values of the number that the scan evaluates, both bounds of the interval among them.
+    pub(super) fn values(&self) -> Vec<f64> {
         let Tuning { from, to, .. } = self.tuning;
         let value = |place: usize| {
             let share = place as f64 / STEPS as f64;
@@ -104,7 +105,11 @@ impl TunedSearch<'_> {
         };
         let mut values: Vec<f64> = (0..=STEPS).map(value).collect();
         values.dedup();
-        let all = on_all_cores(values, |value| self.tried(value, None));
+        values
+    }
+
+    fn scan(&self) -> Result<Vec<Tried>, OptimumError> {
+        let all = on_all_cores(self.values(), |value| self.tried(value, None));
         let mut tried = Vec::new();
         let mut wrong = None;
         for found in all {
@@ -248,13 +253,16 @@ fn promised(below: &Tried, above: &Tried) -> f64 {
 
 /// Applies a function to each value on all cores. The results keep the order of the values.
 #[cfg(feature = "desk")]
-fn on_all_cores<T: Send>(values: Vec<f64>, f: impl Fn(f64) -> T + Sync + Send) -> Vec<T> {
+pub(super) fn on_all_cores<V: Send, T: Send>(
+    values: Vec<V>,
+    f: impl Fn(V) -> T + Sync + Send,
+) -> Vec<T> {
     use rayon::prelude::*;
     values.into_par_iter().with_max_len(1).map(f).collect()
 }
 
 /// Applies a function to each value, in the order of the values.
 #[cfg(not(feature = "desk"))]
-fn on_all_cores<T>(values: Vec<f64>, f: impl Fn(f64) -> T) -> Vec<T> {
+pub(super) fn on_all_cores<V, T>(values: Vec<V>, f: impl Fn(V) -> T) -> Vec<T> {
     values.into_iter().map(f).collect()
 }
