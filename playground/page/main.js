@@ -88,15 +88,20 @@ function describe(told) {
     const free = told.masses.findIndex((mass) => !held.includes(mass.name));
     if (state.of === null || state.of >= told.masses.length) state.of = free < 0 ? told.masses.length - 1 : free;
     pictures = { map: "", curve: "" };
-    best = null;
-    at("best-is").textContent = "";
   }
+  // The best friction of an earlier description is not that of this description.
+  forget();
   state.r ??= Math.min(Math.max(0.9 * (told.resonances.find((r) => r > 0) ?? 1), state.from), state.to);
   state.beta ??= 0.4;
   at("of").replaceChildren(...told.masses.map((mass, index) => new Option(mass.name, index, false, index === state.of)), new Option("the contact", "", false, state.of === undefined));
   at("sketch").innerHTML = told.sketch && told.contacts.length === 1 ? told.sketch : "";
   editor.sliders(told.numbers);
   [at("from").value, at("to").value] = [short(state.from), short(state.to)];
+}
+
+function forget() {
+  best = null;
+  at("best-is").textContent = "";
 }
 
 function fail(message) {
@@ -286,7 +291,7 @@ function load(held) {
 function listen() {
   at("beta").addEventListener("input", (event) => { state.beta = top_ * Number(event.target.value) ** 2; changed(); });
   at("r").addEventListener("input", (event) => { state.r = Number(event.target.value); changed(); });
-  at("of").addEventListener("change", (event) => { state.of = event.target.value === "" ? undefined : Number(event.target.value); best = null; at("best-is").textContent = ""; changed(); });
+  at("of").addEventListener("change", (event) => { state.of = event.target.value === "" ? undefined : Number(event.target.value); forget(); changed(); });
   at("sweep").addEventListener("change", (event) => { state.sweep = event.target.checked; changed(); });
   at("scenes").addEventListener("change", (event) => { if (examples[event.target.value]) load({ text: examples[event.target.value].text }); });
   at("play").addEventListener("click", () => { chain.plays = !chain.plays; playing(); });
@@ -317,6 +322,7 @@ function range() {
   const [from, to] = [Number(at("from").value), Number(at("to").value)];
   if (!(from > 0 && from < to && to < 1e6)) return says("The range of frequencies must begin above 0 and end above its start.");
   Object.assign(state, { from, to, r: Math.min(Math.max(state.r, from), to) });
+  forget();
   changed();
 }
 
