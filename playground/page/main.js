@@ -91,6 +91,7 @@ function describe(told) {
   }
   // The best friction of an earlier description is not that of this description.
   forget();
+  at("lines").hidden = told.joined;
   state.r ??= Math.min(Math.max(0.9 * (told.resonances.find((r) => r > 0) ?? 1), state.from), state.to);
   state.beta ??= 0.4;
   at("of").replaceChildren(...told.masses.map((mass, index) => new Option(mass.name, index, false, index === state.of)), new Option("the contact", "", false, state.of === undefined));
@@ -104,6 +105,15 @@ function forget() {
   at("best-is").textContent = "";
 }
 
+// Returns the friction force in newtons that the friction ratio means. A description has its masses in kg and its
+// springs in N/m.
+function force() {
+  const stiffness = scene.masses[0].value * (2 * Math.PI * scene.hertz) ** 2;
+  const shared = scene.contacts.length > 1 ? " Each contact has this force times its share." : "";
+  if (scene.excitation !== "base") return `The friction force F is ${short(state.beta)} times the load amplitude P.${shared}`;
+  return `The friction force F is ${short(state.beta * stiffness / 1000)} N per millimetre of the base amplitude Y.${shared}`;
+}
+
 function fail(message) {
   editor.tell([{ line: 0, message }]);
 }
@@ -113,7 +123,7 @@ function says(text) {
 }
 
 const words = {
-  "continuous": "The contact <strong>slides all the time</strong>.",
+  "continuous": "The contact <strong>slides all the time</strong> (continuous sliding).",
   "stick-slip": "The contact <strong>sticks and slips</strong>.",
   "stuck": "The contact is <strong>stuck</strong>: friction is too strong, or the load too weak, to move it.",
 };
@@ -124,8 +134,9 @@ function show(told) {
   orbit = told.error ? null : told;
   const hertz = state.r * scene.hertz;
   [at("beta-is").textContent, at("r-is").textContent] = [`β = ${short(state.beta)}`, `r = ${short(state.r)} (${short(hertz)} Hz)`];
+  at("means").textContent = `${force()} The frequency ratio r = 1 is ${short(scene.hertz)} Hz.`;
   chain.show(scene, orbit, hertz);
-  at("slowed").textContent = chain.slowness() > 1.05 ? `${short(chain.slowness())} times slower` : "at its own speed";
+  at("slowed").textContent = chain.slowness() > 1.05 ? `shown ${short(chain.slowness())} times slower` : "shown at its own speed";
   sound.show(orbit, state.of, hertz);
   if (told.error) {
     says(`No steady state here: ${told.error}.`);
@@ -139,7 +150,7 @@ function show(told) {
   at("says").innerHTML = told.contacts?.length > 1 ? "" : words[told.regime] + stops + settled;
   if (told.contacts?.length > 1) at("says").append(`${told.contacts.map((contact) => `${contact.name} ${verbs[contact.regime]}`).join(", ")}.`);
   at("says").append(` Largest displacements over ${unit}: ${masses}.`);
-  at("work").textContent = told.work ? `friction takes ${short(told.work)} ${scene.excitation === "base" ? "k₁Y²" : "P²/k₁"} in a cycle` : "";
+  at("work").textContent = told.work ? `friction dissipates ${short(told.work)} ${scene.excitation === "base" ? "k₁Y²" : "P²/k₁"} in a cycle` : "";
   if (told.loop) at("loop").innerHTML = told.loop.svg;
 }
 
@@ -367,12 +378,20 @@ async function findBest() {
   }
   best = told;
   const whole = told.finished ? "" : " The search stopped at its limit; the command goes on.";
-  at("best-is").textContent = `β = ${short(told.beta)}: at most ${short(told.amplitude)} ${scene.joined ? "at these frequencies" : "over the range"}; ${told.why}.${whole}`;
+  const unit = scene.excitation === "base" ? "Y" : "P/k₁";
+  const motion = state.of === undefined ? "the contact" : scene.masses[state.of].name;
+  const extremes = scene.joined ? "" : ` Without friction the maximum is ${most(told.without_friction)}, with the contact stuck ${most(told.stuck)}.`;
+  at("best-is").textContent = `With β = ${short(told.beta)} the largest displacement of ${motion} ${scene.joined ? "at the frequencies compared" : "over the range"} is smallest: ${short(told.amplitude)} ${unit} (${told.why}).${extremes}${whole}`;
   if (told.beta <= top_) {
     state.beta = told.beta;
     if (told.r) state.r = told.r;
   }
   changed();
+}
+
+// Writes a maximum of a search. A resonance without damping has none.
+function most(amplitude) {
+  return amplitude === null || amplitude === undefined ? "unbounded" : short(amplitude);
 }
 
 // Compares frictions on a grid, for a scene without closed form, and then between the neighbours of the best friction.
