@@ -427,6 +427,11 @@ async function begin() {
   at("scenes").replaceChildren(new Option("Your own", -1, false, false), ...examples.map((example, index) => new Option(example.title, index)));
   listen();
   at("link").hidden = framed;
+  // On a narrow window the answers come first, also for the keyboard. Otherwise the sliders are below the first screen.
+  const narrow = matchMedia("(max-width:820px)");
+  const order = () => narrow.matches ? at("describe").before(at("answers")) : at("answers").before(at("describe"));
+  narrow.addEventListener("change", order);
+  order();
   playing();
   const packed = Uint8Array.from(atob(at("wasm").textContent), (char) => char.charCodeAt(0));
   const stream = new Blob([packed]).stream().pipeThrough(new DecompressionStream("gzip"));
