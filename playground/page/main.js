@@ -88,15 +88,30 @@ function describe(told) {
     const free = told.masses.findIndex((mass) => !held.includes(mass.name));
     if (state.of === null || state.of >= told.masses.length) state.of = free < 0 ? told.masses.length - 1 : free;
     pictures = { map: "", curve: "" };
-    best = null;
-    at("best-is").textContent = "";
   }
+  // The best friction of an earlier description is not that of this description.
+  forget();
+  at("lines").hidden = told.joined;
   state.r ??= Math.min(Math.max(0.9 * (told.resonances.find((r) => r > 0) ?? 1), state.from), state.to);
   state.beta ??= 0.4;
   at("of").replaceChildren(...told.masses.map((mass, index) => new Option(mass.name, index, false, index === state.of)), new Option("the contact", "", false, state.of === undefined));
   at("sketch").innerHTML = told.sketch && told.contacts.length === 1 ? told.sketch : "";
   editor.sliders(told.numbers);
   [at("from").value, at("to").value] = [short(state.from), short(state.to)];
+}
+
+function forget() {
+  best = null;
+  at("best-is").textContent = "";
+}
+
+// Returns the friction force in newtons that the friction ratio means. A description has its masses in kg and its
+// springs in N/m.
+function force() {
+  const stiffness = scene.masses[0].value * (2 * Math.PI * scene.hertz) ** 2;
+  const shared = scene.contacts.length > 1 ? " Each contact has this force times its share." : "";
+  if (scene.excitation !== "base") return `The friction force F is ${short(state.beta)} times the load amplitude P.${shared}`;
+  return `The friction force F is ${short(state.beta * stiffness / 1000)} N per millimetre of the base amplitude Y.${shared}`;
 }
 
 function fail(message) {
@@ -108,7 +123,7 @@ function says(text) {
 }
 
 const words = {
-  "continuous": "The contact <strong>slides all the time</strong>.",
+  "continuous": "The contact <strong>slides all the time</strong> (continuous sliding).",
   "stick-slip": "The contact <strong>sticks and slips</strong>.",
   "stuck": "The contact is <strong>stuck</strong>: friction is too strong, or the load too weak, to move it.",
 };
@@ -119,8 +134,9 @@ function show(told) {
   orbit = told.error ? null : told;
   const hertz = state.r * scene.hertz;
   [at("beta-is").textContent, at("r-is").textContent] = [`β = ${short(state.beta)}`, `r = ${short(state.r)} (${short(hertz)} Hz)`];
+  at("means").textContent = `${force()} The frequency ratio r = 1 is ${short(scene.hertz)} Hz.`;
   chain.show(scene, orbit, hertz);
-  at("slowed").textContent = chain.slowness() > 1.05 ? `${short(chain.slowness())} times slower` : "at its own speed";
+  at("slowed").textContent = chain.slowness() > 1.05 ? `shown ${short(chain.slowness())} times slower` : "shown at its own speed";
   sound.show(orbit, state.of, hertz);
   if (told.error) {
     says(`No steady state here: ${told.error}.`);
@@ -134,7 +150,7 @@ function show(told) {
   at("says").innerHTML = told.contacts?.length > 1 ? "" : words[told.regime] + stops + settled;
   if (told.contacts?.length > 1) at("says").append(`${told.contacts.map((contact) => `${contact.name} ${verbs[contact.regime]}`).join(", ")}.`);
   at("says").append(` Largest displacements over ${unit}: ${masses}.`);
-  at("work").textContent = told.work ? `friction takes ${short(told.work)} ${scene.excitation === "base" ? "k₁Y²" : "P²/k₁"} in a cycle` : "";
+  at("work").textContent = told.work ? `friction dissipates ${short(told.work)} ${scene.excitation === "base" ? "k₁Y²" : "P²/k₁"} in a cycle` : "";
   if (told.loop) at("loop").innerHTML = told.loop.svg;
 }
 
@@ -286,7 +302,7 @@ function load(held) {
 function listen() {
   at("beta").addEventListener("input", (event) => { state.beta = top_ * Number(event.target.value) ** 2; changed(); });
   at("r").addEventListener("input", (event) => { state.r = Number(event.target.value); changed(); });
-  at("of").addEventListener("change", (event) => { state.of = event.target.value === "" ? undefined : Number(event.target.value); best = null; at("best-is").textContent = ""; changed(); });
+  at("of").addEventListener("change", (event) => { state.of = event.target.value === "" ? undefined : Number(event.target.value); forget(); changed(); });
   at("sweep").addEventListener("change", (event) => { state.sweep = event.target.checked; changed(); });
   at("scenes").addEventListener("change", (event) => { if (examples[event.target.value]) load({ text: examples[event.target.value].text }); });
   at("play").addEventListener("click", () => { chain.plays = !chain.plays; playing(); });
@@ -317,6 +333,7 @@ function range() {
   const [from, to] = [Number(at("from").value), Number(at("to").value)];
   if (!(from > 0 && from < to && to < 1e6)) return says("The range of frequencies must begin above 0 and end above its start.");
   Object.assign(state, { from, to, r: Math.min(Math.max(state.r, from), to) });
+  forget();
   changed();
 }
 
@@ -361,12 +378,20 @@ async function findBest() {
   }
   best = told;
   const whole = told.finished ? "" : " The search stopped at its limit; the command goes on.";
-  at("best-is").textContent = `β = ${short(told.beta)}: at most ${short(told.amplitude)} ${scene.joined ? "at these frequencies" : "over the range"}; ${told.why}.${whole}`;
+  const unit = scene.excitation === "base" ? "Y" : "P/k₁";
+  const motion = state.of === undefined ? "the contact" : scene.masses[state.of].name;
+  const extremes = scene.joined ? "" : ` Without friction the maximum is ${most(told.without_friction)}, with the contact stuck ${most(told.stuck)}.`;
+  at("best-is").textContent = `With β = ${short(told.beta)} the largest displacement of ${motion} ${scene.joined ? "at the frequencies compared" : "over the range"} is smallest: ${short(told.amplitude)} ${unit} (${told.why}).${extremes}${whole}`;
   if (told.beta <= top_) {
     state.beta = told.beta;
     if (told.r) state.r = told.r;
   }
   changed();
+}
+
+// Writes a maximum of a search. A resonance without damping has none.
+function most(amplitude) {
+  return amplitude === null || amplitude === undefined ? "unbounded" : short(amplitude);
 }
 
 // Compares frictions on a grid, for a scene without closed form, and then between the neighbours of the best friction.
@@ -402,6 +427,11 @@ async function begin() {
   at("scenes").replaceChildren(new Option("Your own", -1, false, false), ...examples.map((example, index) => new Option(example.title, index)));
   listen();
   at("link").hidden = framed;
+  // On a narrow window the answers come first, also for the keyboard. Otherwise the sliders are below the first screen.
+  const narrow = matchMedia("(max-width:820px)");
+  const order = () => narrow.matches ? at("describe").before(at("answers")) : at("answers").before(at("describe"));
+  narrow.addEventListener("change", order);
+  order();
   playing();
   const packed = Uint8Array.from(atob(at("wasm").textContent), (char) => char.charCodeAt(0));
   const stream = new Blob([packed]).stream().pipeThrough(new DecompressionStream("gzip"));
