@@ -101,6 +101,9 @@ pub(super) fn origin(description: &Description) -> Vec<String> {
         lines.extend(written.lines().map(rust_text));
         lines.extend([fence, String::new()]);
     }
+    if let Some(acts_on) = description.scene.damping_acts_on() {
+        lines.extend([format!("The {acts_on}."), String::new()]);
+    }
     lines.extend(["# What it offers".to_owned(), String::new()]);
     lines
 }
@@ -111,7 +114,7 @@ fn lines(emission: &Emission<'_>) -> Vec<String> {
     lines.extend(offers(emission).into_iter().map(|item| format!("* {item}")));
     lines.push(String::new());
     lines.push(
-        "Numbers in brackets are equations of L. Marino, *Dynamic analysis of mechanical systems with Coulomb friction*, Oxford 2021.  Counts of operations leave out those on constants alone, which the compiler computes."
+        "Numbers in brackets are equations of L. Marino, *Dynamic analysis of mechanical systems with Coulomb friction*, Oxford 2021.  Counts of operations do not include operations whose operands are all constants, because the compiler computes them.  An `if` counts as two operations, a comparison and a choice."
             .to_owned(),
     );
     lines

@@ -155,9 +155,9 @@ fn held(emission: &Emission<'_>, mode: &HeldMode<f64>, first: bool) -> TokenStre
             (
                 "frequency",
                 frequency,
-                "frequency ratio r of the undamped resonance",
+                "|s| of the oscillator's root s, over √(k₁/m₁): without damping, the frequency ratio r of the resonance",
             ),
-            ("zeta", zeta, "ζ"),
+            ("zeta", zeta, "ζ = −Re s/|s|"),
             ("q", q, "√|1 − ζ²|"),
             (
                 "force",

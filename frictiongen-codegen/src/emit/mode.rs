@@ -33,7 +33,7 @@ pub(super) fn functions(emission: &Emission<'_>) -> TokenStream {
         Some(code! {
             #[doc = #about]
             ///
-            /// u, g and `reversal` are times `size`, which removes the pole at x = 1.
+            /// It returns uR²·size, g·size and (g + 2ζRu)·size.  The factor `size` removes the pole at x = 1.
             ///
             #[doc = #operations]
             #[inline(always)]

@@ -75,11 +75,20 @@ fn table<const D: usize>(
     )
     .ok()?;
     for (place, channel) in channels.iter_mut().enumerate() {
-        let rows = modes.iter().zip(loads.iter().skip(place).step_by(inputs));
-        let terms = rows.map(|(mode, load)| (mode.contact * *load / mode.per_force).abs());
+        let rows = || modes.iter().zip(loads.iter().skip(place).step_by(inputs));
+        let terms = rows().map(|(mode, load)| (mode.contact * *load / mode.per_force).abs());
         let size = terms.fold(Dd::ZERO, |sum, term| sum + term);
         if channel.acceleration.abs() <= size * Dd::from(ROUNDING) {
             channel.acceleration = Dd::ZERO;
+        }
+        let size = rows().fold(Dd::ZERO, |sum, (mode, load)| {
+            sum + (*load / mode.per_force).abs()
+        });
+        let fastest = modes.iter().map(|mode| mode.per_force.abs());
+        let fastest = fastest.fold(Dd::ZERO, |a, b| if a < b { b } else { a });
+        for load in held_loads.iter_mut().skip(place).step_by(inputs) {
+            zero_noise(&mut load.reach, size);
+            zero_noise(&mut load.drive, size * fastest);
         }
     }
     modes.iter_mut().for_each(without_noise_of_mode);
@@ -152,11 +161,12 @@ fn table<const D: usize>(
         /// Three shears advance y and u: y gains a·u, then u gains −b·y − c·u and a drive, then y gains a′·u and a drive.  `turn`
         /// or the first of `turns` has the state weights [−b, −c], the first of `moments` has [a, a′].
         ///
-        /// Two kinds of numbers are 0 in every scene: the first weight for a drive of u in the first of `moments`, because a constant
-        /// drive moves y only through u, and `from_base` of a contact that does not rub on the moving base.
+        /// These numbers are 0: the first weight for a drive of u in the first of `moments`, because a constant drive moves y only
+        /// through u; `from_base` of a contact that does not rub on the moving base; and `held_loads` of an input that acts on a
+        /// mass that a stuck contact holds at a support.
         ///
-        /// Computed in double-double and rounded once: each number is exact to half a unit of its last place.  Weights below
-        /// 1e-26 of the largest in their row are 0.
+        /// Computed in double-double and rounded once: each number is exact to half a unit of its last place.  Numbers below
+        /// 1e-26 of their largest terms are 0.
         #[doc = #checksum]
         const STEP_TABLES: FixedTables<#scalar, #sizes> = FixedTables { #numbers };
     };
@@ -184,6 +194,15 @@ fn without_noise<'w>(row: impl Iterator<Item = &'w mut Dd>) {
     for weight in row {
         if weight.abs() <= largest * Dd::from(ROUNDING) {
             *weight = Dd::ZERO;
+        }
+    }
+}
+
+/// Sets numbers to 0 if they consist only of rounding errors of terms of the given size.
+fn zero_noise(numbers: &mut [Dd], size: Dd) {
+    for number in numbers {
+        if number.abs() <= size * Dd::from(ROUNDING) {
+            *number = Dd::ZERO;
         }
     }
 }
@@ -315,9 +334,9 @@ impl DdWriter<'_> {
                 (
                     "angle",
                     angle,
-                    "Ω, angle of the undamped mode in a part, rad",
+                    "Ω, angle of the oscillator in a part, rad: |s| of its root s, times `span`",
                 ),
-                ("zeta", zeta, "ζ, the modal damping ratio"),
+                ("zeta", zeta, "ζ = −Re s/|s|"),
                 (
                     "force",
                     force,

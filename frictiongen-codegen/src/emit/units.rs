@@ -75,7 +75,7 @@ pub(super) fn emit(
         }
     });
     let associated = code! {
-        /// Hash of the scene.  Descriptions that differ only in layout have the same hash.
+        /// Hash of all fields of the scene (FNV-1a).  Descriptions that differ only in layout have the same hash.
         pub const SCENE_HASH: ::core::primitive::u64 = #hash;
         #[doc = #k1_about]
         pub const K1: #scalar = #k1;

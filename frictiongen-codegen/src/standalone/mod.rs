@@ -266,6 +266,11 @@ struct LoadWords {
     amplitude: &'static str,
     /// The load by which forces are divided, as words for the comments of the file.
     load: &'static str,
+    /// Meaning of the symbol in `load`, as words for the comments of the file.
+    load_means: &'static str,
+    /// Sentence on the stuck state beside a motion, for the comments of the file. It is empty if μ is 1, because neither
+    /// then exists beside the other.
+    stuck_beside: &'static str,
 }
 
 impl LoadWords {
@@ -275,6 +280,16 @@ impl LoadWords {
             beta: if moving { "F/(k1 Y)" } else { "F/P" },
             amplitude: if moving { "x/Y" } else { "x k1/P" },
             load: if moving { "k1 Y" } else { "P" },
+            load_means: if moving {
+                "with the amplitude Y of the motion of the base"
+            } else {
+                "the amplitude of the force"
+            },
+            stuck_beside: if scene.stiction > 1.0 {
+                "From beta*_lim on a stuck state exists beside it."
+            } else {
+                ""
+            },
         }
     }
 }

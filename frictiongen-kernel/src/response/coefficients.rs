@@ -295,11 +295,19 @@ impl<S: Scalar> Chain<S> {
             [
                 (
                     "v_in_range_re",
-                    "Re of V·r²E, times 2²⁴ where its reciprocal could overflow",
+                    if vanishes {
+                        "Re of V·r²E times 2²⁴, so that its reciprocal does not overflow"
+                    } else {
+                        "Re of V·r²E"
+                    },
                 ),
                 (
                     "v_in_range_im",
-                    "Im of V·r²E, times 2²⁴ where its reciprocal could overflow",
+                    if vanishes {
+                        "Im of V·r²E times 2²⁴, so that its reciprocal does not overflow"
+                    } else {
+                        "Im of V·r²E"
+                    },
                 ),
             ],
             None,
@@ -316,19 +324,31 @@ impl<S: Scalar> Chain<S> {
         } = *friction;
         let root = (root * lower * raise).named(
             "root_in_range",
-            "Q·r²E times the power of 2²⁴ that keeps products in range",
+            match (vanishes, on_base) {
+                (true, _) => "Q·r²E times 2²⁴, which keeps products in range",
+                (_, true) => "Q·r²E times 2⁻²⁴, which keeps products in range",
+                _ => "Q·r²E",
+            },
             None,
         );
         let raised = (unscale * raise_back).named(
             "unscale_in_range",
-            "1/(r²E) times the power of 2²⁴ that keeps products in range",
+            if on_base {
+                "1/(r²E) times 2²⁴, which keeps products in range"
+            } else {
+                "1/(r²E)"
+            },
             None,
         );
         if self.damped {
             let weight = (beta * unscale).named("friction_weight", "β/(r²E)", None);
             let beta = (beta * raise).named(
                 "beta_in_range",
-                "β times the power of 2²⁴ that keeps products in range",
+                if vanishes {
+                    "β times 2²⁴, which keeps products in range"
+                } else {
+                    "β"
+                },
                 None,
             );
             let (_, (near, far)) = complex::inverse(v);

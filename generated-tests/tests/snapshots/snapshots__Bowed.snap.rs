@@ -21,7 +21,7 @@
 /// * `frequency_ratio(omega)`, `friction_ratio(friction, load)`: r and β from units
 /// * `stepper(dt)` returns [`BowedStepper`], the motion by steps under any [`BowedInput`], with `advance(input)`, `contact()`, `string()` and `bow()`
 ///
-/// Numbers in brackets are equations of L. Marino, *Dynamic analysis of mechanical systems with Coulomb friction*, Oxford 2021.  Counts of operations leave out those on constants alone, which the compiler computes.
+/// Numbers in brackets are equations of L. Marino, *Dynamic analysis of mechanical systems with Coulomb friction*, Oxford 2021.  Counts of operations do not include operations whose operands are all constants, because the compiler computes them.  An `if` counts as two operations, a comparison and a choice.
 #[::core::prelude::v1::derive(
     ::core::clone::Clone,
     ::core::marker::Copy,
@@ -113,7 +113,7 @@ pub struct BowedDeclaredStepper(
 const _: () = {
     use ::frictiongen::kernel::emitted::*;
     impl Bowed {
-        /// Hash of the scene.  Descriptions that differ only in layout have the same hash.
+        /// Hash of all fields of the scene (FNV-1a).  Descriptions that differ only in layout have the same hash.
         pub const SCENE_HASH: ::core::primitive::u64 = 0xc81b_d2c9_1e74_e45a;
         /// k₁, the stiffness of the spring `base - string`: N/m, if springs are in N/m.
         pub const K1: f64 = 400.0;
@@ -206,9 +206,9 @@ const _: () = {
                 HeldMode {
                     /// kind of damping, as in `MODES`
                     kind: Kind::Light,
-                    /// frequency ratio r of the undamped resonance
+                    /// |s| of the oscillator's root s, over √(k₁/m₁): without damping, the frequency ratio r of the resonance
                     frequency: 0.51478150704935,
-                    /// ζ
+                    /// ζ = −Re s/|s|
                     zeta: 0.01294340626805284,
                     /// √|1 − ζ²|
                     q: 0.9999162306084346,
@@ -422,11 +422,12 @@ const _: () = {
         /// Three shears advance y and u: y gains a·u, then u gains −b·y − c·u and a drive, then y gains a′·u and a drive.  `turn`
         /// or the first of `turns` has the state weights [−b, −c], the first of `moments` has [a, a′].
         ///
-        /// Two kinds of numbers are 0 in every scene: the first weight for a drive of u in the first of `moments`, because a constant
-        /// drive moves y only through u, and `from_base` of a contact that does not rub on the moving base.
+        /// These numbers are 0: the first weight for a drive of u in the first of `moments`, because a constant drive moves y only
+        /// through u; `from_base` of a contact that does not rub on the moving base; and `held_loads` of an input that acts on a
+        /// mass that a stuck contact holds at a support.
         ///
-        /// Computed in double-double and rounded once: each number is exact to half a unit of its last place.  Weights below
-        /// 1e-26 of the largest in their row are 0.
+        /// Computed in double-double and rounded once: each number is exact to half a unit of its last place.  Numbers below
+        /// 1e-26 of their largest terms are 0.
         /// 86 numbers; CRC-32 of their text, joined by commas: fa89fe50.
         const STEP_TABLES: FixedTables<f64, 2, 2, 1, 2> = FixedTables {
             /// how the step is divided into parts
@@ -498,9 +499,9 @@ const _: () = {
             /// the modes of the chain with its contact stuck
             held: [
                 HeldStep {
-                    /// Ω, angle of the undamped mode in a part, rad
+                    /// Ω, angle of the oscillator in a part, rad: |s| of its root s, times `span`
                     angle: 0.016278820596099707,
-                    /// ζ, the modal damping ratio
+                    /// ζ = −Re s/|s|
                     zeta: 0.01294340626805284,
                     /// contact force, with its damping force, divided by −y
                     force: 0.49263264583729127,

@@ -16,6 +16,8 @@
 /// }
 /// ```
 ///
+/// The damping acts on absolute velocities (damping_from: rest).
+///
 /// # What it offers
 ///
 /// * `K1`, `M1`, `NATURAL_FREQUENCIES_HZ`, `NATURAL_FREQUENCIES`, `RESONANCES`, `MODE_SHAPES`, `SCENE_HASH`: constants of the chain
@@ -24,7 +26,7 @@
 /// * `limits_without_search(r)`, `limits_into(rs, continuous, sliding)`: both limits alone
 /// * `at(r)?.motion(beta)` returns [`BracedMotion`], the continuous motion, with `contact()`, `left()` and `right()`
 ///
-/// Numbers in brackets are equations of L. Marino, *Dynamic analysis of mechanical systems with Coulomb friction*, Oxford 2021.  Counts of operations leave out those on constants alone, which the compiler computes.
+/// Numbers in brackets are equations of L. Marino, *Dynamic analysis of mechanical systems with Coulomb friction*, Oxford 2021.  Counts of operations do not include operations whose operands are all constants, because the compiler computes them.  An `if` counts as two operations, a comparison and a choice.
 #[::core::prelude::v1::derive(
     ::core::clone::Clone,
     ::core::marker::Copy,
@@ -89,7 +91,7 @@ const _: () = {
     use ::frictiongen::kernel::emitted::*;
     use ::core::f64::consts::PI;
     impl Braced {
-        /// Hash of the scene.  Descriptions that differ only in layout have the same hash.
+        /// Hash of all fields of the scene (FNV-1a).  Descriptions that differ only in layout have the same hash.
         pub const SCENE_HASH: ::core::primitive::u64 = 0xe83b_5dca_6752_b54f;
         /// k₁, the stiffness of the spring `base - left`: N/m, if springs are in N/m.
         pub const K1: f64 = 1.0;
@@ -203,7 +205,7 @@ const _: () = {
         const SHAPES: [[f64; 2]; 2] = transposed(&Self::MODE_SHAPES);
         /// The functions of a lightly damped mode, ζ < 1/2.
         ///
-        /// u, g and `reversal` are times `size`, which removes the pole at x = 1.
+        /// It returns uR²·size, g·size and (g + 2ζRu)·size.  The factor `size` removes the pole at x = 1.
         ///
         /// Operations: 56: 34 ×, 10 +, 4 sign, 4 ÷, 1 exp_m1, 1 one_minus_sinc_pi, 1 scaled_sinh_defect, 1 sin_cos_pi.
         #[inline(always)]
@@ -546,9 +548,9 @@ const _: () = {
                 + mode_2_v_term_im * mode_1_rubbed_back
                 + (mode_2_driven_im * mode_2_u_others
                     + mode_1_v_term_im * mode_2_rubbed_back);
-            /// Re of V·r²E, times 2²⁴ where its reciprocal could overflow
+            /// Re of V·r²E times 2²⁴, so that its reciprocal does not overflow
             let v_in_range_re = contact.v.re * 16777216.0;
-            /// Im of V·r²E, times 2²⁴ where its reciprocal could overflow
+            /// Im of V·r²E times 2²⁴, so that its reciprocal does not overflow
             let v_in_range_im = contact.v.im * 16777216.0;
             /// 1/(|Re| + |Im|) of the divisor
             let inverse_norm = 1.0
@@ -563,11 +565,11 @@ const _: () = {
             let inverse_re = unit_re * inverse_modulus;
             /// Im of the reciprocal
             let inverse_im = -(unit_im * inverse_modulus);
-            /// Q·r²E times the power of 2²⁴ that keeps products in range
+            /// Q·r²E times 2²⁴, which keeps products in range
             let root_in_range = friction.root * 16777216.0;
             /// β/(r²E)
             let friction_weight = friction.beta * friction.unscale;
-            /// β times the power of 2²⁴ that keeps products in range
+            /// β times 2²⁴, which keeps products in range
             let beta_in_range = friction.beta * 16777216.0;
             /// (|Re V| + |Im V|)·r²E
             let v_size = Scalar::abs(contact.v.re) + Scalar::abs(contact.v.im);

@@ -25,7 +25,7 @@
 /// * `limits_without_search(r)`, `limits_into(rs, continuous, sliding)`: both limits alone
 /// * `at(r)?.motion(beta)` returns [`DeclaredMotionMotion`], the continuous motion, with `contact()` and `block()`
 ///
-/// Numbers in brackets are equations of L. Marino, *Dynamic analysis of mechanical systems with Coulomb friction*, Oxford 2021.  Counts of operations leave out those on constants alone, which the compiler computes.
+/// Numbers in brackets are equations of L. Marino, *Dynamic analysis of mechanical systems with Coulomb friction*, Oxford 2021.  Counts of operations do not include operations whose operands are all constants, because the compiler computes them.  An `if` counts as two operations, a comparison and a choice.
 #[::core::prelude::v1::derive(
     ::core::clone::Clone,
     ::core::marker::Copy,
@@ -89,7 +89,7 @@ pub struct DeclaredMotionMotion(::frictiongen::kernel::table::Moving<DeclaredMot
 const _: () = {
     use ::frictiongen::kernel::emitted::*;
     impl DeclaredMotion {
-        /// Hash of the scene.  Descriptions that differ only in layout have the same hash.
+        /// Hash of all fields of the scene (FNV-1a).  Descriptions that differ only in layout have the same hash.
         pub const SCENE_HASH: ::core::primitive::u64 = 0xb7c8_152c_ebe1_63ce;
         /// k₁, the stiffness of the spring `base - block`: N/m, if springs are in N/m.
         pub const K1: f64 = 1.0;
@@ -419,9 +419,9 @@ const _: () = {
                 + v_others_re * (rubbed_back * 5.960464477539063e-8);
             /// Re of the reciprocal
             let inverse_re = 1.0 / contact.v.re;
-            /// Q·r²E times the power of 2²⁴ that keeps products in range
+            /// Q·r²E times 2⁻²⁴, which keeps products in range
             let root_in_range = friction.root * 5.960464477539063e-8;
-            /// 1/(r²E) times the power of 2²⁴ that keeps products in range
+            /// 1/(r²E) times 2²⁴, which keeps products in range
             let unscale_in_range = friction.unscale * 16777216.0;
             /// β/(r²E)
             let friction_weight = friction.beta * friction.unscale;

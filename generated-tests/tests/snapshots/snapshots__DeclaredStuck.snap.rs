@@ -19,6 +19,8 @@
 ///         }
 /// ```
 ///
+/// The damping acts on absolute velocities (damping_from: rest).
+///
 /// # What it offers
 ///
 /// * `K1`, `M1`, `NATURAL_FREQUENCIES_HZ`, `NATURAL_FREQUENCIES`, `RESONANCES`, `MODE_SHAPES`, `SCENE_HASH`: constants of the chain
@@ -27,7 +29,7 @@
 /// * `limits_without_search(r)`, `limits_into(rs, continuous, sliding)`: both limits alone
 /// * `at(r)?.stuck()` returns [`DeclaredStuckStuck`], the response while the contact is stuck, with `contact_force()`, `lower()` and `upper()`
 ///
-/// Numbers in brackets are equations of L. Marino, *Dynamic analysis of mechanical systems with Coulomb friction*, Oxford 2021.  Counts of operations leave out those on constants alone, which the compiler computes.
+/// Numbers in brackets are equations of L. Marino, *Dynamic analysis of mechanical systems with Coulomb friction*, Oxford 2021.  Counts of operations do not include operations whose operands are all constants, because the compiler computes them.  An `if` counts as two operations, a comparison and a choice.
 #[::core::prelude::v1::derive(
     ::core::clone::Clone,
     ::core::marker::Copy,
@@ -92,7 +94,7 @@ const _: () = {
     use ::frictiongen::kernel::emitted::*;
     use ::core::f32::consts::PI;
     impl DeclaredStuck {
-        /// Hash of the scene.  Descriptions that differ only in layout have the same hash.
+        /// Hash of all fields of the scene (FNV-1a).  Descriptions that differ only in layout have the same hash.
         pub const SCENE_HASH: ::core::primitive::u64 = 0x3a27_ff1f_8022_4919;
         /// k₁, the stiffness of the spring `base - lower`: N/m, if springs are in N/m.
         pub const K1: f32 = 1.0;
@@ -200,7 +202,7 @@ const _: () = {
         const SHAPES: [[f32; 2]; 2] = transposed(&Self::MODE_SHAPES);
         /// The functions of a lightly damped mode, ζ < 1/2.
         ///
-        /// u, g and `reversal` are times `size`, which removes the pole at x = 1.
+        /// It returns uR²·size, g·size and (g + 2ζRu)·size.  The factor `size` removes the pole at x = 1.
         ///
         /// Operations: 56: 34 ×, 10 +, 4 sign, 4 ÷, 1 exp_m1, 1 one_minus_sinc_pi, 1 scaled_sinh_defect, 1 sin_cos_pi.
         #[inline(always)]

@@ -24,7 +24,7 @@
 /// * `at(r)?.motion(beta)` returns [`FiveMotion`], the continuous motion, with `contact()` and `m5()`
 /// * `at(r)?.stuck()` returns [`FiveStuck`], the response while the contact is stuck, with `contact_force()`, `m1()`, `m2()`, `m3()`, `m4()` and `m5()`
 ///
-/// Numbers in brackets are equations of L. Marino, *Dynamic analysis of mechanical systems with Coulomb friction*, Oxford 2021.  Counts of operations leave out those on constants alone, which the compiler computes.
+/// Numbers in brackets are equations of L. Marino, *Dynamic analysis of mechanical systems with Coulomb friction*, Oxford 2021.  Counts of operations do not include operations whose operands are all constants, because the compiler computes them.  An `if` counts as two operations, a comparison and a choice.
 #[::core::prelude::v1::derive(
     ::core::clone::Clone,
     ::core::marker::Copy,
@@ -96,7 +96,7 @@ const _: () = {
     use ::frictiongen::kernel::emitted::*;
     use ::core::f64::consts::PI;
     impl Five {
-        /// Hash of the scene.  Descriptions that differ only in layout have the same hash.
+        /// Hash of all fields of the scene (FNV-1a).  Descriptions that differ only in layout have the same hash.
         pub const SCENE_HASH: ::core::primitive::u64 = 0xfea1_2f32_a4a7_d13c;
         /// k₁, the stiffness of the spring `base - m1`: N/m, if springs are in N/m.
         pub const K1: f64 = 1.0;
@@ -294,7 +294,7 @@ const _: () = {
         const SHAPES: [[f64; 5]; 5] = transposed(&Self::MODE_SHAPES);
         /// The functions of a lightly damped mode, ζ < 1/2.
         ///
-        /// u, g and `reversal` are times `size`, which removes the pole at x = 1.
+        /// It returns uR²·size, g·size and (g + 2ζRu)·size.  The factor `size` removes the pole at x = 1.
         ///
         /// Operations: 56: 34 ×, 10 +, 4 sign, 4 ÷, 1 exp_m1, 1 one_minus_sinc_pi, 1 scaled_sinh_defect, 1 sin_cos_pi.
         #[inline(always)]

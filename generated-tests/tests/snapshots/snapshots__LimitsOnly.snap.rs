@@ -20,7 +20,7 @@
 /// * `at(r)` returns [`LimitsOnlyAt`], with `limits()`, `regime(beta)` and `margin(beta)`, or an error for a NaN or negative r
 /// * `limits_without_search(r)`, `limits_into(rs, continuous, sliding)`: both limits alone
 ///
-/// Numbers in brackets are equations of L. Marino, *Dynamic analysis of mechanical systems with Coulomb friction*, Oxford 2021.  Counts of operations leave out those on constants alone, which the compiler computes.
+/// Numbers in brackets are equations of L. Marino, *Dynamic analysis of mechanical systems with Coulomb friction*, Oxford 2021.  Counts of operations do not include operations whose operands are all constants, because the compiler computes them.  An `if` counts as two operations, a comparison and a choice.
 #[::core::prelude::v1::derive(
     ::core::clone::Clone,
     ::core::marker::Copy,
@@ -77,7 +77,7 @@ pub struct LimitsOnlyAt(::frictiongen::kernel::response::At<LimitsOnly>);
 const _: () = {
     use ::frictiongen::kernel::emitted::*;
     impl LimitsOnly {
-        /// Hash of the scene.  Descriptions that differ only in layout have the same hash.
+        /// Hash of all fields of the scene (FNV-1a).  Descriptions that differ only in layout have the same hash.
         pub const SCENE_HASH: ::core::primitive::u64 = 0xc884_e1ff_1edb_c4b7;
         /// k₁, the stiffness of the spring `base - lower`: N/m, if springs are in N/m.
         pub const K1: f32 = 1.0;
@@ -183,7 +183,7 @@ const _: () = {
         };
         /// The functions of an undamped mode.
         ///
-        /// u, g and `reversal` are times `size`, which removes the pole at x = 1.
+        /// It returns uR²·size, g·size and (g + 2ζRu)·size.  The factor `size` removes the pole at x = 1.
         ///
         /// Operations: 12: 5 ×, 2 +, 2 compare, 1 sign, 1 sin_cos_pi, 1 ÷.
         #[inline(always)]

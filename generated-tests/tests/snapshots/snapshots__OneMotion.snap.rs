@@ -14,6 +14,8 @@
 /// }
 /// ```
 ///
+/// The damping acts on absolute velocities (damping_from: rest).
+///
 /// # What it offers
 ///
 /// * `K1`, `M1`, `NATURAL_FREQUENCIES_HZ`, `NATURAL_FREQUENCIES`, `RESONANCES`, `MODE_SHAPES`, `SCENE_HASH`: constants of the chain
@@ -22,7 +24,7 @@
 /// * `limits_without_search(r)`, `limits_into(rs, continuous, sliding)`: both limits alone
 /// * `at(r)?.motion(beta)` returns [`OneMotionMotion`], the continuous motion, with `contact()` and `m3()`
 ///
-/// Numbers in brackets are equations of L. Marino, *Dynamic analysis of mechanical systems with Coulomb friction*, Oxford 2021.  Counts of operations leave out those on constants alone, which the compiler computes.
+/// Numbers in brackets are equations of L. Marino, *Dynamic analysis of mechanical systems with Coulomb friction*, Oxford 2021.  Counts of operations do not include operations whose operands are all constants, because the compiler computes them.  An `if` counts as two operations, a comparison and a choice.
 #[::core::prelude::v1::derive(
     ::core::clone::Clone,
     ::core::marker::Copy,
@@ -87,7 +89,7 @@ const _: () = {
     use ::frictiongen::kernel::emitted::*;
     use ::core::f64::consts::PI;
     impl OneMotion {
-        /// Hash of the scene.  Descriptions that differ only in layout have the same hash.
+        /// Hash of all fields of the scene (FNV-1a).  Descriptions that differ only in layout have the same hash.
         pub const SCENE_HASH: ::core::primitive::u64 = 0xea06_a74d_57d0_4d3a;
         /// k₁, the stiffness of the spring `base - m1`: N/m, if springs are in N/m.
         pub const K1: f64 = 1.0;
@@ -221,7 +223,7 @@ const _: () = {
         const SHAPES: [[f64; 3]; 3] = transposed(&Self::MODE_SHAPES);
         /// The functions of a lightly damped mode, ζ < 1/2.
         ///
-        /// u, g and `reversal` are times `size`, which removes the pole at x = 1.
+        /// It returns uR²·size, g·size and (g + 2ζRu)·size.  The factor `size` removes the pole at x = 1.
         ///
         /// Operations: 56: 34 ×, 10 +, 4 sign, 4 ÷, 1 exp_m1, 1 one_minus_sinc_pi, 1 scaled_sinh_defect, 1 sin_cos_pi.
         #[inline(always)]

@@ -21,7 +21,7 @@
 /// * `limits_without_search(r)`, `limits_into(rs, continuous, sliding)`: both limits alone
 /// * `at(r)?.motion(beta)` returns [`PairBaseMotion`], the continuous motion, with `contact()`, `lower()` and `upper()`
 ///
-/// Numbers in brackets are equations of L. Marino, *Dynamic analysis of mechanical systems with Coulomb friction*, Oxford 2021.  Counts of operations leave out those on constants alone, which the compiler computes.
+/// Numbers in brackets are equations of L. Marino, *Dynamic analysis of mechanical systems with Coulomb friction*, Oxford 2021.  Counts of operations do not include operations whose operands are all constants, because the compiler computes them.  An `if` counts as two operations, a comparison and a choice.
 #[::core::prelude::v1::derive(
     ::core::clone::Clone,
     ::core::marker::Copy,
@@ -85,7 +85,7 @@ pub struct PairBaseMotion(::frictiongen::kernel::response::Continuous<PairBase>)
 const _: () = {
     use ::frictiongen::kernel::emitted::*;
     impl PairBase {
-        /// Hash of the scene.  Descriptions that differ only in layout have the same hash.
+        /// Hash of all fields of the scene (FNV-1a).  Descriptions that differ only in layout have the same hash.
         pub const SCENE_HASH: ::core::primitive::u64 = 0x46d1_480d_f675_f043;
         /// k₁, the stiffness of the spring `base - lower`: N/m, if springs are in N/m.
         pub const K1: f64 = 1190.0;
@@ -201,7 +201,7 @@ const _: () = {
         const SHAPES: [[f64; 2]; 2] = transposed(&Self::MODE_SHAPES);
         /// The functions of an undamped mode.
         ///
-        /// u, g and `reversal` are times `size`, which removes the pole at x = 1.
+        /// It returns uR²·size, g·size and (g + 2ζRu)·size.  The factor `size` removes the pole at x = 1.
         ///
         /// Operations: 12: 5 ×, 2 +, 2 compare, 1 sign, 1 sin_cos_pi, 1 ÷.
         #[inline(always)]
@@ -461,9 +461,9 @@ const _: () = {
                     + mode_2_v_others_re * (mode_2_rubbed_back * 5.960464477539063e-8));
             /// Re of the reciprocal
             let inverse_re = 1.0 / contact.v.re;
-            /// Q·r²E times the power of 2²⁴ that keeps products in range
+            /// Q·r²E times 2⁻²⁴, which keeps products in range
             let root_in_range = friction.root * 5.960464477539063e-8;
-            /// 1/(r²E) times the power of 2²⁴ that keeps products in range
+            /// 1/(r²E) times 2²⁴, which keeps products in range
             let unscale_in_range = friction.unscale * 16777216.0;
             /// β/(r²E)
             let friction_weight = friction.beta * friction.unscale;

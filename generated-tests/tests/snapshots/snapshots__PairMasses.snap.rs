@@ -22,7 +22,7 @@
 /// * `at(r)?.motion(beta)` returns [`PairMassesMotion`], the continuous motion, with `contact()`, `inner()` and `outer()`
 /// * `at(r)?.stuck()` returns [`PairMassesStuck`], the response while the contact is stuck, with `contact_force()`, `inner()` and `outer()`
 ///
-/// Numbers in brackets are equations of L. Marino, *Dynamic analysis of mechanical systems with Coulomb friction*, Oxford 2021.  Counts of operations leave out those on constants alone, which the compiler computes.
+/// Numbers in brackets are equations of L. Marino, *Dynamic analysis of mechanical systems with Coulomb friction*, Oxford 2021.  Counts of operations do not include operations whose operands are all constants, because the compiler computes them.  An `if` counts as two operations, a comparison and a choice.
 #[::core::prelude::v1::derive(
     ::core::clone::Clone,
     ::core::marker::Copy,
@@ -93,7 +93,7 @@ pub struct PairMassesStuck(::frictiongen::kernel::response::Stuck<PairMasses>);
 const _: () = {
     use ::frictiongen::kernel::emitted::*;
     impl PairMasses {
-        /// Hash of the scene.  Descriptions that differ only in layout have the same hash.
+        /// Hash of all fields of the scene (FNV-1a).  Descriptions that differ only in layout have the same hash.
         pub const SCENE_HASH: ::core::primitive::u64 = 0x06c7_55b1_a07e_51ab;
         /// k₁, the stiffness of the spring `base - inner`: N/m, if springs are in N/m.
         pub const K1: f64 = 1.0;
@@ -207,7 +207,7 @@ const _: () = {
         const SHAPES: [[f64; 2]; 2] = transposed(&Self::MODE_SHAPES);
         /// The functions of an undamped mode.
         ///
-        /// u, g and `reversal` are times `size`, which removes the pole at x = 1.
+        /// It returns uR²·size, g·size and (g + 2ζRu)·size.  The factor `size` removes the pole at x = 1.
         ///
         /// Operations: 12: 5 ×, 2 +, 2 compare, 1 sign, 1 sin_cos_pi, 1 ÷.
         #[inline(always)]

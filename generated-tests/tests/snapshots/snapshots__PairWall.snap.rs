@@ -21,7 +21,7 @@
 /// * `limits_without_search(r)`, `limits_into(rs, continuous, sliding)`: both limits alone
 /// * `at(r)?.motion(beta)` returns [`PairWallMotion`], the continuous motion, with `contact()`, `lower()` and `upper()`
 ///
-/// Numbers in brackets are equations of L. Marino, *Dynamic analysis of mechanical systems with Coulomb friction*, Oxford 2021.  Counts of operations leave out those on constants alone, which the compiler computes.
+/// Numbers in brackets are equations of L. Marino, *Dynamic analysis of mechanical systems with Coulomb friction*, Oxford 2021.  Counts of operations do not include operations whose operands are all constants, because the compiler computes them.  An `if` counts as two operations, a comparison and a choice.
 #[::core::prelude::v1::derive(
     ::core::clone::Clone,
     ::core::marker::Copy,
@@ -85,7 +85,7 @@ pub struct PairWallMotion(::frictiongen::kernel::response::Continuous<PairWall>)
 const _: () = {
     use ::frictiongen::kernel::emitted::*;
     impl PairWall {
-        /// Hash of the scene.  Descriptions that differ only in layout have the same hash.
+        /// Hash of all fields of the scene (FNV-1a).  Descriptions that differ only in layout have the same hash.
         pub const SCENE_HASH: ::core::primitive::u64 = 0x6042_03b7_d94d_c96c;
         /// k₁, the stiffness of the spring `base - lower`: N/m, if springs are in N/m.
         pub const K1: f64 = 1.0;
@@ -199,7 +199,7 @@ const _: () = {
         const SHAPES: [[f64; 2]; 2] = transposed(&Self::MODE_SHAPES);
         /// The functions of an undamped mode.
         ///
-        /// u, g and `reversal` are times `size`, which removes the pole at x = 1.
+        /// It returns uR²·size, g·size and (g + 2ζRu)·size.  The factor `size` removes the pole at x = 1.
         ///
         /// Operations: 12: 5 ×, 2 +, 2 compare, 1 sign, 1 sin_cos_pi, 1 ÷.
         #[inline(always)]

@@ -18,7 +18,7 @@
 /// * `frequency_ratio(omega)`, `friction_ratio(friction, load)`: r and β from units
 /// * `stepper(dt)` returns [`PushedStepper`], the motion by steps under any [`PushedInput`], with `advance(input)`, `contact()` and `block()`
 ///
-/// Numbers in brackets are equations of L. Marino, *Dynamic analysis of mechanical systems with Coulomb friction*, Oxford 2021.  Counts of operations leave out those on constants alone, which the compiler computes.
+/// Numbers in brackets are equations of L. Marino, *Dynamic analysis of mechanical systems with Coulomb friction*, Oxford 2021.  Counts of operations do not include operations whose operands are all constants, because the compiler computes them.  An `if` counts as two operations, a comparison and a choice.
 #[::core::prelude::v1::derive(
     ::core::clone::Clone,
     ::core::marker::Copy,
@@ -103,7 +103,7 @@ pub struct PushedInput {
 const _: () = {
     use ::frictiongen::kernel::emitted::*;
     impl Pushed {
-        /// Hash of the scene.  Descriptions that differ only in layout have the same hash.
+        /// Hash of all fields of the scene (FNV-1a).  Descriptions that differ only in layout have the same hash.
         pub const SCENE_HASH: ::core::primitive::u64 = 0x4122_0f0e_b63f_241c;
         /// k₁, the stiffness of the spring `base - block`: N/m, if springs are in N/m.
         pub const K1: f32 = 200.0;

@@ -19,7 +19,7 @@
 /// * `frequency_ratio(omega)`, `friction_ratio(friction, load)`: r and β from units
 /// * `simulation_under(r, beta, amplitude)` returns [`RubbedSimulation`], the motion in time from event to event, with `next()` and `block()`
 ///
-/// Numbers in brackets are equations of L. Marino, *Dynamic analysis of mechanical systems with Coulomb friction*, Oxford 2021.  Counts of operations leave out those on constants alone, which the compiler computes.
+/// Numbers in brackets are equations of L. Marino, *Dynamic analysis of mechanical systems with Coulomb friction*, Oxford 2021.  Counts of operations do not include operations whose operands are all constants, because the compiler computes them.  An `if` counts as two operations, a comparison and a choice.
 #[::core::prelude::v1::derive(
     ::core::clone::Clone,
     ::core::marker::Copy,
@@ -78,7 +78,7 @@ pub struct RubbedSimulation(
 const _: () = {
     use ::frictiongen::kernel::emitted::*;
     impl Rubbed {
-        /// Hash of the scene.  Descriptions that differ only in layout have the same hash.
+        /// Hash of all fields of the scene (FNV-1a).  Descriptions that differ only in layout have the same hash.
         pub const SCENE_HASH: ::core::primitive::u64 = 0x0c93_a0f5_0ccc_50b4;
         /// k₁, the stiffness of the spring `base - block`: N/m, if springs are in N/m.
         pub const K1: f64 = 800.0;

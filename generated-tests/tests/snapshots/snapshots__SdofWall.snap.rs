@@ -20,7 +20,7 @@
 /// * `limits_without_search(r)`, `limits_into(rs, continuous, sliding)`: both limits alone
 /// * `at(r)?.motion(beta)` returns [`SdofWallMotion`], the continuous motion, with `contact()` and `block()`
 ///
-/// Numbers in brackets are equations of L. Marino, *Dynamic analysis of mechanical systems with Coulomb friction*, Oxford 2021.  Counts of operations leave out those on constants alone, which the compiler computes.
+/// Numbers in brackets are equations of L. Marino, *Dynamic analysis of mechanical systems with Coulomb friction*, Oxford 2021.  Counts of operations do not include operations whose operands are all constants, because the compiler computes them.  An `if` counts as two operations, a comparison and a choice.
 #[::core::prelude::v1::derive(
     ::core::clone::Clone,
     ::core::marker::Copy,
@@ -84,7 +84,7 @@ pub struct SdofWallMotion(::frictiongen::kernel::response::Continuous<SdofWall>)
 const _: () = {
     use ::frictiongen::kernel::emitted::*;
     impl SdofWall {
-        /// Hash of the scene.  Descriptions that differ only in layout have the same hash.
+        /// Hash of all fields of the scene (FNV-1a).  Descriptions that differ only in layout have the same hash.
         pub const SCENE_HASH: ::core::primitive::u64 = 0xc6a0_013a_a6d2_9f2b;
         /// k₁, the stiffness of the spring `base - block`: N/m, if springs are in N/m.
         pub const K1: f64 = 1.0;

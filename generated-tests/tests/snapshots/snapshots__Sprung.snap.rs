@@ -15,6 +15,8 @@
 /// }
 /// ```
 ///
+/// The damping acts on absolute velocities (damping_from: rest).
+///
 /// # What it offers
 ///
 /// * `K1`, `M1`, `NATURAL_FREQUENCIES_HZ`, `NATURAL_FREQUENCIES`, `RESONANCES`, `MODE_SHAPES`, `SCENE_HASH`: constants of the chain
@@ -26,7 +28,7 @@
 /// * `simulation(r, beta)` returns [`SprungSimulation`], the motion in time from event to event, with `next()`, `lower()` and `upper()`
 /// * `stepper(dt)` returns [`SprungStepper`], the motion by steps under any [`SprungInput`], with `advance(input)`, `contact()`, `lower()` and `upper()`
 ///
-/// Numbers in brackets are equations of L. Marino, *Dynamic analysis of mechanical systems with Coulomb friction*, Oxford 2021.  Counts of operations leave out those on constants alone, which the compiler computes.
+/// Numbers in brackets are equations of L. Marino, *Dynamic analysis of mechanical systems with Coulomb friction*, Oxford 2021.  Counts of operations do not include operations whose operands are all constants, because the compiler computes them.  An `if` counts as two operations, a comparison and a choice.
 #[::core::prelude::v1::derive(
     ::core::clone::Clone,
     ::core::marker::Copy,
@@ -186,7 +188,7 @@ const _: () = {
     #[allow(dead_code)]
     fn compliance() {}
     impl Sprung {
-        /// Hash of the scene.  Descriptions that differ only in layout have the same hash.
+        /// Hash of all fields of the scene (FNV-1a).  Descriptions that differ only in layout have the same hash.
         pub const SCENE_HASH: ::core::primitive::u64 = 0x5f75_8146_e4b6_252c;
         /// k₁, the stiffness of the spring `base - lower`: N/m, if springs are in N/m.
         pub const K1: f64 = 1190.0;
@@ -308,7 +310,7 @@ const _: () = {
         const SHAPES: [[f64; 2]; 2] = transposed(&Self::MODE_SHAPES);
         /// The functions of a lightly damped mode, ζ < 1/2.
         ///
-        /// u, g and `reversal` are times `size`, which removes the pole at x = 1.
+        /// It returns uR²·size, g·size and (g + 2ζRu)·size.  The factor `size` removes the pole at x = 1.
         ///
         /// Operations: 56: 34 ×, 10 +, 4 sign, 4 ÷, 1 exp_m1, 1 one_minus_sinc_pi, 1 scaled_sinh_defect, 1 sin_cos_pi.
         #[inline(always)]
@@ -458,9 +460,9 @@ const _: () = {
                 HeldMode {
                     /// kind of damping, as in `MODES`
                     kind: Kind::Light,
-                    /// frequency ratio r of the undamped resonance
+                    /// |s| of the oscillator's root s, over √(k₁/m₁): without damping, the frequency ratio r of the resonance
                     frequency: 1.3283910228049443,
-                    /// ζ
+                    /// ζ = −Re s/|s|
                     zeta: 0.009007498923082695,
                     /// √|1 − ζ²|
                     q: 0.9999594316586802,
@@ -836,11 +838,12 @@ const _: () = {
         /// Three shears advance y and u: y gains a·u, then u gains −b·y − c·u and a drive, then y gains a′·u and a drive.  `turn`
         /// or the first of `turns` has the state weights [−b, −c], the first of `moments` has [a, a′].
         ///
-        /// Two kinds of numbers are 0 in every scene: the first weight for a drive of u in the first of `moments`, because a constant
-        /// drive moves y only through u, and `from_base` of a contact that does not rub on the moving base.
+        /// These numbers are 0: the first weight for a drive of u in the first of `moments`, because a constant drive moves y only
+        /// through u; `from_base` of a contact that does not rub on the moving base; and `held_loads` of an input that acts on a
+        /// mass that a stuck contact holds at a support.
         ///
-        /// Computed in double-double and rounded once: each number is exact to half a unit of its last place.  Weights below
-        /// 1e-26 of the largest in their row are 0.
+        /// Computed in double-double and rounded once: each number is exact to half a unit of its last place.  Numbers below
+        /// 1e-26 of their largest terms are 0.
         /// 261 numbers; CRC-32 of their text, joined by commas: cd708864.
         const STEP_TABLES: FixedTables<f64, 4, 2, 2, 1> = FixedTables {
             /// how the step is divided into parts
@@ -978,9 +981,9 @@ const _: () = {
             /// the modes of the chain with its contact stuck
             held: [
                 HeldStep {
-                    /// Ω, angle of the undamped mode in a part, rad
+                    /// Ω, angle of the oscillator in a part, rad: |s| of its root s, times `span`
                     angle: 0.02534110429824207,
-                    /// ζ, the modal damping ratio
+                    /// ζ = −Re s/|s|
                     zeta: 0.009007498923082695,
                     /// contact force, with its damping force, divided by −y
                     force: 1.6289215511039128,

@@ -14,6 +14,8 @@
 /// }
 /// ```
 ///
+/// The damping acts on absolute velocities (damping_from: rest).
+///
 /// # What it offers
 ///
 /// * `K1`, `M1`, `NATURAL_FREQUENCIES_HZ`, `NATURAL_FREQUENCIES`, `RESONANCES`, `MODE_SHAPES`, `SCENE_HASH`: constants of the chain
@@ -23,7 +25,7 @@
 /// * `at(r)?.orbit(beta)` returns [`StoppingOrbit`], the steady state in any regime, with `contact()`, `lower()` and `upper()`
 /// * `simulation(r, beta)` returns [`StoppingSimulation`], the motion in time from event to event, with `next()`, `lower()` and `upper()`
 ///
-/// Numbers in brackets are equations of L. Marino, *Dynamic analysis of mechanical systems with Coulomb friction*, Oxford 2021.  Counts of operations leave out those on constants alone, which the compiler computes.
+/// Numbers in brackets are equations of L. Marino, *Dynamic analysis of mechanical systems with Coulomb friction*, Oxford 2021.  Counts of operations do not include operations whose operands are all constants, because the compiler computes them.  An `if` counts as two operations, a comparison and a choice.
 #[::core::prelude::v1::derive(
     ::core::clone::Clone,
     ::core::marker::Copy,
@@ -105,7 +107,7 @@ const _: () = {
     use ::frictiongen::kernel::emitted::*;
     use ::core::f64::consts::PI;
     impl Stopping {
-        /// Hash of the scene.  Descriptions that differ only in layout have the same hash.
+        /// Hash of all fields of the scene (FNV-1a).  Descriptions that differ only in layout have the same hash.
         pub const SCENE_HASH: ::core::primitive::u64 = 0xeedb_e5be_51e3_6513;
         /// k₁, the stiffness of the spring `base - lower`: N/m, if springs are in N/m.
         pub const K1: f64 = 1.0;
@@ -217,7 +219,7 @@ const _: () = {
         };
         /// The functions of a lightly damped mode, ζ < 1/2.
         ///
-        /// u, g and `reversal` are times `size`, which removes the pole at x = 1.
+        /// It returns uR²·size, g·size and (g + 2ζRu)·size.  The factor `size` removes the pole at x = 1.
         ///
         /// Operations: 56: 34 ×, 10 +, 4 sign, 4 ÷, 1 exp_m1, 1 one_minus_sinc_pi, 1 scaled_sinh_defect, 1 sin_cos_pi.
         #[inline(always)]
@@ -369,9 +371,9 @@ const _: () = {
                 HeldMode {
                     /// kind of damping, as in `MODES`
                     kind: Kind::Light,
-                    /// frequency ratio r of the undamped resonance
+                    /// |s| of the oscillator's root s, over √(k₁/m₁): without damping, the frequency ratio r of the resonance
                     frequency: 1.449137674618944,
-                    /// ζ
+                    /// ζ = −Re s/|s|
                     zeta: 0.010995103927964253,
                     /// √|1 − ζ²|
                     q: 0.9999395520178274,

@@ -57,8 +57,8 @@ pub(super) fn declared<S: Float>(source: &Source<'_, S>, name: &str) -> String {
     let values: String = values.collect();
     format!(
         "\n/* What the self-check finds wrong first. */\nenum {name}_fault {{\n{values}}};\n\n\
-         /* Compares the checksums of all numbers, and the answers at some frequencies with known ones.  For power-up: it\n \
-         * needs no memory but the stack.  {none} if everything is right. */\n\
+         /* Compares the checksums of tables and known answers, and then the answers at some frequencies with the known ones.\n \
+         * For power-up: it needs no memory but the stack.  {none} if everything is right. */\n\
          enum {name}_fault {name}_self_check(void);\n",
         none = fault(name, "NONE"),
     )

@@ -121,15 +121,11 @@ fn units<S: Float>(source: &Source<'_, S>, name: &str, words: &LoadWords) -> Str
     text.push_str(&format!(
         "\n/* An angular frequency, rad/s, as the frequency ratio r = omega sqrt(m1/k1). */\n\
          {real} {name}_frequency_ratio({real} omega);\n\n\
-         /* The friction ratio beta = {beta} of a kinetic friction force F.  `load` is {load}{what}. */\n\
+         /* The friction ratio beta = {beta} of a kinetic friction force F.  `load` is {load}, {what}. */\n\
          {real} {name}_friction_ratio({real} friction, {real} load);\n\n",
         beta = words.beta,
         load = words.load,
-        what = if words.load == "P" {
-            ", the amplitude of the force"
-        } else {
-            ", with the amplitude Y of the motion of the base"
-        },
+        what = words.load_means,
     ));
     text
 }
@@ -140,12 +136,19 @@ fn contact<S: Float>(source: &Source<'_, S>, name: &str, words: &LoadWords) -> S
     }
     let NumberFormat { real, .. } = NumberFormat::of::<S>(Language::C);
     let LoadWords {
-        amplitude, beta, ..
+        amplitude,
+        beta,
+        stuck_beside,
+        ..
     } = words;
+    let beside = if stuck_beside.is_empty() {
+        String::new()
+    } else {
+        format!("\n * {stuck_beside}")
+    };
     format!(
         "\n/* Amplitude ({amplitude}) and phase (lag of the maximum behind the excitation's, rad) of the contact's relative motion\n \
-         * that slides all the time, at the friction ratio beta = {beta}.  It exists for beta < beta_lim; from beta*_lim on a\n \
-         * stuck state exists beside it, if the static friction exceeds the kinetic. */\n\
+         * that slides all the time, at the friction ratio beta = {beta}.  It exists for beta < beta_lim.{beside} */\n\
          enum {name}_status {name}_contact({real} r, {real} beta, {real} *amplitude, {real} *phase);\n"
     )
 }

@@ -37,10 +37,13 @@ pub(super) fn source<S: Float>(
     let LoadWords {
         amplitude, beta, ..
     } = words;
+    let beside = match words.stuck_beside {
+        "" => String::new(),
+        words => format!("\n/// {}", words.replace("beta*_lim", "`β*_lim`")),
+    };
     format!(
         "\n/// Amplitude ({amplitude}) and phase (lag of the maximum behind the excitation's, rad) of the contact's relative motion\n\
-         /// that slides all the time, at the friction ratio β = {beta}.  It exists for β < `β_lim`; from `β*_lim` on a stuck state\n\
-         /// exists beside it, if the static friction exceeds the kinetic.\n///\n/// # Errors\n/// [`Error`] says what there is instead.\n\
+         /// that slides all the time, at the friction ratio β = {beta}.  It exists for β < `β_lim`.{beside}\n///\n/// # Errors\n/// [`Error`] says what there is instead.\n\
          pub fn contact(r: {real}, beta: {real}) -> Result<({real}, {real}), Error> {{\n    \
          if !((R_MIN..=R_MAX).contains(&r) && (BETA_MIN..=BETA_MAX).contains(&beta)) {{\n        return Err(Error::OutOfDomain);\n    }}\n    \
          let piece = found(r);\n    let t = r - piece.origin;\n    \

@@ -105,10 +105,11 @@ fn units<S: Float>(source: &Source<'_, S>, words: &LoadWords) -> String {
     text.push_str(&format!(
         "\n/// An angular frequency, rad/s, as the frequency ratio r = ω√(m₁/k₁).\n\
          #[must_use]\npub const fn frequency_ratio(omega: {real}) -> {real} {{\n    omega / numbers::REFERENCE\n}}\n\n\
-         /// The friction ratio β = {beta} of a kinetic friction force F; `load` is {load}.\n\
+         /// The friction ratio β = {beta} of a kinetic friction force F; `load` is {load}, {what}.\n\
          #[must_use]\npub const fn friction_ratio(friction: {real}, load: {real}) -> {real} {{\n    friction / load\n}}\n\n",
         beta = words.beta,
         load = words.load,
+        what = words.load_means,
     ));
     text
 }
