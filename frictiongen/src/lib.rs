@@ -187,11 +187,6 @@ pub mod scalar {
 }
 
 /// Items that emitted code uses. They may change with every version.
-/// Emitted code derives the traits of serde by this path.
-#[cfg(feature = "serde")]
-#[doc(hidden)]
-pub use serde;
-
 #[doc(hidden)]
 pub use frictiongen_kernel as kernel;
 pub use frictiongen_kernel::Complex;

@@ -51,7 +51,6 @@ pub(super) fn numbers_struct(
     fields: &TokenStream,
 ) -> TokenStream {
     let visibility = &description.visibility;
-    let written = written(description);
     code! {
         #[doc = #about]
         #[allow(deprecated, non_camel_case_types, non_snake_case, reason = "names and attributes are those of the description")]
@@ -62,22 +61,8 @@ pub(super) fn numbers_struct(
             ::core::cmp::PartialEq,
             ::core::default::Default
         )]
-        #written
         #visibility struct #name { #fields }
     }
-}
-
-/// Emits the attributes with which serde can write and read a struct, if the feature `serde` is on.
-fn written(description: &Description) -> Option<TokenStream> {
-    cfg!(feature = "serde").then(|| {
-        let facade = &description.facade;
-        // The path is a string in the attribute of serde. Spaces between its tokens would not harm.
-        let path = code!(#facade::serde).to_string();
-        code! {
-            #[::core::prelude::v1::derive(#facade::serde::Serialize, #facade::serde::Deserialize)]
-            #[serde(crate = #path, deny_unknown_fields)]
-        }
-    })
 }
 
 /// Returns the first lines of the documentation of the scene's type: the origin of the code, and the description.
