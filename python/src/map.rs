@@ -46,7 +46,9 @@ pub fn map<'py>(
         of: parts.iter().map(|part| part.of).collect(),
     };
     let fall = measure.fall();
-    let map = without_lock(py, |stop| system.map_under(&request, fall, |_| stop.goes_on()))?;
+    let map = without_lock(py, |stop| {
+        system.map_under(&request, fall, |_| stop.goes_on())
+    })?;
     let map = map.map_err(domain)?;
 
     let (along, up) = (frequencies.all(system), frictions.all());
