@@ -31,10 +31,11 @@ pub(super) fn nothing<S: Float>() -> Poly<S> {
 /// because a processor can compute the two sums at the same time.
 pub fn value<S: Float>(terms: &[S], at: S) -> S {
     let (zero, square) = (S::constant(0.0), at * at);
-    let pairs = terms.chunks(2).rev();
-    let (even, odd) = pairs.fold((zero, zero), |(even, odd), pair| {
-        let (first, second) = pair_of(pair);
-        (even * square + first, odd * square + second)
+    let (pairs, last) = terms.as_chunks::<2>();
+    let last = last.first().copied().unwrap_or(zero);
+    let pairs = pairs.iter().rev();
+    let (even, odd) = pairs.fold((last, zero), |(even, odd), [first, second]| {
+        (even * square + *first, odd * square + *second)
     });
     even + at * odd
 }
@@ -42,19 +43,15 @@ pub fn value<S: Float>(terms: &[S], at: S) -> S {
 /// Returns the value and the derivative of the polynomial `terms` at the point `at`.
 pub(super) fn value_and_slope<S: Float>(terms: &[S], at: S) -> (S, S) {
     let (zero, square) = (S::constant(0.0), at * at);
-    let pairs = terms.chunks(2).rev();
-    let start = ((zero, zero), (zero, zero));
-    let (even, odd) = pairs.fold(start, |(even, odd), pair| {
-        let (first, second) = pair_of(pair);
+    let (pairs, last) = terms.as_chunks::<2>();
+    let last = last.first().copied().unwrap_or(zero);
+    let start = ((last, zero), (zero, zero));
+    let pairs = pairs.iter().rev();
+    let (even, odd) = pairs.fold(start, |(even, odd), &[first, second]| {
         let raise = |(sum, slope): (S, S), term| (sum * square + term, slope * square + sum);
         (raise(even, first), raise(odd, second))
     });
     // The slopes in `even` and `odd` are derivatives with respect to the square of the variable.
     let slope = odd.0 + S::constant(2.0) * at * (even.1 + at * odd.1);
     (even.0 + at * odd.0, slope)
-}
-
-fn pair_of<S: Float>(pair: &[S]) -> (S, S) {
-    let term = |index: usize| pair.get(index).copied().unwrap_or(S::constant(0.0));
-    (term(0), term(1))
 }

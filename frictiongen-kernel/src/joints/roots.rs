@@ -48,8 +48,6 @@ fn falls_steadily<S: Float>(terms: &[S]) -> bool {
 
 /// Number of coefficients in the fast test [`stays_positive`].
 const QUICK: usize = 6;
-/// Binomial coefficients for the degree QUICK − 1.
-const BINOMIALS: [f64; QUICK] = [1.0, 5.0, 10.0, 10.0, 5.0, 1.0];
 
 /// Returns true if a lower bound on the polynomial `terms` is positive on [0, 1] by more than rounding errors. The
 /// lower bound is a polynomial of degree 5. It replaces each negative term of higher degree by its value at 1, and
@@ -62,10 +60,10 @@ fn stays_positive<S: Float>(terms: &[S]) -> bool {
     let falls = high
         .iter()
         .fold(zero, |falls, term| falls + crate::Scalar::min(*term, zero));
-    let mut values = [zero; QUICK];
-    for ((value, term), binomial) in values.iter_mut().zip(low).zip(BINOMIALS) {
-        *value = *term / S::constant(binomial);
-    }
+    // Each term divided by its binomial coefficient. A loop over a list of them would convert `f64` at run time.
+    let (five, ten) = (S::constant(5.0), S::constant(10.0));
+    let [a, b, c, d, e, f] = *low;
+    let mut values = [a, b / five, c / ten, d / ten, e / five, f];
     for pass in (0..QUICK - 1).rev() {
         let mut before = zero;
         for value in values.iter_mut().skip(pass) {
@@ -74,8 +72,7 @@ fn stays_positive<S: Float>(terms: &[S]) -> bool {
         }
     }
     // The margin is far larger than rounding errors.
-    let [first, ..] = *low;
-    let least = S::constant(1e-3) * first - falls;
+    let least = S::constant(1e-3) * a - falls;
     values.iter().all(|value| *value > least)
 }
 
