@@ -130,10 +130,7 @@ fn failure(
             (format!(" at any value of {name}"), at)
         }
     };
-    let unit = match measure.unit(dimension) {
-        "" => measure.reference(dimension),
-        unit => unit,
-    };
+    let unit = measure.unit_or_reference(dimension);
     let least = format!(
         "{} {unit}",
         computed(measure.convert(dimension, least, reference))

@@ -2,24 +2,10 @@
 //! with matrix exponentials made, and the run-time system, bit by bit.
 
 use frictiongen::study::joined::JoinedInput;
-use frictiongen::{OutOfDomain, System, friction_system};
+use frictiongen::{OutOfDomain, System};
 use fuzzing::Random;
 use serde_json::Value;
 use std::f64::consts::TAU;
-
-/// Emits scenes, and keeps their texts.
-macro_rules! scenes {
-    ($(struct $name:ident { $($body:tt)* })*) => {
-        $(friction_system! { pub struct $name { $($body)* } })*
-        fn system(name: &str) -> System {
-            let text = match name {
-                $(stringify!($name) => stringify!(struct $name { $($body)* }),)*
-                _ => panic!("no scene {name}"),
-            };
-            text.parse().expect("a valid scene")
-        }
-    };
-}
 
 scenes! {
     // Entry 15 of `joints.json`. The share of each contact is its friction force in N.

@@ -2,22 +2,8 @@
 //! `joints.json`, which a plain program with matrix exponentials made, formulas, and the run-time system bit by bit.
 
 use frictiongen::study::joined::JoinedAt;
-use frictiongen::{NoOrbit, OutOfDomain, Regime, System, friction_system};
+use frictiongen::{NoOrbit, OutOfDomain, Regime, System};
 use serde_json::Value;
-
-/// Emits scenes, and keeps their texts.
-macro_rules! scenes {
-    ($(struct $name:ident { $($body:tt)* })*) => {
-        $(friction_system! { pub struct $name { $($body)* } })*
-        fn system(name: &str) -> System {
-            let text = match name {
-                $(stringify!($name) => stringify!(struct $name { $($body)* }),)*
-                _ => panic!("no scene {name}"),
-            };
-            text.parse().expect("a valid scene")
-        }
-    };
-}
 
 scenes! {
     // Entry 15 of `joints.json`. The share of each contact is its friction force in N.

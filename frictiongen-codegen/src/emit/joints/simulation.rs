@@ -5,6 +5,7 @@ use crate::Description;
 use crate::emit::names::TypeNames;
 use frictiongen_model::scene::{FrictionLaw, Scene};
 use proc_macro2::{Literal, TokenStream};
+use quote::format_ident;
 
 /// Emits the simulation: its type, and its items.
 pub(super) fn emit(emission: &JointsEmission<'_>) -> (TokenStream, TokenStream) {
@@ -18,11 +19,7 @@ pub(super) fn emit(emission: &JointsEmission<'_>) -> (TokenStream, TokenStream) 
     let types = wrapper(emission, simulation, "Simulation", &about);
     let masses = Literal::usize_unsuffixed(scene.masses.len());
     let methods = methods(emission);
-    let starts = if scene.friction == FrictionLaw::Coulomb {
-        starts(emission, &masses)
-    } else {
-        starts_under(emission, &masses)
-    };
+    let starts = starts(emission, &masses);
     let items = code! {
         impl #name {
             #starts
@@ -42,29 +39,61 @@ pub(super) fn start(scene: &Scene) -> &'static str {
     }
 }
 
-/// Emits the constructors of a simulation with constant kinetic friction.
+/// Lines about the start of a simulation with constant kinetic friction.
+const ABOUT: [&str; 5] = [
+    " Starts the exact motion in time from rest, at a maximum of the excitation.  β is the common friction: the",
+    " friction of each contact is its share of it.",
+    "",
+    " # Errors",
+    " `OutOfDomain` unless r is positive and finite, and β finite and not negative.",
+];
+
+/// Lines about the start of a simulation whose kinetic friction depends on the speed.
+const ABOUT_UNDER: [&str; 6] = [
+    " Starts the exact motion in time from rest, at a maximum of the excitation.  `amplitude` is that of the load, in",
+    " the units of the scene.  β is the common friction at vanishing speed: the friction of each contact is its share of",
+    " it.",
+    "",
+    " # Errors",
+    " `OutOfDomain` unless r and the amplitude are positive and finite, and β finite and not negative.",
+];
+
+/// Emits the constructors of the simulation. If the kinetic friction depends on the speed, they also take the amplitude
+/// of the load.
 fn starts(emission: &JointsEmission<'_>, masses: &Literal) -> TokenStream {
     let JointsEmission {
-        description: Description { facade, .. },
+        description: Description { facade, scene, .. },
         scalar,
         engine,
         names: TypeNames { simulation, .. },
         ..
     } = emission;
+    let is_constant = scene.friction == FrictionLaw::Coulomb;
+    let (about, suffix, new) = if is_constant {
+        (&ABOUT[..], "", "new")
+    } else {
+        (&ABOUT_UNDER[..], "_under", "under")
+    };
+    let amplitude = (!is_constant).then(|| code!(amplitude: #scalar,));
+    let ratios = if is_constant {
+        code!((r, beta))
+    } else {
+        code!((r, beta, amplitude))
+    };
+    let start = format_ident!("simulation{suffix}");
+    let start_from = format_ident!("simulation{suffix}_from");
+    let new = format_ident!("{new}");
     code! {
-        /// Starts the exact motion in time from rest, at a maximum of the excitation.  β is the common friction: the
-        /// friction of each contact is its share of it.
-        ///
-        /// # Errors
-        /// `OutOfDomain` unless r is positive and finite, and β finite and not negative.
-        pub fn simulation(
+        #(#[doc = #about])*
+        pub fn #start(
             r: #scalar,
             beta: #scalar,
+            #amplitude
         ) -> ::core::result::Result<#simulation, #facade::OutOfDomain> {
-            #engine::Simulation::new(
+            #engine::Simulation::#new(
                 Self::CHAIN,
                 Self::REFERENCE,
-                (r, beta),
+                #ratios,
                 ::core::option::Option::None,
             )
             .map(#simulation)
@@ -74,66 +103,16 @@ fn starts(emission: &JointsEmission<'_>, masses: &Literal) -> TokenStream {
         ///
         /// # Errors
         /// `OutOfDomain` also for a state that is not finite.
-        pub fn simulation_from(
+        pub fn #start_from(
             r: #scalar,
             beta: #scalar,
+            #amplitude
             state: (&[#scalar; #masses], &[#scalar; #masses]),
         ) -> ::core::result::Result<#simulation, #facade::OutOfDomain> {
-            #engine::Simulation::new(
+            #engine::Simulation::#new(
                 Self::CHAIN,
                 Self::REFERENCE,
-                (r, beta),
-                ::core::option::Option::Some((&state.0[..], &state.1[..])),
-            )
-            .map(#simulation)
-        }
-    }
-}
-
-/// Emits the constructors of a simulation whose kinetic friction depends on the speed.
-fn starts_under(emission: &JointsEmission<'_>, masses: &Literal) -> TokenStream {
-    let JointsEmission {
-        description: Description { facade, .. },
-        scalar,
-        engine,
-        names: TypeNames { simulation, .. },
-        ..
-    } = emission;
-    code! {
-        /// Starts the exact motion in time from rest, at a maximum of the excitation.  `amplitude` is that of the load, in
-        /// the units of the scene.  β is the common friction at vanishing speed: the friction of each contact is its share of
-        /// it.
-        ///
-        /// # Errors
-        /// `OutOfDomain` unless r and the amplitude are positive and finite, and β finite and not negative.
-        pub fn simulation_under(
-            r: #scalar,
-            beta: #scalar,
-            amplitude: #scalar,
-        ) -> ::core::result::Result<#simulation, #facade::OutOfDomain> {
-            #engine::Simulation::under(
-                Self::CHAIN,
-                Self::REFERENCE,
-                (r, beta, amplitude),
-                ::core::option::Option::None,
-            )
-            .map(#simulation)
-        }
-
-        /// Starts from a state at a maximum of the excitation: x̄ and dx̄/dτ of every mass.
-        ///
-        /// # Errors
-        /// `OutOfDomain` also for a state that is not finite.
-        pub fn simulation_under_from(
-            r: #scalar,
-            beta: #scalar,
-            amplitude: #scalar,
-            state: (&[#scalar; #masses], &[#scalar; #masses]),
-        ) -> ::core::result::Result<#simulation, #facade::OutOfDomain> {
-            #engine::Simulation::under(
-                Self::CHAIN,
-                Self::REFERENCE,
-                (r, beta, amplitude),
+                #ratios,
                 ::core::option::Option::Some((&state.0[..], &state.1[..])),
             )
             .map(#simulation)

@@ -195,7 +195,7 @@ fn intervals_under_noise() {
         "{inside} of {} intervals contain the number",
         inside + outside
     );
-    // Of 20 intervals at 95 %, more than 4 miss with a probability of 0.3 %.
+    // Each interval misses the number with a probability of 5 %. The probability that more than 4 of 20 miss is 0.3 %.
     assert!(
         outside <= 4,
         "{outside} intervals do not contain the number"

@@ -141,7 +141,7 @@ impl<'a> JoinedTable<'a> {
         }
         let omega = self.setting.system.angular_frequency(frequency.r);
         match self.setting.measure.scale_at(omega) {
-            Some(scale) => self.joined.at_length(frequency.r, scale.length()),
+            Some(scale) => self.joined.with_length(scale.length()).at_any(frequency.r),
             None => self.joined.at_any(frequency.r),
         }
     }

@@ -234,6 +234,15 @@ impl Measure {
         format!("{name}{suffix}")
     }
 
+    /// Returns the unit of a number on a line of its own. A ratio has its reference quantity in place of a unit.
+    #[must_use]
+    pub fn unit_or_reference(&self, dimension: PhysicalQuantity) -> &'static str {
+        match self.unit(dimension) {
+            "" => self.reference(dimension),
+            unit => unit,
+        }
+    }
+
     /// Returns the unit of a column, which is empty for ratios.
     #[must_use]
     pub fn unit(&self, dimension: PhysicalQuantity) -> &'static str {

@@ -51,19 +51,6 @@ impl<'a> Joined<'a> {
     /// [`OutOfDomain`] unless r is above 0 and finite. [`JoinedError::NoAmplitude`] for `friction: stribeck` without the
     /// load ([`with_length`](Self::with_length)).
     pub fn at_any(&self, r: f64) -> Result<JoinedAt<'a>, JoinedError> {
-        self.in_ratios(r, self.length())
-    }
-
-    /// Evaluates the scene at a frequency ratio, as [`at_any`](Self::at_any) does, under a load whose unit of
-    /// displacement is `length`: P/k₁, or Y for base motion. Only `friction: stribeck` depends on it.
-    ///
-    /// # Errors
-    /// [`OutOfDomain`] unless r is above 0 and finite.
-    pub fn at_length(&self, r: f64, length: f64) -> Result<JoinedAt<'a>, JoinedError> {
-        self.in_ratios(r, Some(length))
-    }
-
-    fn in_ratios(&self, r: f64, length: Option<f64>) -> Result<JoinedAt<'a>, JoinedError> {
         if !(r > 0.0 && r.is_finite()) {
             return Err(OutOfDomain::FrequencyRatioInTime(Given::of(r)).into());
         }
@@ -80,7 +67,7 @@ impl<'a> Joined<'a> {
         };
         let mut at = self.loaded(omega, amplitude, units);
         if !at.chain.law.is_empty() {
-            let length = length.ok_or(JoinedError::NoAmplitude)?;
+            let length = self.length().ok_or(JoinedError::NoAmplitude)?;
             for [speed, _] in &mut at.chain.law {
                 *speed /= length;
             }

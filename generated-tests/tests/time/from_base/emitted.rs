@@ -3,22 +3,7 @@
 
 use frictiongen::{
     ContinuousMotion, FrictionSystem, LimitsAt, MotionAt, Of, Steady, StepLoad, Stepping, Steps,
-    System, friction_system,
 };
-
-/// Emits scenes, and keeps their texts.
-macro_rules! scenes {
-    ($(struct $name:ident { $($body:tt)* })*) => {
-        $(friction_system! { pub struct $name { $($body)* } })*
-        fn system(name: &str) -> System {
-            let text = match name {
-                $(stringify!($name) => stringify!(struct $name { $($body)* }),)*
-                _ => panic!("no scene {name}"),
-            };
-            text.parse().expect("a valid scene")
-        }
-    };
-}
 
 scenes! {
     struct One {

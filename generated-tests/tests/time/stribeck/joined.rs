@@ -1,21 +1,8 @@
 //! Stribeck's law in emitted code of scenes with several contacts.
 
+use frictiongen::OutOfDomain;
 use frictiongen::study::joined::JoinedInput;
-use frictiongen::{OutOfDomain, System, friction_system};
 use std::f64::consts::TAU;
-
-macro_rules! scenes {
-    ($(struct $name:ident { $($body:tt)* })*) => {
-        $(friction_system! { pub struct $name { $($body)* } })*
-        fn system(name: &str) -> System {
-            let text = match name {
-                $(stringify!($name) => stringify!(struct $name { $($body)* }),)*
-                _ => panic!("no scene {name}"),
-            };
-            text.parse().expect("a valid scene")
-        }
-    };
-}
 
 scenes! {
     struct Ribs {

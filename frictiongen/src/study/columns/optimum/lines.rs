@@ -160,10 +160,7 @@ impl<'a> OptimumTable<'a> {
                 excess: None,
                 name: "",
             };
-            let unit = match measure.unit(dimension) {
-                "" => measure.reference(dimension),
-                unit => unit,
-            };
+            let unit = measure.unit_or_reference(dimension);
             let name = format!("largest value of {}", part.name);
             let [found, other] =
                 [*largest, *value].map(|value| measure.convert(dimension, value, reference));
@@ -292,10 +289,7 @@ impl<'a> OptimumTable<'a> {
                 ),
             ];
             for (key, label, dimension, value) in numbers {
-                let unit = match measure.unit(dimension) {
-                    "" => measure.reference(dimension),
-                    unit => unit,
-                };
+                let unit = measure.unit_or_reference(dimension);
                 let value = measure.convert(dimension, value, reference);
                 entry.line(key, label.to_owned(), value.into(), unit);
             }
