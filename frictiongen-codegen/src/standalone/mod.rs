@@ -268,8 +268,8 @@ struct LoadWords {
     load: &'static str,
     /// Meaning of the symbol in `load`, as words for the comments of the file.
     load_means: &'static str,
-    /// Sentence on the stuck state beside a motion, for the comments of the file. It is empty if μ is 1, because neither
-    /// then exists beside the other.
+    /// Sentence on the stuck state beside a motion, for the comments of the file. It is empty if μ is 1,
+    /// because a stuck state and a sliding motion then never exist at the same β.
     stuck_beside: &'static str,
 }
 

@@ -26,10 +26,10 @@ impl<S: Float, Z: Size> Search<S, Z> {
     /// Returns the steady state of a chain with μ = 1 and a constant kinetic friction, if the search finds it after a few
     /// cycles.
     ///
-    /// If all contacts have μ = 1 and a constant kinetic friction, the energy of the difference between two motions under the same loads never grows. A
-    /// steady state that attracts neighbouring motions therefore attracts every motion. The search then needs no test
-    /// of the motion from rest. If the energy of the present difference is too small to make an elastic contact slide,
-    /// the contact keeps the position of its slider.
+    /// If all contacts have μ = 1 and a constant kinetic friction, the energy of the difference between two motions
+    /// under the same loads never grows. A steady state that attracts neighbouring motions therefore attracts every
+    /// motion. The search then needs no test of the motion from rest. If the energy of the present difference is too
+    /// small to make an elastic contact slide, the contact keeps the position of its slider.
     ///
     /// # Errors
     ///
