@@ -8,7 +8,7 @@ use frictiongen::study::response::MotionQuantity;
 use frictiongen::{Of, System};
 use std::ops::RangeInclusive;
 
-/// Largest order of a harmonic that the commands accept on the command line.
+/// Largest order of a harmonic that the user may request.
 pub const MOST_HARMONICS: u32 = 9999;
 
 /// A mass whose motion the user has requested.
@@ -44,8 +44,8 @@ pub fn number(option: &str, text: &str) -> Result<f64, Failure> {
     })
 }
 
-/// Parses a finite number that is the value of an option. The number must satisfy `sound`. If it does not, the error
-/// message states the condition `needed`.
+/// Parses the value of an option as a finite number that satisfies the condition `sound`. If the number does not, the
+/// error message states the condition in the words of `needed`.
 pub fn number_that(
     option: &str,
     text: &str,

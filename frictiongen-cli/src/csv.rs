@@ -1,5 +1,5 @@
-//! Writes tables as CSV. The words in the cells are regimes, kinds of results and Rust identifiers. No cell therefore
-//! contains a comma or a quote.
+//! Writes tables as CSV. The words in the cells are regimes, kinds of results and Rust identifiers, so no cell contains
+//! a comma or a quote.
 
 use std::borrow::Cow;
 use std::io::{self, Write};

@@ -1,5 +1,5 @@
-//! Decimal numbers with the digits that the user wrote. The points of a grid of decimal numbers are therefore exact.
-//! Steps in binary floating point would add rounding errors.
+//! Decimal numbers with the digits that the user wrote. The points of a grid are computed exactly from them, without
+//! the rounding errors of steps in binary floating point.
 
 /// A decimal number: `digits` times 10 to the power of `exponent`.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -42,8 +42,8 @@ impl Decimal {
         text.parse().unwrap_or(f64::NAN)
     }
 
-    /// Returns the digits of the same number for a smaller exponent of 10. Returns `None` if the digits do not fit into
-    /// the type.
+    /// Returns the digits that represent the same number with the smaller exponent of 10 `exponent`. Returns `None` if
+    /// the digits do not fit into the type.
     fn scaled(self, exponent: i32) -> Option<i128> {
         let by = u32::try_from(self.exponent.checked_sub(exponent)?).ok()?;
         self.digits.checked_mul(10_i128.checked_pow(by)?)
@@ -80,7 +80,7 @@ impl Decimals {
         (steps > 0 || (steps == 0 && (last - first).signum() * step.signum() >= 0)).then_some(range)
     }
 
-    /// Creates a range of 100 equal steps. Returns `None` if its points are not exact decimal numbers.
+    /// Creates a range of 100 equal steps. Returns `None` if the points of the range are not exact decimal numbers.
     pub fn hundredths(first: Decimal, last: Decimal) -> Option<Self> {
         let exponent = first.exponent.min(last.exponent);
         let step = Decimal {

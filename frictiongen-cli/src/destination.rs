@@ -46,7 +46,7 @@ impl FormatArguments {
         }
     }
 
-    /// Returns the available width of the printed table, as the options give it.
+    /// Returns the width of the printed table from the options, or the default width.
     fn fit(&self) -> TableLayout {
         match self.width {
             None => TableLayout::of_output(self.groups),
@@ -72,12 +72,12 @@ impl FormatArguments {
         }
     }
 
-    /// Returns the format that the options select for standard output.
+    /// Returns the format that the options select for standard output. Fails if the options contradict each other.
     pub fn checked(&self) -> Result<OutputFormat, Failure> {
         self.check(self.form()).map(|()| self.form())
     }
 
-    /// Returns the output format that the options select.
+    /// Returns the output format that the options select, without checking the other options.
     fn form(&self) -> OutputFormat {
         match (self.json, self.csv) {
             (true, _) => OutputFormat::Json,

@@ -1,6 +1,6 @@
 //! Reads emitted code as text, and lists the functions whose documentation states a number of operations.
 
-/// A function of the emitted code.
+/// A function of the emitted code, as its documentation describes it.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct EmittedFunction {
     /// Name of the function.

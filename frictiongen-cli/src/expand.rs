@@ -1,5 +1,5 @@
-//! `frictiongen expand`: prints the Rust code that the macro emits. Comments before the code name the description and
-//! the version.
+//! `frictiongen expand`: prints the Rust code that the macro emits. The output begins with comments that name the
+//! description and the version of the program.
 
 use crate::args::ExpandArguments;
 use crate::compile::command;

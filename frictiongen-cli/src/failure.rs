@@ -7,7 +7,7 @@ use std::io;
 pub enum Failure {
     /// Lines of an error message, ready for printing.
     Lines(Vec<String>),
-    /// The program that reads the output of the command has closed it.
+    /// The program that reads the output of the command has closed the output.
     Closed,
 }
 

@@ -105,8 +105,8 @@ fn is_same(one: &Path, other: &Path) -> bool {
     }
 }
 
-/// The final path of a file, and a temporary path for its contents. If the final path is not a regular file but, for
-/// example, a device, there is no temporary path.
+/// The final path of a file, and a temporary path for its contents. The temporary path is missing if the final path is
+/// not a regular file but, for example, a device.
 struct OutputPath {
     last: PathBuf,
     first: Option<PathBuf>,
@@ -165,7 +165,7 @@ struct Noting {
 impl Noting {
     fn noted<T>(&mut self, result: io::Result<T>) -> io::Result<T> {
         result.inspect_err(|error| {
-            // The code stores the kind of the error, because the kind contains the reason.
+            // The kind of the error contains the reason, so the code stores only the kind.
             self.error = Some(error.kind().into());
         })
     }

@@ -81,8 +81,9 @@ impl TableLayout {
         (shown, left)
     }
 
-    /// Returns the rank of each column. A column of rank 0 is in every table. The table takes columns of higher rank in
-    /// ascending order, as long as they fit. It never contains a column without a rank (`None`).
+    /// Returns the rank of each column. A table always contains the columns of rank 0. The table takes columns of
+    /// higher rank in ascending order, as long as they fit into the width. A table never contains a column without a
+    /// rank (`None`).
     fn ranks<R>(self, columns: &[Column<'_, R>]) -> Vec<Option<usize>> {
         let mut part: Option<&str> = None;
         let mut place = 0;
@@ -161,7 +162,7 @@ impl TableLayout {
     }
 }
 
-/// Blanks from which the code takes the indentation.
+/// A string of blanks, from which the code copies the indentation of wrapped lines.
 const BLANKS: &str = "                                        ";
 
 /// Returns true if a column contains r or β, and another column contains the same quantity in Hz or N.
@@ -195,7 +196,7 @@ fn heading<R>(column: &Column<'_, R>, layout: Layout) -> Vec<String> {
     part.chain(&column.title).cloned().collect()
 }
 
-/// Keeps, for every motion, the same columns as for the first motion.
+/// Keeps the same columns for every motion as for the first motion. `kept` is true for each column of the table.
 fn follow_first<R>(columns: &[Column<'_, R>], kept: &mut [bool]) {
     let first = columns.iter().find_map(|column| column.part.as_ref());
     let of_first: Vec<(String, bool)> = columns
@@ -213,9 +214,9 @@ fn follow_first<R>(columns: &[Column<'_, R>], kept: &mut [bool]) {
     }
 }
 
-/// Returns the width that a column adds to a table with one line for each motion. All motions share the columns of the
-/// first motion. Only the columns of the first motion therefore add to the width. Its first column also adds the width
-/// of the column with the names.
+/// Returns the width, in characters, that a column adds to a table with one line for each motion. Only the columns of
+/// the first motion add a width, because the lines of all motions share these columns. The first column also adds the
+/// width of the column with the names.
 fn own_width<R>(columns: &[Column<'_, R>], column: &Column<'_, R>) -> usize {
     let first = columns.iter().find_map(|other| other.part.as_ref());
     if column.part.as_ref() != first {

@@ -13,7 +13,7 @@ use frictiongen::study::units;
 /// Number of frequencies in a range that the user gives without a step.
 const SPREAD: u32 = 200;
 
-/// A continuous range of frequencies, with the unit in which the user gave it.
+/// A continuous range of frequencies, and the unit in which the user gave the range.
 #[derive(Clone, Debug)]
 pub struct Band {
     /// Lowest frequency ratio r of the range.
@@ -109,8 +109,8 @@ fn too_far(quantity: GridQuantity, given: f64) -> Failure {
     ))
 }
 
-/// Returns the quantity by which the parser reads frequencies in this unit. If `in_time` is true, a frequency must be
-/// above 0 and finite.
+/// Returns the quantity (ratio r, Hz or rad/s) that the parser expects for frequencies in this unit. If `in_time` is
+/// true, a frequency must be above 0 and finite.
 fn quantity(unit: Unit, in_time: bool) -> GridQuantity {
     match (unit, in_time) {
         (Unit::Ratio | Unit::RatioUnderLoad, false) => GridQuantity::FrequencyRatio,
@@ -122,7 +122,7 @@ fn quantity(unit: Unit, in_time: bool) -> GridQuantity {
     }
 }
 
-/// A grid of frequencies, with the unit in which the user gave it.
+/// A grid of frequencies, and the unit in which the user gave the frequencies.
 #[derive(Clone, Debug)]
 pub struct Frequencies {
     given: Vec<f64>,
@@ -159,7 +159,8 @@ impl Frequencies {
         })
     }
 
-    /// Returns evenly spaced frequencies over a range, with both ends. They are in Hz if the range is in Hz or rad/s.
+    /// Returns `count` evenly spaced frequencies over a range, including both ends. The frequencies are in Hz if the
+    /// user gave the range in Hz or rad/s.
     #[cfg(feature = "report")]
     pub fn evenly(system: &System, band: &Band, count: usize) -> Self {
         let unit = match band.is_physical() {

@@ -27,7 +27,7 @@ impl Frictions {
         Self::read(arguments, frequencies, grid::parse)
     }
 
-    /// Parses the grid of frictions of a map. It may contain a range without a step.
+    /// Parses the grid of frictions of a map. This grid may contain a range `a:b` without a step.
     pub fn of_map(
         arguments: &FrictionArguments,
         frequencies: &Frequencies,
@@ -60,7 +60,9 @@ impl Frictions {
         })
     }
 
-    /// Returns the grid for results under this load. A grid of forces requires a load.
+    /// Stores the load, which converts between friction ratios β and forces in N, and returns the grid. Fails for
+    /// forces without a load, for ratios under a load whose amplitude depends on frequency, and if a conversion
+    /// overflows or underflows.
     pub fn under(mut self, measure: &Measure) -> Result<Self, Failure> {
         self.scale = measure.scale();
         if self.scale.is_none() && self.are_forces() {
@@ -89,7 +91,7 @@ impl Frictions {
         Ok(self)
     }
 
-    /// Returns the frictions as the user gave them, as friction ratios or in N.
+    /// Returns the frictions in the user's unit: friction ratios β, or forces in N.
     pub fn given(&self) -> &[f64] {
         &self.given
     }

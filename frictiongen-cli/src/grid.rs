@@ -5,7 +5,7 @@ use crate::failure::Failure;
 use crate::hint;
 use std::fmt;
 
-/// Largest number of points of a grid. For two grids it is the largest product of the two numbers of points.
+/// Largest number of points of a grid. For two grids, their numbers of points multiplied must not exceed this number.
 pub const MOST_POINTS: usize = 10_000_000;
 
 /// Number of equal steps in a range `a:b` without a step.
@@ -103,7 +103,7 @@ pub fn parse(text: &str, quantity: GridQuantity) -> Result<Vec<f64>, GridError> 
     points(text, quantity, quantity.is_frequency())
 }
 
-/// Parses a grid as [`parse`] does. In addition, it permits ranges `a:b` of frictions.
+/// Parses a grid as [`parse`] does, but also permits ranges `a:b` of frictions.
 pub fn parse_ranges(text: &str, quantity: GridQuantity) -> Result<Vec<f64>, GridError> {
     points(text, quantity, true)
 }
@@ -121,8 +121,8 @@ fn points(text: &str, quantity: GridQuantity, open: bool) -> Result<Vec<f64>, Gr
     Ok(points)
 }
 
-/// Parses a range a:b or a:step:b. Returns its first and last number, and its step. If the text gives no step, the step
-/// is 0.
+/// Parses a range a:b or a:step:b of frequencies. Returns the first number, the last number and the step. The step is 0
+/// if the text gives none.
 pub fn band(text: &str, quantity: GridQuantity) -> Result<[f64; 3], GridError> {
     let parts: Vec<&str> = text.split(':').collect();
     let ends = |first: &str, step: &str, last: &str| -> Result<[f64; 3], String> {
@@ -161,7 +161,7 @@ pub fn band(text: &str, quantity: GridQuantity) -> Result<[f64; 3], GridError> {
     })
 }
 
-/// Returns the error of a command that needs a single point but gets a grid of several points.
+/// Returns the error of a command that needs a single point but gets a grid of `points` points.
 pub fn several(quantity: GridQuantity, points: usize) -> Failure {
     Failure::new(format_args!(
         "{}: one {} is needed, but this is a grid of {points}",
@@ -232,7 +232,8 @@ fn decimals(texts: [&str; 3]) -> Option<Decimals> {
     Decimals::new(first?, step?, last?)
 }
 
-/// Checks that `more` new points fit into a grid that already has `already` points. Returns `more` as an integer.
+/// Checks that `more` new points fit into a grid that already has `already` points, and returns `more` as an integer.
+/// The grid may have at most `MOST_POINTS` points.
 fn room(already: usize, more: f64) -> Result<usize, String> {
     // Both conversions are exact, because the numbers are whole numbers and small enough.
     if more <= MOST_POINTS.saturating_sub(already) as f64 {
@@ -270,7 +271,7 @@ impl GridRange {
                 "from {first:?} to {last:?} the step must be {sign}"
             ));
         }
-        // `blur` is the largest change of the ratio that rounding of the three numbers can cause.
+        // `blur` is the largest error of `ratio` that rounding of `first`, `step` and `last` can cause.
         let blur = 4.0 * f64::EPSILON * ((first.abs() + last.abs()) / step.abs() + ratio);
         let whole = ratio.round();
         let ends_at_last = (ratio - whole).abs() <= blur;
@@ -287,8 +288,8 @@ impl GridRange {
     fn point(&self, index: usize) -> f64 {
         let index = index as f64;
         if self.ends_at_last && index == self.steps {
-            // The last point is exactly the number that the user wrote. It equals the computed point except for
-            // rounding.
+            // The user wrote the last point, so the grid contains exactly this number. The computed point differs from
+            // it by rounding.
             self.last
         } else {
             self.first + index * self.step

@@ -1,4 +1,4 @@
-//! A grid of frequencies and frictions, with the setting for the results at its points.
+//! The system, frequencies, frictions, units and motions of a command that computes at each point of a grid.
 
 use crate::asked::MovingPart;
 use crate::frequency::Frequencies;
@@ -22,7 +22,7 @@ pub struct Grids {
 }
 
 impl Grids {
-    /// Returns the setting for the tables of the library.
+    /// Returns the data that the library's tables need: system, units, frequencies, frictions and motions.
     pub fn setting(&self) -> Setting<'_> {
         Setting {
             system: &self.system,

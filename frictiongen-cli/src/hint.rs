@@ -46,7 +46,8 @@ pub fn of(text: &str) -> String {
         let Some(number) = number.filter(|number| number.parse::<f64>().is_ok()) else {
             continue;
         };
-        // The code appends the power of ten to the text. The text 1.2 mm then becomes 0.0012 without rounding.
+        // The code appends the power of ten to the digits of the number, so that 1.2 mm becomes 1.2e-3 without
+        // rounding.
         let scaled = format!("{number}e{power}").parse::<f64>();
         let scaled = scaled.map_or_else(|_| number.to_owned(), |scaled| scaled.to_string());
         return format!(

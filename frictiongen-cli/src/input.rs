@@ -13,12 +13,12 @@ use std::path::Path;
 const MOST_BYTES: usize = 16 << 20;
 
 impl FileArgument {
-    /// Returns the path of the description's file, or `None` for standard input.
+    /// Returns the path of the file with the description, or `None` for standard input.
     pub fn path(&self) -> Option<&Path> {
         self.file.as_deref().filter(|path| *path != Path::new("-"))
     }
 
-    /// Returns the name of the description for messages.
+    /// Returns the name of the description, which messages to the user contain.
     pub fn name(&self) -> String {
         self.path()
             .map_or_else(|| "<stdin>".to_owned(), |path| path.display().to_string())
@@ -59,7 +59,7 @@ impl FileArgument {
     }
 
     /// Reads and parses the description of a scene that may have several contacts and dashpots. If `constant` is true,
-    /// it fails for a single contact whose kinetic friction depends on the speed.
+    /// the function fails for a single contact whose kinetic friction depends on the speed.
     pub fn maybe_joined(
         &self,
         limits: &SizeLimits,
@@ -119,7 +119,7 @@ impl FileArgument {
         Ok((description, text))
     }
 
-    /// Reads and parses a description for a command that needs the macro's code, and returns it with its text.
+    /// Reads and parses a description within the limits that the macro sets, and returns it with its text.
     pub fn exported(&self, limits: &SizeLimits) -> Result<(Description, String), Failure> {
         let text = self.text()?;
         let description = self.single(self.parsed(&text, limits)?)?;

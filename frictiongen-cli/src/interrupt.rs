@@ -5,7 +5,8 @@ use std::sync::atomic::{AtomicBool, Ordering};
 
 static PRESSED: AtomicBool = AtomicBool::new(false);
 
-/// Starts to watch for Ctrl-C. The first Ctrl-C asks the computation to end. The second Ctrl-C ends the program.
+/// Starts to watch for Ctrl-C. The first Ctrl-C requests the end of the computation. The second Ctrl-C ends the
+/// program.
 pub fn watch() {
     // If the program cannot catch the signal, or already catches it, Ctrl-C ends the program as usual.
     let _ = ctrlc::set_handler(|| {

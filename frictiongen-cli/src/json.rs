@@ -1,5 +1,5 @@
-//! Writes the output of a command as one JSON object. The program writes each point as soon as it has computed it, on a
-//! line of its own.
+//! Writes the output of a command as one JSON object. Each point has a line of its own, which the program writes as
+//! soon as it has computed the point.
 
 use crate::number::{Cell, Lossless as _};
 use crate::summary::Summary;

@@ -5,7 +5,7 @@ use crate::table;
 use frictiongen::study::columns::{CONTACT, Column, ColumnKind};
 use serde_json::{Map, Value as Json};
 
-/// Arrangement of the motions of a row in text and in JSON.
+/// Arrangement of the motions of the contact and masses in a table row, for text and for JSON.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Layout {
     /// Text has one line for each row, and JSON has a field for each column.
@@ -21,7 +21,7 @@ pub enum Layout {
     Joints,
 }
 
-/// Heading of the column that contains the name of the contact or mass.
+/// Heading of the column that contains the name of the moving contact or mass.
 const MOTION: &str = "motion";
 
 impl Layout {
@@ -78,7 +78,7 @@ impl Layout {
                 line.push(column.read(row));
             }
         }
-        // A contact or mass without an amplitude does not move. It gets no line.
+        // A contact or mass whose amplitude is missing does not move, so the table has no line for it.
         let amplitude = once.len() + 1;
         lines.retain(|line| line.get(amplitude) != Some(&Cell::Missing));
         match lines.first_mut() {
@@ -142,7 +142,7 @@ const HARMONICS: &str = "harmonics";
 /// Name of the JSON field with the order, in an entry of the list of harmonics.
 const ORDER: &str = "n";
 
-/// Adds a value to the entry of its harmonic in the list of harmonics.
+/// Adds a value to the list of harmonics, in the entry for the harmonic of this order.
 fn harmonic(fields: &mut Map<String, Json>, order: u32, name: &str, value: Json) {
     let list = fields
         .entry(HARMONICS)

@@ -67,7 +67,7 @@ pub enum Ended {
     Usage(clap::Error),
     /// The command failed. The field contains the lines of a message for the user.
     Lines(Vec<String>),
-    /// The program that reads the output of the command has closed it.
+    /// The program that reads the output of the command has closed the output.
     Closed,
 }
 
@@ -80,7 +80,7 @@ impl From<Failure> for Ended {
     }
 }
 
-/// Runs a command line. Its first word is the name of the program. The command writes its results to `out`.
+/// Runs a command line, whose first word is the name of the program. The command writes its results to `out`.
 ///
 /// # Errors
 /// [`Ended`] contains the message for the user.

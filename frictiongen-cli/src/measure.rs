@@ -36,7 +36,7 @@ pub fn of(arguments: &LoadArguments, system: &System) -> Result<Measure, Failure
             Err(problem) if problem.starts_with("the unit") && !text.contains(',') => {
                 return Err(wrong("--base", text, &problem));
             }
-            // In every option, a length is a number without a unit.
+            // The option --base accepts a displacement only as a number in m, without a unit.
             _ => Load::Base(number("--base", text)?),
         };
         measure = under(load, "--base", text)?;

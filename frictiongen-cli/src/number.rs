@@ -49,8 +49,8 @@ impl Lossless for Cell<'_> {
     }
 }
 
-/// Returns true if the conversion from `given` to `computed` has neither overflowed nor underflowed. In this case, the
-/// computed number is 0 exactly if the given number is 0, and finite exactly if the given number is finite.
+/// Returns true if the conversion of `given` to `computed` has neither overflowed nor underflowed. Then either both
+/// numbers are 0 or neither number is, and either both are finite or neither is.
 pub fn survives(given: f64, computed: f64) -> bool {
     computed.is_finite() == given.is_finite() && (computed == 0.0) == (given == 0.0)
 }
@@ -68,11 +68,11 @@ pub fn computed(value: f64) -> String {
     }
 }
 
-/// Formats a computed number that is known only to lie within an interval of this width. The format is that of
-/// [`computed`], but it leaves out the digits that the width makes meaningless.
+/// Formats a computed number whose exact value is known only up to an interval of the width `width`. The format is that
+/// of [`computed`], without the digits that are smaller than the width.
 pub fn within(value: f64, width: f64) -> String {
     let size = value.abs();
-    // The last printed decimal is the first decimal that the width of the interval changes.
+    // The number of decimals follows from the width, because later decimals are not known.
     let decimals = (-width.log10()).ceil();
     if size == 0.0 || size.is_infinite() || !width.is_finite() {
         computed(value)

@@ -25,15 +25,15 @@ pub trait ResultTable {
     fn each(&self, visit: Visitor<'_, Self::Row>) -> Result<(), Failure>;
     /// Returns the columns of the table, from left to right.
     fn columns(&self) -> Vec<Column<'_, Self::Row>>;
-    /// Returns the arrangement of a row's motions in text and in JSON.
+    /// Returns the layout, which arranges the motions of the contact and masses in text and in JSON.
     fn layout(&self) -> Layout {
         Layout::Flat
     }
-    /// Returns true if the JSON object of a row contains motions and lists.
+    /// Returns true if the JSON object of this row contains motions of the contact and masses, and lists.
     fn has_motions(&self, _row: &Self::Row) -> bool {
         true
     }
-    /// Returns fields that the JSON output contains once, after the fields of the scene.
+    /// Returns the fields, by name, that the JSON output contains once, after the fields of the scene.
     fn head(&self) -> Vec<(String, serde_json::Value)> {
         Vec::new()
     }
@@ -42,7 +42,7 @@ pub trait ResultTable {
     fn preamble(&self) -> Vec<(&'static str, String)> {
         Vec::new()
     }
-    /// Returns an additional JSON field for a row, or `None`.
+    /// Returns an additional JSON field for a row with its name, or `None`.
     fn more(&self, _row: &Self::Row) -> Option<(&'static str, serde_json::Value)> {
         None
     }

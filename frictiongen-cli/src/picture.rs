@@ -13,11 +13,11 @@ use std::io::Write;
 #[cfg(feature = "png")]
 const SCALE: f32 = 2.0;
 
-/// The end of an axis, divided by the largest value on the axis.
+/// Upper end of an axis, as a multiple of the largest value that the axis shows.
 pub const ROOM: f64 = 1.15;
 
-/// Returns the panels of a picture against time in s. They show displacements in m, spring forces in N and the friction
-/// force in N. `motions` has the values of each displacement or spring force at the times.
+/// Returns the panels of a picture over time in s. The panels show displacements in m, spring forces in N and the
+/// friction force in N. `motions` has the values of each displacement or spring force at the times.
 pub fn over_time(times: &[f64], motions: &[(&MovingPart, &[f64])], force: &[f64]) -> Vec<Panel> {
     let ends = [times.first(), times.last()].map(|end| end.copied().unwrap_or(0.0));
     let [first, last] = ends;

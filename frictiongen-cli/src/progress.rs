@@ -20,15 +20,15 @@ pub struct Progress {
 }
 
 impl Progress {
-    /// Starts the progress of a run over `total` items that prints its results one by one. In the messages, the items
-    /// have the name `what`.
+    /// Starts the progress of a run that prints its results one by one. The run has `total` items, with the name `what`
+    /// in the messages.
     pub fn new(total: usize, what: &'static str) -> Self {
-        // If the output goes to the same terminal, its lines already show the progress.
+        // If the output goes to the same terminal, the printed results already show the progress.
         Self::seen(Some(total), what, !io::stdout().is_terminal())
     }
 
-    /// Starts the progress of a run over `total` items that prints no results before its end. In the messages, the
-    /// items have the name `what`.
+    /// Starts the progress of a run that prints no results before its end. The run has `total` items, with the name
+    /// `what` in the messages.
     pub fn silent(total: usize, what: &'static str) -> Self {
         Self::seen(Some(total), what, true)
     }

@@ -94,7 +94,8 @@ impl ResultTable for SensitivityReport {
     }
 }
 
-/// Visits the rows of an operating point. If `with_answers` is true, a row with the results themselves comes first.
+/// Visits the rows of an operating point, which has one frequency and one friction. If `with_answers` is true, a row
+/// with the results themselves comes before the rows with derivatives.
 pub fn each_row<D: Clone>(
     rows: &[SensitivityRow<D>],
     with_answers: bool,

@@ -1,5 +1,5 @@
-//! Prints or installs the manual pages, and the scripts for completion in shells. The crates `clap_complete` and
-//! `clap_mangen` generate them from the definition of the arguments.
+//! Prints or installs the manual pages and the completion scripts for shells. The crates `clap_complete` and
+//! `clap_mangen` generate these texts from the definition of the arguments.
 
 use crate::args::{Arguments, CompletionsArguments, ManArguments, SetupArguments};
 use crate::failure::{Failure, reason};

@@ -53,7 +53,7 @@ impl Summary {
         if self.base_motion { "F/(k1 Y)" } else { "F/P" }
     }
 
-    /// Writes the text of [`write`](Self::write), but each line as a comment.
+    /// Writes the text of [`write`](Self::write), with `# ` before each line, so that a CSV reader skips the lines.
     pub fn comment(&self, out: &mut dyn Write, more: &[(&str, String)]) -> io::Result<()> {
         let mut text = Vec::new();
         self.write(&mut text, more)?;

@@ -10,13 +10,13 @@ use frictiongen_model::scene::Precision;
 
 /// Number of frequency ratios with known answers.
 pub const POINTS: usize = 10;
-/// Number of frequency ratios that the code tries in each part of the range, for a scene with one mode. With more
-/// modes the number is smaller, because a try takes longer.
+/// Number of frequency ratios that the code tries in each of [`POINTS`] equal parts of the range of r, for a scene with
+/// one mode. With more modes the number is smaller, because a try takes longer.
 const TRIED: u32 = 40;
-/// Smallest number of frequency ratios that the code tries in each part of the range.
+/// Smallest number of frequency ratios that the code tries in each of [`POINTS`] equal parts of the range of r.
 const TRIED_AT_LEAST: u32 = 5;
-/// Distance from one tried frequency ratio to the next, as a fraction of a part of the range. A distance from the
-/// golden section spreads the tries evenly.
+/// Distance from one tried frequency ratio to the next, as a fraction of a part of the range of r. This fraction is the
+/// golden section, which spreads the tries evenly over the part.
 const GOLDEN: f64 = 0.618_033_988_749_894_9;
 /// Phase τ, in rad, of the known displacement and velocity of each mass.
 pub const TAU: f64 = 1.0;
@@ -25,9 +25,9 @@ const DISPLACED: f64 = 32.0;
 /// Fraction of the allowed error. An answer depends on rounding if it changes by more than this fraction when r
 /// changes by [`DISPLACED`] rounding units.
 const SENSITIVE: f64 = 1.0 / 8.0;
-/// Smallest relative distance of β from a limit. At this distance no rounding changes the regime.
+/// Smallest relative distance of β from β_lim and from β*_lim. At this distance no rounding changes the regime.
 const APART: f64 = 0.05;
-/// Largest modulus of a known phase, in rad. Rounding could change a phase near π to −π.
+/// Largest modulus of a phase in the known answers, in rad. Rounding could change a phase near π to one near −π.
 const WRAPS: f64 = 3.0;
 
 /// Request for known answers of a scene: the ranges, the tolerance and the kinds of answers.
@@ -41,8 +41,8 @@ pub struct AnswersRequest {
     pub beta: (f64, f64),
     /// Allowed relative error of an answer of the emitted code.
     pub tolerance: f64,
-    /// Largest relative error that may be allowed. It is needed if a part of the range would otherwise have no
-    /// answer.
+    /// Largest relative error that the code may allow instead of `tolerance`. A part of the range of r may need it,
+    /// because every answer in the part depends on rounding.
     pub widest: f64,
     /// True if the request includes the continuous motion at a friction ratio.
     pub motion: bool,
@@ -70,7 +70,7 @@ pub struct KnownAnswers {
     pub continuous: f64,
     /// β*_lim, the limit of sliding.
     pub sliding: f64,
-    /// The motion at one friction ratio, if the question includes it.
+    /// The motion at one friction ratio, if the request includes it.
     pub motion: Option<MotionAnswers>,
     /// Real and imaginary part of the response of each mass while the contact is stuck, then of the force that keeps
     /// the contact stuck. The list is empty if these responses are not requested.
@@ -80,7 +80,8 @@ pub struct KnownAnswers {
 }
 
 impl KnownAnswers {
-    /// Returns the smallest allowed error for which these answers do not depend on rounding.
+    /// Returns the smallest allowed error for which these answers do not depend on rounding. It is `change` divided by
+    /// the fraction `SENSITIVE`.
     #[must_use]
     pub fn needs(&self) -> f64 {
         self.change / SENSITIVE
@@ -94,7 +95,7 @@ pub struct MotionAnswers {
     pub beta: f64,
     /// Kind of the motion at this friction ratio.
     pub outcome: MotionKind,
-    /// Amplitude and phase of the contact. Amplitude and phase are 0 if the contact does not slide all the time.
+    /// Amplitude and phase (rad) of the contact. Both numbers are 0 if the contact does not slide all the time.
     pub contact: [f64; 2],
     /// Displacement and velocity of each mass at τ = [`TAU`]. The two numbers are 0 if the contact does not slide all
     /// the time.
@@ -152,8 +153,8 @@ impl AnswersRequest {
     }
 }
 
-/// Returns the answers at the frequency ratio r, with their change if r changes a little. Returns `None` if an answer
-/// at r or at the changed r is missing. `place` is the number of the part of the range.
+/// Returns the answers at the frequency ratio r, with their change if r grows by [`DISPLACED`] rounding units. Returns
+/// `None` if an answer at r or at the changed r is missing. `place` is the number of the part of the range of r.
 fn answers(
     exact: &Reduced<Dd>,
     question: &AnswersRequest,
@@ -200,7 +201,8 @@ fn answers(
 }
 
 /// Returns a friction ratio for the known answer with the index `place`, within the range of `question`. Two of three
-/// friction ratios are below β_lim. The third is usually above β_lim and β*_lim, and sometimes between them.
+/// known answers have a friction ratio below β_lim. The third is usually above β_lim and β*_lim, and sometimes between
+/// these limits.
 fn beta(question: &AnswersRequest, [continuous, sliding]: [f64; 2], place: usize) -> f64 {
     let wanted = match place % 3 {
         0 => 0.5 * continuous,
@@ -214,7 +216,7 @@ fn beta(question: &AnswersRequest, [continuous, sliding]: [f64; 2], place: usize
     question.rounded(wanted).clamp(least, most)
 }
 
-/// Returns β_lim and β*_lim at a frequency, or `None` if one of the limits is 0 or infinite.
+/// Returns β_lim and β*_lim at a frequency, or `None` if β_lim or β*_lim is 0 or infinite.
 fn limits(at: &At<&Reduced<Dd>>) -> Option<[f64; 2]> {
     let limits = at.limits();
     let both = [limits.continuous, limits.sliding].map(Float::to_f64);
@@ -223,8 +225,8 @@ fn limits(at: &At<&Reduced<Dd>>) -> Option<[f64; 2]> {
         .then_some(both)
 }
 
-/// Returns the answers at r and β. `continuous` and `sliding` are the limits at r. Returns `None` if no answer exists,
-/// or if β is close to a limit.
+/// Returns the answers at r and β. `continuous` is β_lim at r, and `sliding` is β*_lim at r. Returns `None` if no
+/// answer exists, or if β is close to a limit.
 fn answer(
     at: &At<&Reduced<Dd>>,
     question: &AnswersRequest,

@@ -3,7 +3,7 @@
 //! `tokens` passes a macro's tokens to the parser of `frictiongen-syntax`. `lower` converts the parsed description to a
 //! scene with its tables. `graph` records the closed forms as code, and `emit` writes the items of a solver.
 
-/// Emits code as `quote!` does, but with another name resolution: names in the user's code and local names in the
+/// Emits code as `quote!` does, but with another name resolution. Names in the user's code and local names in the
 /// emitted code cannot refer to each other.
 macro_rules! code {
     ($($tokens:tt)*) => {

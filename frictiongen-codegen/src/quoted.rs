@@ -24,8 +24,8 @@ pub(crate) fn value(literal: &Literal) -> Option<String> {
     Some(value)
 }
 
-/// Reads an escape after its backslash. The outer `None` means that Rust does not have this escape. The inner `None`
-/// means that the escape produces no character, because it only continues the line.
+/// Reads an escape sequence after its backslash. The outer `None` means that Rust does not have this escape. The inner
+/// `None` means that the escape produces no character, because it only continues the line.
 #[allow(clippy::option_option, reason = "the two have different meanings")]
 fn escaped(rest: &mut Peekable<Chars<'_>>) -> Option<Option<char>> {
     Some(Some(match rest.next()? {

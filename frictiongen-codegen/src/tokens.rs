@@ -37,8 +37,8 @@ pub(crate) fn parse(stream: TokenStream, problems: &mut Problems) -> (Syntax, So
 }
 
 impl Sources {
-    /// Returns the span of a position. If the description is a string or a file, every
-    /// position has the span of the macro call.
+    /// Returns the span of a position. If the description is a string or a file, every position has the span of the
+    /// macro call.
     pub(crate) fn span(&self, place: TokenPosition) -> Span {
         self.source(place)
             .map_or_else(Span::call_site, |source| source.span)

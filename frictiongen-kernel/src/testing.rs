@@ -1,5 +1,6 @@
 //! Helpers of the unit tests for modal sums and their searches. A wave is the term of one mode in a modal sum. The
-//! helpers compute derivatives of a wave by independent formulas, and create random waves.
+//! helpers compute derivatives of a wave by formulas that are independent of the tested code. They also create random
+//! waves.
 //!
 //! A wave is a sum of sinusoids and a free vibration p, whose derivatives satisfy p⁽ⁿ⁺²⁾ = −2ζx p⁽ⁿ⁺¹⁾ − x² p⁽ⁿ⁾. ζ is
 //! the damping ratio of the mode, and x its natural frequency divided by the excitation frequency.
@@ -18,8 +19,8 @@ pub type TestWave = Wave<f64, Damped<f64>>;
 /// Number of derivatives of a wave that the tests compute. A search uses no higher derivative in its Taylor series.
 pub const ORDERS: usize = 18;
 
-/// Modal damping ratios ζ of every kind of damping. At some ζ the closed form changes. The list has values on both
-/// sides of each of these ζ.
+/// Modal damping ratios ζ for the tests, with every kind of damping. At some ζ the closed form of the response changes.
+/// The list has a value below and a value above each such ζ.
 pub const ZETAS: [f64; 12] = [
     0.0, 1e-6, 0.01, 0.1, 0.3, 0.49, 0.6, 0.9, 1.0, 1.2, 3.0, 20.0,
 ];
@@ -56,11 +57,11 @@ fn free(x: f64, zeta: f64, tau: f64, last: usize) -> [f64; ORDERS] {
             decay_factor * (c - zeta / q * s),
         )
     } else {
-        // The product of the two roots is x². The code computes the slow root as x² divided by the fast root, without a
-        // difference of close numbers.
+        // The product of the two decay rates is x². The code computes the slow rate as x² divided by the fast rate. A
+        // difference of nearly equal numbers would lose digits.
         let (slow, fast) = (x / (zeta + q), x * (zeta + q));
         let (a, b) = ((-slow * tau).exp(), (-fast * tau).exp());
-        // For τ → 0 the two exponentials cancel. `exp_m1` keeps the digits of their difference.
+        // For τ → 0 the two exponentials `a` and `b` nearly cancel. `exp_m1` keeps the digits of their difference.
         let p = -a * (-(fast - slow) * tau).exp_m1() / (fast - slow);
         (p, b - slow * p)
     };
@@ -76,14 +77,16 @@ fn turning(tau: f64, order: usize) -> (f64, f64) {
     [(c, s), (-s, c), (-c, -s), (s, -c)][order % 4]
 }
 
-/// Returns the coefficients a and b of y = 1/x² + a·d + b·p. y is the response of a mode to a unit force that changes
-/// its sign every half period. The coefficients follow from y(π) = −y(0) and y′(π) = −y′(0), with d = p′ + 2ζx p and d′
-/// = −x²p. p is the free vibration from displacement 0 with velocity 1.
+/// Returns the coefficients a and b of the response y = 1/x² + a·d + b·p of a mode. The load is a unit force that
+/// changes its sign every half period.
+///
+/// The coefficients follow from y(π) = −y(0) and y′(π) = −y′(0), with d = p′ + 2ζx p and d′ = −x²p. p is the free
+/// vibration from displacement 0 with velocity 1.
 fn mass_controlled_parts(x: f64, zeta: f64) -> (f64, f64) {
     let end = free(x, zeta, PI, 1);
     let (p, slope) = (end[0], end[1]);
     let d = slope + 2.0 * zeta * x * p;
-    // The two conditions are (1 + d)a + p·b = −2/x² and −x²p·a + (1 + p′)b = 0.
+    // At τ = π, the two conditions on y and y′ are (1 + d)a + p·b = −2/x² and −x²p·a + (1 + p′)b = 0.
     let determinant = (1.0 + d) * (1.0 + slope) + x * x * p * p;
     let a = -2.0 / (x * x) * (1.0 + slope) / determinant;
     (a, -2.0 * p / determinant)
@@ -122,9 +125,10 @@ pub fn sum_derivative(sum: &Sum<'_, f64, Damped<f64>>, tau: f64, order: usize) -
     sum.cosine * c + sum.sine * s + waves.sum::<f64>()
 }
 
-/// Returns four or five test waves, each with a name. A wave is the term of one mode in a modal sum. In each of the
-/// first four waves, one coefficient is 1 and the others are 0. For a slow mode a fifth wave contains the whole
-/// response.
+/// Returns four or five test waves, each with a name. A wave is the term of one mode in a modal sum.
+///
+/// In each of the first four waves, one coefficient is 1 and the others are 0. For a slow mode, a fifth wave contains
+/// the whole response.
 pub fn parts(x: f64, zeta: f64) -> Vec<(&'static str, TestWave)> {
     let at_rest = at_rest(x, zeta);
     let mut parts = vec![
@@ -168,8 +172,9 @@ pub fn parts(x: f64, zeta: f64) -> Vec<(&'static str, TestWave)> {
     parts
 }
 
-/// Returns random waves (terms of the modes in a modal sum). The slowest mode comes first. Either each mode has its own
-/// damping, or no mode is damped. If `rise` is false, a wave has only the terms that occur in the velocity constraint.
+/// Returns random waves in ascending order of natural frequency. A wave is the term of one mode in a modal sum. Either
+/// each mode has its own damping, or no mode is damped. If `rise` is false, a wave has only the terms that occur in the
+/// velocity constraint.
 pub fn random_waves(
     random: &mut Lcg,
     (low, high): (f64, f64),
@@ -200,12 +205,12 @@ pub fn random_waves(
     waves
 }
 
-/// Returns a random motion that resembles the motion of a chain. It repeats with the opposite sign after half a period.
-/// The result consists of one wave for each mode, and of the coefficients of cos τ and sin τ in the motion.
+/// Returns a random motion that resembles the motion of a chain. The motion repeats with the opposite sign after half a
+/// period. The result consists of one wave for each mode, and of the coefficients of cos τ and sin τ in the motion.
 ///
-/// The response of a mode is a combination of the functions in `Basis`, plus one term in cos τ and one in sin τ. The
-/// wave of the mode has the combination only. The two other terms of all modes are part of the two coefficients. A
-/// mass-controlled mode, which resonates far below the excitation frequency, does not have these two terms.
+/// The response of a mode is a combination of the functions in `Basis`, plus a term in cos τ and a term in sin τ. The
+/// wave of the mode contains only the combination. The function sums the cos τ and sin τ terms of all modes in the two
+/// coefficients. A mass-controlled mode, which resonates far below the excitation frequency, has no such terms.
 pub fn random_motion(
     random: &mut Lcg,
     (low, high): (f64, f64),
@@ -235,7 +240,8 @@ pub fn random_motion(
                     ..at_rest(x, zeta)
                 };
             }
-            // The response is 1/x² + a·d + b·p = (1 − d)/x² + g(cos τ − d)/x² − b(sin τ − p) − g cos τ/x² + b sin τ.
+            // With g = −a x² − 1, the response 1/x² + a·d + b·p equals (1 − d)/x² + g(cos τ − d)/x² − b(sin τ − p) − g
+            // cos τ/x² + b sin τ.
             let (a, b) = mass_controlled_parts(x, zeta);
             let fall = -a - 1.0 / (x * x);
             cosine -= weight * fall;
@@ -253,9 +259,11 @@ pub fn random_motion(
     (waves, cosine, sine)
 }
 
-/// Returns a random velocity constraint: the waves of the modes, the sine amplitude, and the quotient for τ → 0. At
-/// both ends of the half period, the sum of the waves and sin τ are zero. Without damping the sum is odd about the
-/// middle of the half period.
+/// Returns a random velocity constraint: the waves of the modes, the coefficient of sin τ, and the limit of the
+/// constraint for τ → 0.
+///
+/// A wave is the term of one mode. The sum of the waves vanishes at τ = 0 and at τ = π, and so does sin τ. Without
+/// damping the sum is odd about τ = π/2.
 pub fn random_constraint(
     random: &mut Lcg,
     (low, high): (f64, f64),
@@ -278,7 +286,7 @@ pub fn random_constraint(
                 damping[random.below(4)]
             };
             let inverse_mass = random.unit();
-            // The velocity of the mode is y′ = −a x²p + b p′.
+            // The velocity of the mode is y′ = −a x²p + b p′, with the free displacement p.
             let (a, b) = mass_controlled_parts(x, zeta);
             let (forced, forced_slope) = (inverse_mass * a * x * x, -(inverse_mass * b));
             sine -= 2.0 * zeta * x * forced_slope;

@@ -4,8 +4,8 @@ use crate::modal::Modal;
 use crate::scene::{Damping, Node, Scene};
 use frictiongen_kernel::number::dd::Dd;
 
-/// Fraction of the largest natural frequency. A smaller natural frequency counts as 0: that of a motion without
-/// deformation.
+/// Natural frequencies of at most this fraction of the largest natural frequency count as 0. They belong to motions of
+/// the chain without deformation.
 const RIGID: f64 = 1e-13;
 
 /// Returns the modal data with natural frequencies of exactly 0 for motions of the chain without deformation.
@@ -37,7 +37,8 @@ pub fn damping_matrix(scene: &Scene, modal: &Modal) -> Vec<Vec<f64>> {
     matrix.into_iter().map(rounded).collect()
 }
 
-/// Returns Σ 2ζω (Mφ)(Mφ)ᵀ/m₁ over the modes, whose shapes have φᵀMφ = m₁.
+/// Returns the damping matrix Σ 2ζω (Mφ)(Mφ)ᵀ/m₁ over the modes. M is the mass matrix, and the mode shapes φ are
+/// normalised to φᵀMφ = m₁.
 fn of_modes(scene: &Scene, modal: &Modal) -> Vec<Vec<Dd>> {
     let masses: Vec<Dd> = scene
         .masses

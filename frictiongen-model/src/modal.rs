@@ -8,8 +8,8 @@ use frictiongen_kernel::Float;
 use frictiongen_kernel::number::dd::Dd;
 use frictiongen_kernel::response::Ends;
 
-/// Fraction of the largest value that a residue can have. A residue of at most this fraction is rounding noise, and
-/// the code sets it to exactly zero.
+/// Bound on a residue that is only rounding noise, divided by the largest value that the residue can have. The code
+/// sets a residue within this bound to exactly zero.
 pub(crate) const NOISE: f64 = 1e-26;
 
 /// A scene in modal coordinates (section 2 of `docs/derivation.md`), to about 30 digits. The type `T` is a number, or a
@@ -33,19 +33,24 @@ pub struct Modal<T = Dd> {
     /// φᵀK_w1, the force on each mode if all masses move by 1, where K_w has the stiffnesses of the springs to the
     /// wall. The list is empty unless damping acts on velocities relative to the moving base.
     pub walls: Vec<T>,
-    /// wᵀΓ⁻¹C̄1/r, the relative acceleration of the contact that damping causes if the base moves at unit velocity.
-    /// This acceleration is 0 unless damping acts on velocities relative to the moving base.
+    /// wᵀΓ⁻¹C̄1/r, the relative acceleration of the contact that damping causes if the base moves at unit velocity. w
+    /// is the contact direction, Γ the matrix of the mass ratios and C̄ the damping matrix. This acceleration is 0
+    /// unless damping acts on velocities relative to the moving base.
     pub inertial_drag: T,
-    /// m* = wᵀΓ⁻¹w, the inverse effective mass of the contact.
+    /// m* = wᵀΓ⁻¹w, the inverse effective mass of the contact. w is the contact direction, and Γ the matrix of the mass
+    /// ratios.
     pub inverse_mass: T,
-    /// wᵀΓ⁻¹p, the relative acceleration of the contact under a unit load if the springs exert no force.
+    /// wᵀΓ⁻¹p, the relative acceleration of the contact under a unit load if the springs exert no force. w is the
+    /// contact direction, Γ the matrix of the mass ratios and p the load vector.
     pub inertial_load: T,
-    /// wᵀK̄⁻¹p − s, the static relative displacement of the contact under a unit load. s is 1 if the contact slides on
-    /// the moving base, otherwise 0.
+    /// wᵀK̄⁻¹p − s, the static relative displacement of the contact under a unit load. w is the contact direction, K̄
+    /// the stiffness matrix and p the load vector. s is 1 if the contact slides on the moving base, otherwise 0.
     pub static_motion: T,
-    /// wᵀK̄⁻¹w, the static relative displacement of the contact under a unit force in the contact.
+    /// wᵀK̄⁻¹w, the static relative displacement of the contact under a unit force in the contact. w is the contact
+    /// direction, and K̄ the stiffness matrix.
     pub static_receptance: T,
-    /// True if the contact slides on the moving base, so that s = 1 in z̄ = wᵀx̄ − s cos τ.
+    /// True if the contact slides on the moving base. Its relative displacement is then z̄ = wᵀx̄ − cos τ, with the
+    /// contact direction w.
     pub on_moving_base: bool,
     /// √(k₁/m₁), the reference frequency of all frequency ratios, in rad/s in the scene's own units.
     pub reference: T,
@@ -353,7 +358,8 @@ impl<T: Float> Modal<T> {
             };
         }
         let sliding = self.static_motion.abs() / (mu * self.static_receptance);
-        // Where damping acts relative to the base, the force on the contact is proportional to r for large r.
+        // If damping acts on velocities relative to the moving base, the force on the contact is proportional to r for
+        // large r. The limits for r → ∞ are then infinite, as for a contact on the moving base.
         if self.on_moving_base || !self.inertial_drag.is_zero() {
             let infinity = T::constant(f64::INFINITY);
             return Ends {

@@ -32,8 +32,9 @@ pub(crate) fn static_sums<T: Float>(
     (cleaned(motion, size, noise), receptance)
 }
 
-/// Returns Σ φᵀw 2ζ√λ Γ = wᵀΓ⁻¹C̄1/r, where Γ has the participation factors. The sum is the relative acceleration of
-/// the contact that damping causes if the base moves at unit velocity. Without participation factors the sum is 0.
+/// Returns Σ φᵀw·2ζ√λ·g over the modes, where g is the participation factor of a mode for base motion. This sum is
+/// wᵀΓ⁻¹C̄1/r, the relative acceleration of the contact that damping causes if the base moves at unit velocity. Without
+/// participation factors the sum is 0.
 pub(crate) fn inertial_drag<T: Float>(
     (resonances, damping_ratios): (&[T], &[T]),
     (contacts, participations): (&[T], &[T]),

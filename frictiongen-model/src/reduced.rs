@@ -35,11 +35,11 @@ pub struct Reduced<S> {
     /// Frequency ratios of the undamped resonances that the load drives. The response at these resonances may be
     /// unbounded.
     pub unbounded: Vec<S>,
-    /// The frequency ratios of `unbounded` whose resonant mode has no friction, because the contact does not move in
-    /// it.
+    /// The frequency ratios of `unbounded` at which friction does not act on the resonant mode, because the contact
+    /// does not move in this mode.
     pub invisible: Vec<S>,
-    /// True if the sums over the modes process two modes at the same time. The results have the same bits. Optimised
-    /// code is then faster, but code without optimisation is slower.
+    /// True if the sums over the modes process two modes at the same time. Optimised code is then faster, but code
+    /// without optimisation is slower. The results are identical to the last bit.
     pub two_at_once: bool,
 }
 

@@ -1,6 +1,7 @@
-//! Natural frequencies of the chain with its contact stuck. They are the roots of 1/κ + Σ c_i/(s² + 2ζ_iσ_i s + λ_i)
-//! over the modes i. κ is the stiffness of the contact divided by k₁, and 1/κ is the *compliance* of the contact. The
-//! compliance of a rigid contact is 0.
+//! Natural frequencies of the chain with its contact stuck. They are the roots s of 1/κ + Σ c_i/(s² + 2ζ_iσ_i s + λ_i)
+//! over the modes i of the sliding chain. Mode i has the resonance σ_i = √λ_i, the damping ratio ζ_i and the
+//! contribution c_i to the inverse effective mass of the contact. κ is the stiffness of the contact divided by k₁, and
+//! 1/κ is the *compliance* of the contact. The compliance of a rigid contact is 0.
 //!
 //! Without damping, one root lies between each pair of neighbouring resonances. With an elastic contact, another root
 //! lies above the last resonance. With damping, the simultaneous iteration of Aberth and Ehrlich starts from the
@@ -54,10 +55,10 @@ pub(crate) fn pairs(modes: &[DrivenMode], compliance: Dd) -> Vec<Pair> {
     paired(roots)
 }
 
-/// Returns the undamped root ω between two neighbouring resonances, where 1/κ + Σ c_i/(λ_i − ω²) rises from −∞ to ∞. If
-/// `high` is `None`, `low` is the last resonance, and the result is the root above `low`. The function multiplies the
-/// sum by the denominators of the two neighbouring modes, and applies regula falsi with the Illinois rule to the
-/// product.
+/// Returns the undamped root ω between two neighbouring resonances, where 1/κ + Σ c_i/(λ_i − ω²) rises from −∞ to ∞.
+/// 1/κ is `compliance`. If `high` is `None`, `low` is the last resonance, and the result is the root above `low`. The
+/// function multiplies the sum by the denominators of the two neighbouring modes. It applies regula falsi with the
+/// Illinois rule to the product.
 fn between(modes: &[DrivenMode], compliance: Dd, low: Dd, high: Option<Dd>) -> Dd {
     let value = |omega: Dd| {
         let gap = |sigma: Dd| (sigma - omega) * (sigma + omega);
@@ -69,7 +70,8 @@ fn between(modes: &[DrivenMode], compliance: Dd, low: Dd, high: Option<Dd>) -> D
             compliance * gap(low) * upper()
         };
         modes.iter().fold(start, |sum, mode| {
-            // In the term of each neighbouring mode, the denominator of this mode cancels.
+            // The product of the two denominators cancels the denominator of a neighbouring mode. This avoids a
+            // division by a difference that is nearly 0.
             let weight = if mode.sigma == low {
                 upper()
             } else if Some(mode.sigma) == high {

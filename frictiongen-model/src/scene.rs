@@ -127,7 +127,7 @@ pub enum Provide {
     Simulation,
     /// The stepper, which advances the motion by a fixed step in physical time, under any force.
     Stepper,
-    /// The self-check. The self-check compares checksums of the constants, and results of the other groups, with known
+    /// The self-check. It compares checksums of the constants, and results of the other groups of methods, with known
     /// values.
     SelfCheck,
 }
@@ -150,7 +150,7 @@ pub enum Side {
     /// The limits from tables may lie on either side of the exact limits.
     #[default]
     Near,
-    /// The limits from tables have errors only to the safe side: β_lim is never above its exact value, and β*_lim is
+    /// The limits from tables have errors only to the safe side. β_lim is never above its exact value, and β*_lim is
     /// never below its exact value.
     Safe,
 }
@@ -231,7 +231,8 @@ pub enum FrictionLaw {
 }
 
 impl FrictionLaw {
-    /// Returns the points (speed, level) of the friction law. The list is empty for Coulomb's law.
+    /// Returns the points (speed, level) of the friction law. The level is the kinetic friction force divided by F. The
+    /// list is empty for Coulomb's law.
     #[must_use]
     pub fn points(&self) -> &[[f64; 2]] {
         match self {

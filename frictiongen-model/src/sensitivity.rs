@@ -1,8 +1,10 @@
 //! Derivatives of the modal data with respect to the quantities of a scene. The module computes them by first-order
 //! perturbation of the modes, in double-double.
 //!
-//! The modes are the eigenvectors of GᵀG. With v = √Γφ, the change of GᵀG between modes i and j is vᵢᵀ(dGᵀG)vⱼ = Σ_e
-//! (dκ/κ)ₑ κₑδᵢₑδⱼₑ − ½(λ_i + λ_j) Σ_m (dγ/γ)_m vᵢₘvⱼₘ. δᵢₑ is the elongation of spring e in mode i.
+//! The modes are the eigenvectors of GᵀG, the stiffness matrix scaled by the masses. γ and κ are the mass and stiffness
+//! ratios, Γ is the diagonal matrix of γ, and λ are the squared resonances. With v = √Γφ, the change of GᵀG between
+//! modes i and j is vᵢᵀ(dGᵀG)vⱼ = Σ_e (dκ/κ)ₑ κₑδᵢₑδⱼₑ − ½(λ_i + λ_j) Σ_m (dγ/γ)_m vᵢₘvⱼₘ. δᵢₑ is the elongation of
+//! spring e in mode i.
 
 mod base;
 mod equal;
@@ -94,7 +96,8 @@ impl Modal {
         match quantity {
             Quantity::Mass(_) | Quantity::Stiffness(_) => {
                 RelativeChange::of(scene, quantity)?.perturb(self, scene, &mut along);
-                // ρ = k₁/k has the first spring in its numerator.
+                // The compliance ρ = k₁/k of an elastic contact is proportional to the stiffness k₁ of the first
+                // spring.
                 if let (Quantity::Stiffness(0), Some(compliance)) =
                     (quantity, along.compliance.as_mut())
                 {
@@ -231,8 +234,8 @@ impl RelativeChange {
         let mut matrix = self.between(&shapes, &modal.resonances, scene, &gamma, &kappa);
         let turned = adapt_equal_modes(&mut matrix, &mut shapes, &modal.resonances);
 
-        // The derivative is dφ_i = Σ φ_j (…)/(λ_i − λ_j) − ½ (dγ/γ) φ_i. The sum covers the modes j whose frequency
-        // differs from that of mode i.
+        // The derivative of mode shape i is dφ_i = Σ φ_j b_ij/(λ_i − λ_j) − ½ (dγ/γ) φ_i, with the entries b_ij of
+        // `matrix`. The sum covers the modes j whose frequency differs from that of mode i.
         let half = dd(0.5);
         for i in 0..n {
             let root = at(&modal.resonances, i);
@@ -316,7 +319,8 @@ impl RelativeChange {
             .collect()
     }
 
-    /// Sets the derivatives of φᵀp and φᵀw, and of all modal data that depend on them.
+    /// Sets the derivatives of the modal loads φᵀp and of the contact displacements φᵀw in the modes. Also sets the
+    /// derivatives of all modal data that depend on them.
     fn project(
         &self,
         modal: &Modal,

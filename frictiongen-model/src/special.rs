@@ -47,8 +47,8 @@ impl<T: Float> Modal<T> {
         Some((0..masses).map(start).collect())
     }
 
-    /// Returns an estimate of the peak amplitude of a mass at a damped resonance, for small ζ (7.60). The code uses
-    /// sinh x/(cosh x − 1) = coth(x/2). Returns `None` for a mode without damping.
+    /// Returns an estimate of the peak amplitude of a mass at a damped resonance, for small ζ (7.60). The estimate
+    /// contains sinh x/(cosh x − 1), which the code evaluates as coth(x/2). Returns `None` for a mode without damping.
     #[must_use]
     pub fn resonant_peak_estimate(&self, mode: usize, mass: usize, beta: T) -> Option<T> {
         let zeta = *self.damping_ratios.get(mode)?;
@@ -67,7 +67,7 @@ impl<T: Float> Modal<T> {
         };
         let driven = component.abs() * size / (zeta + zeta);
         let rubbed = (component * *self.contacts.get(mode)?).abs();
-        // The code uses coth(x/2) = (2 + m)/m with m = e^x − 1.
+        // coth(x/2) = (2 + m)/m with m = e^x − 1. `exp_m1` computes m without cancellation for small x.
         let m = (T::pi() * zeta).exp_m1();
         Some(driven - rubbed * (m + T::constant(2.0)) / m * beta)
     }

@@ -21,12 +21,13 @@ pub struct StepperSettings<S> {
     pub on_base: bool,
     /// True if damping acts on velocities relative to the moving base.
     pub damped_from_base: bool,
-    /// Indices of the masses on which a force may act: the excited mass, then the masses of the description's field
-    /// `force`, then the masses that the caller adds.
+    /// Indices of the masses on which a force may act. The excited mass comes first, then the masses of the
+    /// description's field `force`, then the masses that the caller adds.
     pub forces: Vec<usize>,
     /// Course of the input between two samples.
     pub input: Input,
-    /// Points (speed, level) of the friction law. The list is empty for Coulomb's law.
+    /// Points (speed, level) of the friction law. The level is the kinetic friction force divided by F. The list is
+    /// empty for Coulomb's law.
     pub law: Vec<[S; 2]>,
     /// Velocity in the scene's units that corresponds to dz̄/dτ = 1, at r = 1 under a load of amplitude 1. It is
     /// √(k₁/m₁), divided by k₁ if the load is a force.
@@ -99,8 +100,8 @@ impl<S: Scalar> StepperSettings<S> {
         }
     }
 
-    /// Returns the number of inputs: the displacement of the base if it moves, its velocity if damping acts relative to
-    /// the base, and a force for each loaded mass.
+    /// Returns the number of inputs. The inputs are the displacement of a moving base, the velocity of the base if
+    /// damping acts relative to the base, and a force for each loaded mass.
     #[must_use]
     pub fn inputs(&self) -> usize {
         usize::from(self.on_base) + usize::from(self.damped_from_base) + self.forces.len()

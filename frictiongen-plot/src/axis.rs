@@ -8,8 +8,8 @@ pub enum Scale {
     /// Linear scale: equal distances on paper are equal differences of values.
     #[default]
     Linear,
-    /// Logarithmic scale: equal distances on paper are equal ratios of values. Values that are not positive are not
-    /// drawn.
+    /// Logarithmic scale: equal distances on paper are equal ratios of values. The figure does not show zero and
+    /// negative values.
     Log,
 }
 
@@ -34,7 +34,7 @@ pub struct Axis {
     pub low: f64,
     /// Value at the upper end of the axis: at the right or at the top of the panel.
     pub high: f64,
-    /// Linear or logarithmic spacing.
+    /// Spacing of the values along the axis: linear or logarithmic.
     pub scale: Scale,
     /// The unit that determines at which values the axis has ticks.
     pub unit: TickUnit,
@@ -63,8 +63,8 @@ impl Axis {
     }
 
     /// Creates a linear axis that shows all finite values, with a margin of 4 % of their range at each end. The axis
-    /// begins at zero if no value is negative and the smallest is at most 0.3 of the largest. In the same way it ends
-    /// at zero for negative values.
+    /// begins at zero if no value is negative and the smallest is at most 0.3 of the largest. The axis ends at zero
+    /// under the same conditions for the negated values.
     #[must_use]
     pub fn fitted(label: impl Into<Label>, values: impl IntoIterator<Item = f64>) -> Self {
         let Some((low, high)) = ends(values, f64::MIN) else {
@@ -107,8 +107,9 @@ impl Axis {
         }
     }
 
-    /// Returns the range of the axis as it is drawn. If the given ends cannot be drawn, the function changes them.
-    /// The result is finite and ascending, wider than rounding errors, and positive on a logarithmic axis.
+    /// Returns the lower and upper end of the axis as it is drawn. If the given ends cannot be drawn, the function
+    /// changes them. The result is finite and ascending, wider than rounding errors, and positive on a logarithmic
+    /// axis.
     pub(crate) fn range(&self) -> (f64, f64) {
         if !self.low.is_finite() || !self.high.is_finite() {
             return if self.scale == Scale::Log {
@@ -170,17 +171,17 @@ fn ends(values: impl IntoIterator<Item = f64>, least: f64) -> Option<(f64, f64)>
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Mapping {
     scale: Scale,
-    /// Converted value at the lower end of the axis. A linear axis converts a value by halving it, so that the width
-    /// of the range stays finite. A logarithmic axis converts it to a logarithm. `span` is the difference of the
-    /// converted values at both ends.
+    /// Converted value at the lower end of the axis. On a linear axis the converted value is half the value, so that
+    /// the width of the range stays finite. On a logarithmic axis it is the decimal logarithm. `span` is the difference
+    /// of the converted values at both ends.
     low: f64,
     span: f64,
     from: f64,
     to: f64,
 }
 
-/// Largest distance of a position from the paper's origin, in pixels. The paper has a few thousand pixels, so the
-/// code moves farther positions to this distance.
+/// Largest distance of a position from the paper's origin, in pixels. The code moves a farther position to this
+/// distance, far outside the paper of a few thousand pixels.
 const FAR: f64 = 1e7;
 
 impl Mapping {

@@ -77,7 +77,7 @@ fn figure(figure: &Figure) -> (String, Vec<Rect>) {
         (Page::Wide, 1) => 640.0,
         (Page::Wide, _) => 900.0,
     };
-    // If a sketch of a chain is too wide even after shrinking, the page becomes wider.
+    // If a sketch is wider than the page even after shrinking, the page becomes wider.
     let room = width - 2.0 * MARGIN;
     let chain = figure.sketch.as_ref().and_then(|sketch| sketch.size(room));
     let width = f64::max(width, chain.map_or(0.0, |size| size.0 + 2.0 * MARGIN));
@@ -122,7 +122,8 @@ fn figure(figure: &Figure) -> (String, Vec<Rect>) {
 /// position under the last row.
 fn rows(figure: &Figure, columns: usize, room: f64, y: &mut f64) -> Vec<Rect> {
     let cell = (room - GAP * (columns - 1) as f64) / columns as f64;
-    // The frames of a column are aligned. Every frame therefore has the largest margins of its column.
+    // The frames of a column of panels are aligned. Every frame therefore has the largest margins that a panel of its
+    // column needs.
     let margins: Vec<(f64, f64)> = (0..columns)
         .map(|column| {
             let panels = figure.panels.iter().skip(column).step_by(columns);
@@ -135,7 +136,7 @@ fn rows(figure: &Figure, columns: usize, room: f64, y: &mut f64) -> Vec<Rect> {
     for row in figure.panels.chunks(columns) {
         let above = row.iter().map(Frame::above).fold(0.0, f64::max);
         let under = row.iter().map(Frame::under).fold(0.0, f64::max);
-        // On a narrow page a colour bar takes space from its own panel only.
+        // On a narrow page a colour bar makes only its own panel narrower.
         let narrow = figure.page == Page::Narrow;
         let own = |panel: &Panel, right: f64| if narrow { Frame::sides(panel).1 } else { right };
         let widths: Vec<f64> = row

@@ -19,9 +19,9 @@ const FRICTION: Rgb = Rgb(0xb3, 0x3a, 0x1e);
 /// Colour of the excitation in a sketch.
 const FORCE: Rgb = Rgb(0x00, 0x5f, 0xad);
 
-/// Margin around a sketch in a document of its own, in pixels.
+/// Margin in pixels around a sketch that is a separate SVG document.
 const MARGIN: f64 = 8.0;
-/// Width available to a sketch in a document of its own, in pixels.
+/// Width in pixels that is available to a sketch in a separate SVG document.
 pub(crate) const ALONE: f64 = 1000.0;
 
 impl Sketch {
@@ -112,7 +112,8 @@ impl Plan<'_> {
     fn far(&self, pen: &mut Pen<'_>, above: &Above<'_>) {
         let (low, high, lane) = (above.low, above.high, above.lane);
         let (row, y) = (self.top(), self.lane(lane));
-        // Springs that end at the same mass have separate vertical ends, side by side.
+        // Springs that end at the same mass have their vertical ends at different horizontal positions, so that they do
+        // not overlap.
         let shift = (RISER - 4.0 * (lane % 4) as f64) * self.pitch.0 / WIDTH;
         let end = |station: usize, sign: f64| {
             let (left, right) = self.sides(station);
@@ -129,7 +130,7 @@ impl Plan<'_> {
                 pen.line(&[(x, row), (x, y)], INK, 1.2);
             }
         }
-        // The zigzag is drawn above a gap between masses, where no spring rises.
+        // The spring's zigzag lies above a gap between two masses, because vertical spring ends rise only above masses.
         let (low, high) = (low as f64, high as f64);
         let gap = (0.5 * (low + high) - 0.5).floor().max(low) as usize;
         let middle = 0.5 * (self.sides(gap).1 + self.sides(gap + 1).0);
@@ -171,7 +172,8 @@ impl Plan<'_> {
         let pad = f64::min(26.0, 0.7 * self.pitch.0);
         pen.rect((middle - 0.5 * pad, bottom, pad, PAD), FRICTION, None);
         if first != last {
-            // An arm of the farther mass reaches under the nearer mass.
+            // The sketch shows the contact of two masses as an arm. The arm of the right mass reaches under the left
+            // mass.
             let (_, end) = self.sides(*last);
             let arm = end - 0.5 * self.pitch.0;
             pen.rect(

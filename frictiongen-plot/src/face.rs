@@ -33,8 +33,8 @@ impl Level {
         }
     }
 
-    /// Returns how far the letters at this level lie below the base line, relative to the size of letters on the base
-    /// line.
+    /// Returns the distance of the letters at this level below the base line, relative to the size of letters on the
+    /// base line.
     pub(crate) const fn drop(self) -> f64 {
         match self {
             Self::Base => 0.0,

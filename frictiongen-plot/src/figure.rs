@@ -7,7 +7,7 @@ use crate::palette::{Colour, Fill};
 use crate::sketch::Sketch;
 use crate::stroke::{Marker, Stroke};
 
-/// The page width for which a figure is laid out.
+/// The width of the page that a figure fills.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
 pub enum Page {
     /// A wide page: 900 pixels for two columns, 640 pixels for one.
@@ -34,7 +34,7 @@ pub struct Figure {
     pub sketch: Option<Sketch>,
     /// Additional legend entries, which belong to no layer of a panel. They explain, for example, the strokes.
     pub keys: Vec<Key>,
-    /// The page width for which the figure is laid out.
+    /// Width of the page that the figure fills.
     pub page: Page,
 }
 
@@ -92,14 +92,14 @@ pub struct PanelFrame {
     pub width: f64,
     /// Height of the panel's frame.
     pub height: f64,
-    /// Values at the left and right edges of the frame. [`Axis::scale`] of the panel's axis gives the scale between
-    /// them.
+    /// Values of the horizontal axis at the left and right edges of the frame. [`Axis::scale`] of this axis gives the
+    /// scale between the two values.
     pub x: (f64, f64),
     /// Values of the vertical axis at the lower and upper edges of the frame.
     pub y: (f64, f64),
 }
 
-/// A pair of axes with the layers that are drawn in them.
+/// A pair of axes, and the layers that the figure draws in these axes.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Panel {
     /// Title above the panel.
@@ -113,8 +113,8 @@ pub struct Panel {
     pub layers: Vec<Layer>,
     /// Smaller panels inside this panel.
     pub insets: Vec<Inset>,
-    /// Height of the panel's frame in pixels. `None` gives the usual height. All panels of a row have the height of
-    /// the highest.
+    /// Height of the panel's frame in pixels. `None` gives the usual height. All panels of a row get the height of the
+    /// highest panel in the row.
     pub height: Option<f64>,
 }
 
@@ -167,7 +167,7 @@ pub struct Key {
     pub sample: LegendSample,
 }
 
-/// The sample that is drawn before the text of a legend entry.
+/// The sample in a legend entry, which precedes the text of the entry.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum LegendSample {
     /// A short line, drawn in this colour and stroke.

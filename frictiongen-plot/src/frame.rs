@@ -142,7 +142,8 @@ impl Frame {
                 .into_iter()
                 .map(|y| vec![(left, y), (right, y)]),
         );
-        // Over a shaded area the grid lines are lighter than the area. On white paper they are darker than the paper.
+        // Over a shaded area, the grid lines are lighter than the area. On white paper, the grid lines are darker than
+        // the paper.
         let colour = if over_areas {
             crate::palette::PAPER
         } else {
@@ -276,8 +277,8 @@ fn widest(ticks: &[Tick], size: f64) -> f64 {
         .fold(0.0, f64::max)
 }
 
-/// Returns the ticks of a horizontal axis of `width` pixels. Their number is limited by the space for their labels of
-/// the text size `size`.
+/// Returns the ticks of a horizontal axis that is `width` pixels wide. The space for labels of the text size `size`
+/// limits the number of ticks.
 fn level_ticks(axis: &Axis, width: f64, size: f64) -> Vec<Tick> {
     let most = ((width / (3.6 * size)) as usize).clamp(3, 8);
     for count in (3..=most).rev() {

@@ -25,8 +25,8 @@ impl Rect {
         self.left <= x && x <= self.right() && self.top <= y && y <= self.bottom()
     }
 
-    /// Returns the part of the segment from a to b that lies inside the rectangle. The two numbers are fractions of
-    /// the segment. Returns `None` if no part lies inside.
+    /// Returns the piece of the segment from a to b that lies inside the rectangle. The two numbers are the start and
+    /// the end of the piece, as fractions of the segment. Returns `None` if no piece lies inside.
     fn within(&self, a: Point, b: Point) -> Option<(f64, f64)> {
         let (dx, dy) = (b.0 - a.0, b.1 - a.1);
         let (mut from, mut to) = (0.0_f64, 1.0_f64);
@@ -104,8 +104,8 @@ fn cut(outline: &[Point], side: impl Fn(Point) -> f64) -> Vec<Point> {
     kept
 }
 
-/// Removes points from a polyline that it hardly needs. Each removed point is nearer than `tolerance` to the line
-/// through the remaining points. The method is that of Douglas and Peucker.
+/// Removes points that do not change the shape of a polyline by more than `tolerance`. Each removed point is at most
+/// this distance from the line through the remaining points. The method is that of Douglas and Peucker.
 pub(crate) fn thin(line: &[Point], tolerance: f64) -> Vec<Point> {
     let mut keep = vec![false; line.len()];
     let mut open = vec![(0, line.len().saturating_sub(1))];
@@ -167,7 +167,7 @@ mod tests {
             UNIT.clip(&[(-5.0, 5.0), (15.0, 5.0)]),
             [[(0.0, 5.0), (10.0, 5.0)]]
         );
-        // This line is inside, leaves at the top, and returns, so it has two pieces.
+        // This line starts inside the rectangle, leaves at y = 10, and returns. Two of its pieces are therefore inside.
         let parts = UNIT.clip(&[(1.0, 5.0), (2.0, 15.0), (8.0, 15.0), (9.0, 5.0)]);
         assert_eq!(
             parts,
@@ -217,7 +217,7 @@ mod tests {
                 .map(|pair| distance(*point, pair[0], pair[1]));
             assert!(near.fold(f64::INFINITY, f64::min) <= 0.02);
         }
-        // A spike must not be thinned away.
+        // A spike (a line that runs back on itself) must keep its tip when it is thinned.
         let spike = [(0.0, 0.0), (10.0, 0.0), (5.0, 0.0), (20.0, 0.0)];
         assert_eq!(thin(&spike[..3], 0.02), spike[..3]);
         assert_eq!(

@@ -116,7 +116,7 @@ impl Label {
             }
         }
         words.push(word);
-        // An equals sign stays with both of its sides.
+        // The code joins an equals sign to the words on both of its sides, so that no line break separates them.
         let mut joined: Vec<Self> = Vec::new();
         for word in words {
             let equals = |word: &Self| word.plain().trim_end() == "=";

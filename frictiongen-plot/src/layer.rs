@@ -217,7 +217,7 @@ pub struct Note {
     pub at: Point,
     /// The text.
     pub text: Label,
-    /// The part of the text that is at the position `at`: its start, middle or end.
+    /// The point of the text that is at the position `at`: its start, middle or end.
     pub anchor: Anchor,
     /// Colour of the text.
     pub colour: Colour,

@@ -25,7 +25,8 @@ const GAP: f64 = 24.0;
 struct LegendEntry {
     name: Label,
     line: Option<(Colour, Stroke)>,
-    /// True if lines of this name have different strokes. The sample then shows the colour alone.
+    /// True if lines of this name have different strokes. The sample of the entry then shows the colour without a
+    /// stroke.
     mixed: bool,
     marker: Option<(Colour, Marker)>,
     fill: Option<Fill>,
@@ -38,8 +39,8 @@ pub(crate) struct Legend {
 }
 
 impl Legend {
-    /// Adds a sample to the legend entry of a name. The entry keeps its earlier samples. If the entry does not exist,
-    /// the function creates it.
+    /// Adds a sample to the legend entry of a name, or creates the entry. The first sample of each type (line, marker
+    /// or fill) stays.
     pub(crate) fn add(&mut self, name: &Label, sample: LegendSample) {
         if name.is_empty() {
             return;
@@ -82,13 +83,13 @@ impl Legend {
             .collect()
     }
 
-    /// Returns the least width that the legend needs, in pixels: the width of a single column.
+    /// Returns the least width in pixels that the legend needs, which is the width of a single column.
     pub(crate) fn least(&self) -> f64 {
         self.widths(1).iter().sum()
     }
 
-    /// Draws the legend within a width in pixels, and returns its height. Without a canvas it only computes the
-    /// height.
+    /// Draws the legend within the width `width` in pixels, and returns the height of the legend. Without a canvas, the
+    /// function only computes the height.
     pub(crate) fn draw(
         &self,
         canvas: Option<&mut Canvas>,
@@ -96,7 +97,8 @@ impl Legend {
         width: f64,
     ) -> f64 {
         let most = self.entries.len().max(1);
-        // The legend has fewer columns than would fit if its rows are then evenly filled.
+        // The legend uses fewer columns than fit into the width if this does not need more rows. The rows are then
+        // evenly filled.
         let fits = |columns: &usize| self.widths(*columns).iter().sum::<f64>() - GAP <= width;
         let columns = (1..=most).rev().find(fits).unwrap_or(1);
         let columns = most.div_ceil(most.div_ceil(columns));

@@ -37,7 +37,8 @@ fn read(label: &mut Label, markup: &[char], face: Face, level: Level) {
     }
 }
 
-/// Parses the text after a star: emphasised text, or plain text if the star has no closing star.
+/// Parses the text after a star. The text is emphasised up to the closing star. Without a closing star, the text is
+/// plain.
 fn starred<'a>(label: &mut Label, after: &'a [char], face: Face, level: Level) -> &'a [char] {
     let (marks, inner) = match after {
         ['*', inner @ ..] => (2, inner),
@@ -79,7 +80,7 @@ fn shifted<'a>(label: &mut Label, after: &'a [char], face: Face, level: Level) -
     rest
 }
 
-/// Characters for a letter with a bar, each with the letter without its bar.
+/// Single characters for a letter with a bar, each followed by the same letter without a bar.
 const BARRED: [(char, char); 12] = [
     ('Ā', 'A'),
     ('ā', 'a'),
@@ -103,8 +104,8 @@ fn letter(label: &mut Label, character: char, face: Face, level: Level) {
         .then(|| char::from_digit(code - 0x2080, 10))
         .flatten();
     let (character, level) = digit.map_or((character, level), |digit| (digit, Level::Sub));
-    // Every bar becomes a combining macron. Unicode also has an overline, and single characters for a letter with its
-    // bar.
+    // Every bar becomes a combining macron. Unicode has two other forms of a bar: the combining overline, and single
+    // characters for a letter with a bar.
     let (character, bar) = match character {
         '\u{305}' => ('\u{304}', false),
         _ => BARRED

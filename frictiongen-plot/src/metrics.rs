@@ -10,7 +10,7 @@ const OTHER: u16 = 600;
 #[must_use]
 pub(crate) fn advance(face: Face, character: char) -> u16 {
     let code = character as usize;
-    // Combining marks are placed over the character before them.
+    // Combining marks have no width of their own, because they are placed over the character before them.
     if (0x300..0x370).contains(&code) {
         return 0;
     }

@@ -21,8 +21,8 @@ pub(crate) fn number(digits: i64, power: i32) -> Label {
     if digits == 0 {
         return Label::verbatim("0");
     }
-    // A number with more than five digits before the decimal point, or more than six after it, is written with a
-    // power of ten.
+    // The label of a very large or very small number has a power of ten. Such a number has more than five digits before
+    // the decimal point, or more than six after it.
     if 5 < power + length || power < -6 {
         return scientific(digits, power);
     }

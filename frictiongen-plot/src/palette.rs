@@ -94,7 +94,7 @@ impl fmt::Display for Colour {
 }
 
 impl Colour {
-    /// Number of series before their colours repeat.
+    /// Number of series whose colours differ. After these series, the colours repeat.
     pub const SERIES: usize = SERIES.len();
 
     pub(crate) fn rgb(self) -> Rgb {
@@ -108,7 +108,7 @@ impl Colour {
 }
 
 impl Fill {
-    /// Number of classes before their colours repeat.
+    /// Number of classes whose colours differ. After these classes, the colours repeat.
     pub const CLASSES: usize = CLASSES.len();
 
     pub(crate) fn rgb(self) -> Rgb {

@@ -51,7 +51,8 @@ pub(crate) fn draw_panel(canvas: &mut Canvas, panel: &Panel, frame: &Frame, lege
     }
 }
 
-/// Converts the points of a line to positions on paper. The line is split at points that cannot be drawn.
+/// Converts the points of a line to positions on paper. The function splits the line at points that the axes cannot
+/// show.
 fn placed(points: &[Point], frame: &Frame) -> Vec<Vec<Point>> {
     let mut runs: Vec<Vec<Point>> = vec![Vec::new()];
     for (x, y) in points {
@@ -123,7 +124,7 @@ fn region(canvas: &mut Canvas, layer: &Region, frame: &Frame, legend: &mut Legen
         .iter()
         .map(|outline| frame.rect.clip_area(&placed(outline, frame).concat()))
         .map(|mut outline| {
-            // The outline is closed before it is thinned, because `thin` expects a line.
+            // The code repeats the first point before it thins the outline, because `thin` expects an open line.
             outline.extend(outline.first().copied());
             thin(&outline, TOLERANCE)
         })
@@ -152,7 +153,7 @@ fn note(canvas: &mut Canvas, layer: &Note, frame: &Frame, halo: bool) {
         Anchor::Middle => 0.5 * width,
         Anchor::End => width,
     };
-    // The text is moved into the frame if it fits into the frame.
+    // The code moves a text that crosses the frame to the inside, if the frame is wide enough.
     let (least, most) = (frame.rect.left + 4.0, frame.rect.right() - 4.0 - width);
     let left = if least < most {
         (x - before).clamp(least, most)

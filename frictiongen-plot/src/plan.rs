@@ -13,7 +13,7 @@ pub(crate) const HEIGHT: f64 = 44.0;
 pub(crate) const GAP: f64 = 58.0;
 /// Smallest factor by which the masses and gaps of a sketch shrink to fit into the available width.
 pub(crate) const LEAST: f64 = 0.48;
-/// Height of a level above the row of masses, for a spring with its label, in pixels.
+/// Height of one level above the row of masses, in pixels. A level contains springs with their labels.
 pub(crate) const LANE: f64 = 34.0;
 /// Width of the hatching of the base and the wall in a sketch, in pixels.
 pub(crate) const HATCH: f64 = 7.0;
@@ -34,13 +34,13 @@ pub(crate) enum Element {
 /// A spring, a dashpot or a contact that a sketch shows above the row of masses.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Above<'a> {
-    /// Element of the row at the left end of the spring. The base has the index 0, the masses follow from 1, and the
-    /// wall is last.
+    /// Index of the element at the left end of the spring, dashpot or contact. The base has the index 0, the masses
+    /// follow from 1, and the wall is last.
     pub low: usize,
-    /// Element of the row at the right end of the spring. The base has the index 0, the masses follow from 1, and the
-    /// wall is last.
+    /// Index of the element at the right end of the spring, dashpot or contact. The base has the index 0, the masses
+    /// follow from 1, and the wall is last.
     pub high: usize,
-    /// Level of the spring above the row of masses, counted from 0.
+    /// Level of the spring, dashpot or contact above the row of masses, counted from 0.
     pub lane: usize,
     pub label: &'a Label,
     pub element: Element,
@@ -50,8 +50,8 @@ pub(crate) struct Above<'a> {
 #[derive(Debug)]
 pub(crate) struct Plan<'a> {
     pub sketch: &'a Sketch,
-    /// Springs between neighbouring elements of the row. The number before a spring is the index of the element at
-    /// its left end.
+    /// Springs between neighbouring elements of the row. The number is the index of the element at the left end of the
+    /// spring.
     pub direct: Vec<(usize, &'a Spring)>,
     /// Springs, dashpots and contacts above the row of masses.
     pub above: Vec<Above<'a>>,
@@ -77,8 +77,8 @@ impl<'a> Plan<'a> {
         if !(1..=most).contains(&count) {
             return None;
         }
-        // The elements from left to right are the base, the masses and the wall. The code calls each of these elements
-        // a station.
+        // The elements from left to right are the base, the masses and the wall. In the code, each element is a station
+        // with an index.
         let station = |end: End| match end {
             End::Base => Some(0),
             End::Mass(index) => (index < count).then_some(index + 1),
@@ -134,7 +134,8 @@ impl<'a> Plan<'a> {
         }
         far.sort_by_key(|(low, high, ..)| (high - low, *low));
         for (low, high, label, element) in far {
-            // Longer springs are placed at a higher level, so that springs rarely cross each other's vertical ends.
+            // A longer spring is placed above the shorter springs over which it passes. Springs then rarely cross the
+            // vertical ends of other springs.
             let taken = plan
                 .above
                 .iter()
@@ -153,7 +154,7 @@ impl<'a> Plan<'a> {
         let (wide, _) = plan.size();
         let (last, _) = plan.sides(count);
         if room < wide && !valued {
-            // The masses and the gaps between them shrink. The elements to the right of the last mass keep their
+            // Only the masses and the gaps between them shrink. The drawing to the right of the last mass keeps its
             // width.
             let share = ((room - (wide - last)) / last).clamp(LEAST, 1.0);
             plan.pitch = (share * WIDTH, share * GAP);
@@ -229,8 +230,8 @@ impl<'a> Plan<'a> {
         mass + 1 == self.count() && !self.wall
     }
 
-    /// Returns the height needed above the row of masses for the arrow of a force, in pixels. It is 0 if the arrow is
-    /// beside the last mass.
+    /// Returns the height needed above the row of masses for the arrow of a force, in pixels. The height is 0 without a
+    /// force, or if the arrow is to the right of the last mass.
     pub(crate) fn over(&self) -> f64 {
         let over = self.force().is_some_and(|(mass, _)| !self.is_free(mass));
         if over { 10.0 } else { 0.0 }

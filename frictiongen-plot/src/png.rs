@@ -21,10 +21,10 @@ pub enum PlotError {
     /// The scale is not a positive number.
     #[error("the scale {0} is not a positive number")]
     Scale(f32),
-    /// The picture would be too large. The numbers are its width and height in pixels.
+    /// The picture would be too large. The two numbers are the width and the height of the picture in pixels.
     #[error("the picture would have {0} by {1} pixels; {LARGEST} is the most")]
     TooLarge(f32, f32),
-    /// The picture cannot be drawn or written, with a message of the library.
+    /// The picture cannot be drawn or written. The field contains the message of the library.
     #[error("the picture cannot be drawn: {0}")]
     Drawing(String),
 }
@@ -69,7 +69,7 @@ mod tests {
     use crate::face::Face;
     use crate::metrics::advance;
 
-    /// Returns the width that the renderer gives to one character, or `None` if it draws nothing.
+    /// Returns the width that the renderer gives to one character, or `None` if the renderer draws nothing.
     fn set(character: char, style: &str) -> Option<f64> {
         let text = character
             .to_string()
@@ -118,7 +118,7 @@ mod tests {
                 .sum::<usize>(),
             4
         );
-        // The renderer draws a character that the fonts lack as nothing or as a box of one width.
+        // The fonts lack this character. The renderer draws such a character as nothing, or as a box of a fixed width.
         let lost = set('\u{4e00}', "");
         for character in "−×°±≤≥≈≠→←∞√∂∑≪≫≅∼·…–—′‘’“”".chars()
         {

@@ -10,10 +10,10 @@ use crate::legend::Legend;
 use crate::palette::Fill;
 use crate::svg::{Canvas, CellGrid};
 
-/// A cell that crosses the frame is cut only if more than this fraction of it lies outside. A smaller part is a
-/// rounding error.
+/// Smallest fraction of a cell outside the frame for which the code cuts the cell. A smaller fraction is a rounding
+/// error.
 const CUT: f64 = 0.01;
-/// Number of colour steps of a map of values. The number of different colours is larger by one.
+/// Number of steps between the first and the last colour of a map of values. The map has one colour more than steps.
 const SHADES: f64 = 96.0;
 
 /// Draws a map of cells, and adds its visible classes to the legend. Returns true if any cell is visible.
@@ -60,8 +60,8 @@ pub(crate) fn draw(
     }
 }
 
-/// Returns the grid of a map's cells on the page. Returns `None` if an axis of the panel cannot show an end of the
-/// map.
+/// Returns the position and size of a map's cells on the page. Returns `None` if an axis of the panel cannot show a
+/// bound of the map.
 fn grid(raster: &Raster, frame: &Frame) -> Option<CellGrid> {
     let (columns, rows) = (raster.columns.max(1), raster.rows());
     let (left, right) = (frame.x.at(raster.x.0)?, frame.x.at(raster.x.1)?);
@@ -76,15 +76,16 @@ fn grid(raster: &Raster, frame: &Frame) -> Option<CellGrid> {
     })
 }
 
-/// Joins neighbouring cells of a row for which `shown` is true, and returns the rectangles. They are cut off at the
-/// frame of the panel, and are in units of a cell.
+/// Joins neighbouring cells of a row for which `shown` is true, and returns the rectangles, in units of a cell. The
+/// rectangles end at the frame of the panel.
 fn runs(raster: &Raster, shown: &[bool], grid: CellGrid, frame: &Frame) -> Vec<Rect> {
     let columns = raster.columns.max(1);
     let (outer, mut found) = (frame.rect, Vec::new());
     let within = |index: usize, origin: f64, cell: f64, (low, high): (f64, f64)| {
         let (low, high) = ((low - origin) / cell, (high - origin) / cell);
         let (low, high) = (low.min(high), low.max(high));
-        // By rounding, the frame may cut off a very small part of a cell. The rectangle then contains the whole cell.
+        // Because of rounding, the frame may cut off a very small fraction of a cell. The rectangle then contains the
+        // whole cell.
         let inside = (index as f64).clamp(low, high);
         if (inside - index as f64).abs() < CUT {
             index as f64

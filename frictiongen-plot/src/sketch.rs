@@ -31,10 +31,10 @@ pub struct SketchContact {
     pub label: Label,
 }
 
-/// One of several friction contacts, which a sketch draws above the row of masses.
+/// A friction contact of a system with several contacts. A sketch draws the contact above the row of masses.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Slider {
-    /// The two elements, in any order.
+    /// The two elements that rub on each other, in any order.
     pub between: (End, End),
     /// Label above the contact.
     pub label: Label,
@@ -213,7 +213,8 @@ mod tests {
                 is_elastic,
             });
             let (same, higher) = sketch.size(ALONE).unwrap();
-            // Two contacts between the same masses are at different levels.
+            // Two contacts between the same masses are drawn at different levels, so the sketch becomes higher but not
+            // wider.
             assert!(same == width && height + 34.0 * (index as f64) < higher);
         }
         sketch.sliders.push(Slider {

@@ -1,5 +1,5 @@
-//! Writes SVG documents. The documents have a few kinds of elements, numbers with two decimals, and text elements
-//! instead of outlines.
+//! Writes SVG documents. The documents contain few types of elements, numbers with two decimals, and texts as text
+//! elements instead of outlines.
 
 use crate::geometry::{Point, Rect};
 use crate::palette::{INK, PAPER, Rgb};
@@ -7,12 +7,12 @@ use crate::stroke::{Marker, Stroke};
 use crate::xml::{data, escaped, number};
 use std::fmt::Write as _;
 
-/// Font families of similar shapes and widths. A PNG picture uses the embedded font in place of the first family.
+/// Font families of similar shapes and widths. For a PNG picture, the renderer replaces the first family by the
+/// embedded font.
 const FAMILY: &str =
     "'STIX Two Text','Times New Roman',Times,'Liberation Serif','Noto Serif',serif";
 
-/// SVG attribute for the sharp corners of rectangles and markers. In the rest of the document, corners of lines are
-/// round.
+/// SVG attribute that gives rectangles and markers sharp corners. All other line corners in the document are round.
 const SHARP: &str = " stroke-linejoin=\"miter\"";
 
 /// A grid of cells on the page.
@@ -25,7 +25,7 @@ pub(crate) struct CellGrid {
 }
 
 impl CellGrid {
-    /// A grid whose cells are pixels.
+    /// A grid whose cells are single pixels, so that coordinates are in pixels.
     pub(crate) const PIXELS: Self = Self {
         origin: (0.0, 0.0),
         cell: (1.0, 1.0),
@@ -49,7 +49,7 @@ impl Canvas {
         );
         for (name, content) in [("title", title), ("desc", description)] {
             if !content.is_empty() {
-                // Writing to a string cannot fail, here and in the functions below.
+                // A write to a string cannot fail, so the code ignores the result.
                 let _ = writeln!(text, "<{name}>{}</{name}>", escaped(content));
             }
         }
@@ -97,8 +97,8 @@ impl Canvas {
         }
     }
 
-    /// Draws rectangles of one colour, which meet without a seam. Their coordinates count cells of the grid. Most
-    /// coordinates are then small integers, which makes the file two thirds shorter.
+    /// Draws rectangles of one colour, which meet without a seam. The coordinates count cells of the grid, so that most
+    /// of them are small integers. The file is therefore two thirds shorter.
     pub(crate) fn cells(&mut self, cells: &[Rect], grid: CellGrid, fill: Rgb) {
         let mut data = String::new();
         let mut pen = (0.0, 0.0);

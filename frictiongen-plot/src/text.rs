@@ -1,5 +1,5 @@
-//! Writes texts as SVG elements. SVG has no elements for subscripts and bars, so offsets and extra characters replace
-//! them.
+//! Writes texts as SVG elements. SVG has no elements for subscripts and bars. The module replaces them by offsets and
+//! extra characters.
 
 use crate::face::Face;
 use crate::geometry::Point;
@@ -11,7 +11,7 @@ use crate::svg::Canvas;
 use crate::xml::{escaped, number};
 use std::fmt::Write as _;
 
-/// Size, colour and alignment of a text in a figure.
+/// Size, colour, alignment and direction of a text in a figure.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct TextStyle {
     pub size: f64,
@@ -40,14 +40,14 @@ impl TextStyle {
     }
 }
 
-/// Size of the letter that serves as a bar, relative to the letter under it. The code draws the bar as an en dash,
-/// because few browser fonts place a combining macron well. The en dash of every font is half an em long, at a fourth
-/// of its height.
+/// Size of the dash that serves as a bar over a letter, relative to the letter. The code draws the bar as an en dash,
+/// because few browser fonts place a combining macron well. In every font the en dash is half an em long, at a fourth
+/// of an em above the base line.
 const BAR: f64 = 0.8;
-/// Width of the en dash that serves as the bar, relative to the letter size.
+/// Width of the en dash that serves as a bar over a letter, as a multiple of the letter size.
 const DASH: f64 = 0.5 * BAR;
 
-/// A piece of text, with its offset from the end of the piece before it.
+/// A piece of text with its style. Its position is relative to the end of the previous piece.
 struct TextPiece<'a> {
     text: &'a str,
     face: Face,
@@ -58,7 +58,7 @@ struct TextPiece<'a> {
     drop: f64,
 }
 
-/// Splits a label, set at the text size `size`, into pieces of text. A bar over a letter is a separate piece.
+/// Splits a label of the text size `size`, in pixels, into pieces of text. A bar over a letter is a separate piece.
 fn pieces(label: &Label, size: f64) -> Vec<TextPiece<'_>> {
     let mut pieces = Vec::new();
     for Span { text, face, level } in label.spans() {
@@ -91,7 +91,7 @@ fn pieces(label: &Label, size: f64) -> Vec<TextPiece<'_>> {
             drop,
         });
     }
-    // The offset after a bar at the end of a piece moves to the next piece.
+    // If a label piece ends with a bar, the next piece takes over the offset that follows the bar.
     let mut carried = 0.0;
     for piece in &mut pieces {
         piece.shift += carried;
@@ -143,7 +143,7 @@ impl Canvas {
         } else {
             String::new()
         };
-        // The document gives the usual colour to all texts.
+        // The document already sets this colour for all texts, so the text element does not repeat it.
         let fill = if style.colour == INK {
             String::new()
         } else {
@@ -216,7 +216,8 @@ mod tests {
         let found = pieces(&label, 10.0);
         let texts: Vec<&str> = found.iter().map(|piece| piece.text).collect();
         assert_eq!(texts, ["X", "–", "1", " and ", "x", "–"]);
-        // The offsets back and forward compensate the width of the dash.
+        // The two offsets (back to the letter, and forward after the bar) cancel the width of the dash, which is 4
+        // pixels here.
         assert!((found[1].shift + found[2].shift + 4.0).abs() < 1e-9);
         assert!(found[1].shift < 0.0 && found[1].drop < found[5].drop && found[5].drop < 0.0);
         assert_eq!((found[3].shift, found[3].drop), (0.0, 0.0));

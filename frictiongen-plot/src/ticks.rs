@@ -13,7 +13,7 @@ pub(crate) struct Tick {
     pub label: Label,
 }
 
-/// Returns the ticks of an axis. About `count` of them have labels, or fewer.
+/// Returns the ticks of an axis. At most about `count` ticks have labels.
 pub(crate) fn ticks(axis: &Axis, count: usize) -> Vec<Tick> {
     let (low, high) = axis.range();
     let count = count.max(2);
@@ -73,8 +73,8 @@ pub(crate) fn ticks(axis: &Axis, count: usize) -> Vec<Tick> {
     }
 }
 
-/// Returns how many multiples of a step lie in the range from `low` to `high`. A multiple that rounding puts just
-/// outside the range counts as well.
+/// Returns the number of multiples of a step in the range from `low` to `high`. A multiple that lies outside the range
+/// only by rounding counts as well.
 fn multiples(low: f64, high: f64, step: f64) -> f64 {
     let (from, to) = bounds(low, high, step);
     to - from + 1.0
@@ -87,7 +87,7 @@ fn bounds(low: f64, high: f64, step: f64) -> (f64, f64) {
 
 fn whole(low: f64, high: f64, step: f64, label: impl Fn(i64) -> Label) -> Vec<Tick> {
     let (from, to) = bounds(low, high, step);
-    // The caller has checked the number of multiples. The upper bound ends the loop for a range of any size.
+    // The caller has checked the number of multiples. The upper bound 64 ends the loop for any range, however large.
     (0..=64)
         .map(|i| from as i64 + i)
         .take_while(|k| *k as f64 <= to)
@@ -127,8 +127,9 @@ fn plain(low: f64, high: f64, count: usize) -> Vec<Tick> {
         .to_vec()
 }
 
-/// Returns the ticks of a logarithmic axis. Powers of ten have labels. In a range of less than two decades, 2 and 5
-/// times a power of ten also have labels. Ticks between labelled ticks have none.
+/// Returns the ticks of a logarithmic axis. Powers of ten have labels, or only every n-th power in a long range. In a
+/// range of less than two decades, 2 and 5 times a power of ten also have labels. A range of less than 0.7 decades has
+/// the ticks of a linear axis.
 fn log(low: f64, high: f64, count: usize) -> Vec<Tick> {
     let (first, last) = (exponent(low), exponent(high));
     let decades = libm::log10(high) - libm::log10(low);

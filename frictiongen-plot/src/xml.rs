@@ -10,7 +10,8 @@ pub(crate) fn data(lines: &[Vec<Point>], end: &str) -> String {
     for line in lines.iter().filter(|line| 1 < line.len()) {
         let mut last = None;
         for (x, y) in line.iter().filter(|(x, y)| x.is_finite() && y.is_finite()) {
-            // The steps connect rounded points, so that rounding errors do not add up.
+            // The steps connect points that are already rounded. The rounding errors of the steps therefore do not add
+            // up.
             let (x, y) = (hundredths(*x), hundredths(*y));
             match last {
                 None => {
@@ -18,7 +19,7 @@ pub(crate) fn data(lines: &[Vec<Point>], end: &str) -> String {
                 }
                 Some((last, _)) if last == (x, y) => continue,
                 Some(((last_x, last_y), first)) => {
-                    // A minus sign separates numbers by itself.
+                    // Before a negative number no blank is needed, because the minus sign separates the numbers.
                     let back = if x < last_x { "" } else { " " };
                     data.push_str(if first { "l" } else { back });
                     step(&mut data, (x - last_x) / 100.0);
@@ -113,7 +114,8 @@ mod tests {
         let found = read(&path);
         assert_eq!(found.len(), line.len());
         for (found, point) in found.iter().zip(&line) {
-            // The point itself is rounded to half a hundredth of a pixel, at any position in the path.
+            // Rounding to hundredths moves each coordinate by at most 0.005 pixels. This bound is the same at any
+            // position in the path.
             let off = (found.0 - point.0).abs().max((found.1 - point.1).abs());
             assert!(off <= 0.005 + 1e-9, "{found:?} {point:?}");
         }

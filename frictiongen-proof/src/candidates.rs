@@ -19,17 +19,17 @@ const NODES: usize = 5;
 /// constraint, and so not to one witness. The value is tuned. A polynomial through instants of two maxima would be far
 /// from both maxima.
 const JUMP: f64 = 0.05;
-/// Distance of an instant from the start of the half period, in radians of the fastest mode. If a witness (an instant
-/// near the largest velocity constraint) is closer, a Taylor series in τ may give its constraint (module `early`). The
-/// series is valid at all instants up to this distance.
+/// Angle of an instant from the start of the half period, in rad, for the fastest mode. If a witness (an instant near
+/// the largest velocity constraint) is closer, a Taylor series in τ may give its constraint (module `early`). The
+/// series is valid at all instants up to this angle.
 const EARLY: f64 = 1.2;
-/// Distance of an instant from the start of the half period, in radians of the fastest mode. If a witness (an instant
-/// near the largest velocity constraint) is closer, only a Taylor series in τ gives its constraint (module `early`).
-/// The value is tuned. So close to the start, the constraint F/sin τ would be a quotient of two small intervals.
+/// Angle of an instant from the start of the half period, in rad, for the fastest mode. If a witness (an instant near
+/// the largest velocity constraint) is closer, only a Taylor series in τ gives its constraint (module `early`). The
+/// value is tuned. So close to the start, the constraint F/sin τ would be a quotient of two small intervals.
 const SURELY: f64 = 0.3;
-/// Distance of an instant from the start of the half period, in radians of the fastest mode. If the instant of the
-/// largest velocity constraint is closer, the start itself is also a candidate for the witness. The value is tuned.
-/// The maximum may then reach the start within the interval of r.
+/// Angle of an instant from the start of the half period, in rad, for the fastest mode. If the instant of the largest
+/// velocity constraint is closer, the start itself is also a candidate for the witness. The value is tuned. The maximum
+/// may then reach the start within the interval of r.
 const START: f64 = 0.05;
 
 /// Returns the candidates for the witness over an interval of r, from exact searches at several r of the interval.
@@ -89,8 +89,8 @@ pub(crate) fn candidates(
         if early {
             witnesses.push(Witness::Early(path.clone()));
         }
-        // If the instant is between `SURELY` and `EARLY`, the code adds two candidates: with the Taylor series and
-        // without it.
+        // If an instant's angle is between `SURELY` and `EARLY`, the code adds two candidates. One uses the Taylor
+        // series in τ, the second does not.
         if !(early && latest < SURELY) {
             witnesses.push(Witness::Instant(path));
         }

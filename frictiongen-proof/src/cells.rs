@@ -10,11 +10,12 @@ use crate::witness::{Witness, WitnessInstant};
 use frictiongen_model::interval::Interval;
 use std::f64::consts::PI;
 
-/// Length of a step that widens the region about a witness, as a fraction of √(N/D″), with D and N of
-/// [`HalfPeriodCells`]. The value is tuned. A longer step widens the region faster, but gives wider bounds of D″.
+/// Length of a step that widens the interval of τ about a witness, as a fraction of √(N/D″). [`HalfPeriodCells`]
+/// defines the level N, and the function D(τ) that must be positive. The value is tuned. A longer step widens the
+/// interval faster, but gives wider bounds of D″.
 const TUBE_STEP: f64 = 0.3;
-/// Largest number of steps that widen the region about a witness, on each side. A witness is an instant near the
-/// largest velocity constraint. The value is tuned. It limits the work for one region.
+/// Largest number of steps that widen the region about a witness, on each side of the witness. A witness is an instant
+/// near the largest velocity constraint. The value is tuned. It limits the work for one region.
 const TUBE_STEPS: usize = 8;
 /// Largest first step that widens the region about a witness, as a fraction of the distance from the witness to the
 /// end of the half period. The value is tuned. For a flat maximum, a step in proportion to √(N/D″) alone would be too
@@ -27,9 +28,9 @@ const TUBE_MOST: f64 = 0.9;
 /// units.
 pub(crate) const ROUNDING: f64 = 1e-12;
 
-/// Fraction of D″ at the centre of a region about an instant, with D of [`HalfPeriodCells`]. In the whole region D″
-/// must stay above this fraction. The value is tuned. A smaller fraction gives a wider region, but a flatter parabola
-/// as lower bound.
+/// Smallest D″ in a region about an instant, as a fraction of D″ at the instant. D is the function of τ that the proof
+/// must show to be positive ([`HalfPeriodCells`]). The value is tuned. A smaller fraction gives a wider region, but a
+/// flatter parabola as lower bound on D.
 pub(crate) const BENT: f64 = 0.15;
 
 /// The chain and the witness at the centre of an interval of r (fields with `at`), and over the whole interval
@@ -43,27 +44,30 @@ pub(crate) struct CellData<'a> {
     pub over: &'a ChainStage<ORDER>,
     pub seen_at: &'a WitnessInstant<ORDER>,
     pub seen_over: &'a WitnessInstant<ORDER>,
-    /// Relative margin of the proven bound on β_lim. The witness is an instant near the largest velocity constraint
-    /// F/sin τ (F is the function of [`HalfPeriodCells`]), and Q is the value of F/sin τ at the witness. The proof
-    /// must show that F/sin τ is below the level N everywhere. With N = Q this would be false at the witness itself. N
-    /// is therefore above Q, such that √(U² + N²) = (1 + `share`) √(U² + Q²). U is the part of the contact's
-    /// velocity at a reversal that the friction force causes. β_lim is inversely proportional to √(U² + S²), where S is
-    /// the largest F/sin τ. If b is this β_lim with Q in place of S, the exact β_lim is between b/(1 + `share`) and b.
+    /// Relative distance of the two proven bounds on β_lim. The exact β_lim is between b/(1 + `share`) and b. Here b is
+    /// the β_lim that follows from the witness, an instant near the largest velocity constraint F/sin τ. F is the
+    /// function of [`HalfPeriodCells`].
+    ///
+    /// The exact β_lim is inversely proportional to √(U² + S²), where S is the largest F/sin τ. U is the part of the
+    /// contact's velocity at a reversal that the friction force causes. For b, the value Q of F/sin τ at the witness
+    /// takes the place of S. The proof must show that F/sin τ is below a level N everywhere. N = Q would fail at the
+    /// witness itself. N is therefore above Q, such that √(U² + N²) = (1 + `share`) √(U² + Q²).
     pub share: f64,
 }
 
-/// A side of the half period: the part before the witness, or the part after it. A `share` gives a position on the
-/// side, from the end of the half period (0) to the witness (1).
+/// A side of the half period, before or after the witness. A `share` is a position on the side. It is 0 at that end of
+/// the half period (τ = 0 or τ = π), and 1 at the witness.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) enum Flank {
     Before,
     After,
 }
 
-/// The chain and the witness over an interval of r, as the cells of the half period need them.
+/// Data of the chain and of the witness, over an interval of r, for the proof in the cells of the half period.
 ///
-/// The cells must prove that D = N sin τ − F is positive on 0 < τ < π. F/sin τ is the velocity constraint at τ. N is
-/// a level slightly above the value of F/sin τ at the witness, which is an instant near the largest F/sin τ.
+/// Cells are intervals of τ. The proof must show in each cell that D = N sin τ − F is positive. F/sin τ is the velocity
+/// constraint at τ, for 0 < τ < π. N is a level slightly above the value of F/sin τ at the witness, which is an instant
+/// near the largest F/sin τ.
 pub(crate) struct HalfPeriodCells<'a> {
     /// The chain at the centre of the interval of r.
     pub thin: ChainStage<1>,
@@ -111,8 +115,8 @@ impl<'a> HalfPeriodCells<'a> {
         }
     }
 
-    /// Returns F, the sum of the velocity constraint over the modes, over intervals of t and r. Its series has the
-    /// slope in r. The remaining results are the derivatives F′, F″ and F‴ in τ = πt, then sin τ and cos τ.
+    /// Returns F as a series in r with its slope, over intervals of t = τ/π and of r. F is the sum of the velocity
+    /// constraint over the modes. The other results are the derivatives F′, F″ and F‴ in τ, then sin τ and cos τ.
     pub fn boxed(&self, t: Interval) -> (IntervalSeries<2>, [Interval; 3], (Interval, Interval)) {
         let at = IntervalSeries::<2>::fixed(t);
         let (sine, cosine) = t.sine_cosine();
@@ -144,9 +148,9 @@ impl<'a> HalfPeriodCells<'a> {
         plain.both(-(level * sine) - second + moves)
     }
 
-    /// Returns a region about an instant in which D″ stays above the fraction `bent` of its value at the instant,
-    /// with D of [`HalfPeriodCells`]. The first result has the lengths of the region before and after the instant, in
-    /// half-turns. The second is the smallest D″ in the region.
+    /// Returns a region about an instant in which D″ stays above the fraction `bent` of its value at the instant. D is
+    /// the function of τ that must be positive ([`HalfPeriodCells`]). The first result has the lengths of the region
+    /// before and after the instant, in half-turns. The second is the smallest D″ in the region.
     pub fn widened(
         &self,
         t: Interval,
@@ -178,7 +182,7 @@ impl<'a> HalfPeriodCells<'a> {
         (reach, least)
     }
 
-    /// Returns the instant t = τ/π at the position `share` of a side, in three forms: t over the whole interval of r,
+    /// Returns the instant t = τ/π at the position `share` of a side. The results are t over the whole interval of r,
     /// the slope of t with respect to r, and t at the centre of the interval.
     pub fn instant(&self, side: Flank, share: Interval) -> (Interval, Interval, Interval) {
         let (path, slope) = (self.path_over.value(), self.path_over.term(1));

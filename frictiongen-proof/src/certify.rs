@@ -1,9 +1,11 @@
 //! Proves that no instant of the half period has a velocity constraint that exceeds the constraint of the witness by
 //! more than a small margin. The witness is an instant near the largest constraint.
 //!
-//! The function D(τ, r) = N(r) sin τ − F(τ, r) must be positive on 0 < τ < π. Cells cover the half period. Their ends
-//! shift with the witness as r changes. In each cell a lower bound on D follows from its value, its slope and a bound
-//! on its second derivative. About the witness, where D nearly vanishes, a single parabola is the lower bound.
+//! The function D(τ, r) = N(r) sin τ − F(τ, r) must be positive on 0 < τ < π. Here F/sin τ is the velocity constraint,
+//! and N a level above the constraint of the witness. Cells, which are intervals of τ, cover the half period. The ends
+//! of the cells shift with the witness as r changes. In each cell a lower bound on D follows from its value, its slope
+//! and a bound on its second derivative. About the witness, where D nearly vanishes, a single parabola is the lower
+//! bound.
 
 use crate::cells::{BENT, CellData, Flank, HalfPeriodCells, ROUNDING};
 use crate::force;
@@ -15,30 +17,32 @@ use crate::witness::Witness;
 use frictiongen_model::interval::Interval;
 use std::f64::consts::PI;
 
-/// Length of the first cell of a side of the half period, in radians of the fastest mode. The value is tuned. A
-/// longer cell has wider bounds of D″, with D of [`HalfPeriodCells`].
+/// Length of the first cell (an interval of τ) on each side of the witness, as an angle of the fastest mode, in rad.
+/// The value is tuned. A longer cell gives wider bounds of D″, where D(τ) is the function that must be positive
+/// ([`HalfPeriodCells`]).
 const CELL: f64 = 1.0;
-/// Relative difference from which the level N counts as far above the witness's velocity constraint. The value is
-/// tuned. With this difference, D of [`HalfPeriodCells`] is clearly positive at the witness.
+/// Smallest (N − Q)/N at which the level N is far above Q, the velocity constraint of the witness. The value is tuned.
+/// With this difference, the function D of [`HalfPeriodCells`] is clearly positive at the witness.
 const FAR_ABOVE: f64 = 0.01;
-/// Fraction of D″ for a narrower region about the witness, which the code tries if `BENT` does not suffice. D is
-/// defined at [`HalfPeriodCells`]. The value is tuned. A larger fraction gives a steeper parabola in a narrower
-/// region.
+/// Smallest D″ in a narrower region about the witness, as a fraction of D″ at the witness. The code tries this region
+/// if `BENT` does not suffice. D(τ) is the function that must be positive ([`HalfPeriodCells`]). The value is tuned. A
+/// larger fraction gives a steeper parabola in a narrower region.
 const MORE_BENT: f64 = 0.5;
-/// Shortest cell, as a fraction of its side of the half period. The value is tuned. It limits the work on a side
-/// whose proof fails. The prover then halves the interval of r.
+/// Shortest cell (an interval of τ), as a fraction of its side of the half period. The value is tuned. It limits the
+/// work on a side whose proof fails. The prover then halves the interval of r.
 const SHORTEST: f64 = 1e-3;
-/// Length of a cell in radians of the fastest mode. If a cell becomes shorter, the code searches for another instant
-/// whose velocity constraint is nearly that of the witness. The value is tuned. Cells become short where D is small.
+/// Length of a cell (an interval of τ), as an angle of the fastest mode, in rad. If a cell becomes shorter, the code
+/// searches for another instant whose velocity constraint is nearly that of the witness. The value is tuned. Cells
+/// become short where the function D of [`HalfPeriodCells`] is small.
 const COMPETE: f64 = 0.1;
 /// Largest number of searches, on one side, for another instant whose velocity constraint is nearly that of the
 /// witness. The value is tuned. It limits the work of the searches.
 const MOST_TRIED: usize = 4;
-/// Factor by which the next cell is longer after a proven cell. The value is tuned. Fast growth saves cells, but a
-/// failed cell is lost work.
+/// Factor by which the next cell (an interval of τ) is longer after a proven cell. The value is tuned. Fast growth
+/// saves cells, but a failed cell is lost work.
 const LONGER: f64 = 1.4;
-/// First length of the range that a single bound covers from the start of the half period, in radians of the fastest
-/// mode. The value is tuned. A longer range saves cells, but its bound is wider.
+/// First length of a range of τ from the start of the half period, as an angle of the fastest mode, in rad. A single
+/// bound covers the range. The value is tuned. A longer range saves cells, but its bound is wider.
 const EARLY: f64 = 0.3;
 /// Largest number of lengths that the code tries for the range of [`EARLY`]. The value is tuned. The last length is
 /// about a sixth of the first length.
@@ -47,17 +51,19 @@ const EARLY_STEPS: usize = 6;
 /// `EARLY_STEPS`.
 const EARLY_STEP: f64 = 0.7;
 
-/// Returns true if the proof over an interval of r succeeds: every velocity constraint is below the constraint of the
-/// witness plus the margin.
+/// Returns true if the proof over an interval of r succeeds. The proof shows that every velocity constraint is below
+/// the constraint of the witness plus the margin.
 pub(crate) fn certified(part: &CellData<'_>, budget: &mut Budget) -> bool {
-    // Without damping and with every x ≤ 2, the velocity constraint is largest at the start of the half period.
+    // Without damping, the velocity constraint is largest at the start of the half period if every x ≤ 2. Here x is a
+    // natural frequency divided by the excitation frequency.
     let slow = |mode: &ModeStage<ORDER>| mode.x.value().high <= 2.0;
     let is_start = matches!(part.witness, Witness::BreakAway);
     if is_start && part.chain.all_undamped && part.over.modes.iter().all(slow) {
         return true;
     }
     let cells = HalfPeriodCells::of(part);
-    // Margin of N above the break-away term, which limits β_lim as a velocity constraint does.
+    // `spare` is the margin of the level N above the break-away term. This term limits β_lim as a velocity constraint
+    // does, so N must exceed it too.
     let spare = IntervalSeries::joined(
         &(cells.full_at - part.at.break_away),
         &(cells.full_over - part.over.break_away),
@@ -69,7 +75,7 @@ pub(crate) fn certified(part: &CellData<'_>, budget: &mut Budget) -> bool {
     let seen = is_start || (is_early && one);
     let kappa = part.over.kappa.map_or(Interval::ONE, |kappa| kappa.value());
     if !seen && (kappa.holds_zero() || !(0.0 < spare.range(part.away).low)) {
-        // If κ may be 0, its sign is unknown. The code then compares the squares.
+        // κ is the common factor of all functions. If κ may be 0, its sign is unknown, and the code compares squares.
         let spare = cells.level_over.value().squared() - part.over.break_away.value().squared();
         if !(0.0 < spare.low) {
             return false;
@@ -87,8 +93,9 @@ pub(crate) fn certified(part: &CellData<'_>, budget: &mut Budget) -> bool {
 }
 
 impl HalfPeriodCells<'_> {
-    /// Returns the fractions of both sides of the half period that the cells must still prove. A parabola about the
-    /// witness proves the rest. Returns `None` if D of [`HalfPeriodCells`] is not proven positive about the witness.
+    /// Returns, for each side of the witness, the fraction that the cells must still prove. A parabola about the
+    /// witness proves the rest of the half period. Returns `None` if D is not proven positive about the witness.
+    /// [`HalfPeriodCells`] defines D.
     fn tube(&self, budget: &mut Budget) -> Option<[f64; 2]> {
         if matches!(self.part.witness, Witness::BreakAway) {
             return Some([1.0, 1.0]);
@@ -99,8 +106,9 @@ impl HalfPeriodCells<'_> {
         }
         let curve = self.bend(path, budget);
         if !(0.0 < curve.low) {
-            // D may have no minimum near the witness, for example where U exceeds S, the largest velocity constraint.
-            // N is then far above all constraints, and the cells alone prove that D is positive on both sides.
+            // D may have no minimum near the witness. An example is a U larger than S, the largest velocity constraint.
+            // U is the part of the contact's velocity at a reversal that friction causes. N is then far above all
+            // constraints, and the cells alone prove that D is positive on both sides.
             return Some([1.0, 1.0]);
         }
         // The code first tries the widest region, then a narrower region with a steeper parabola.
@@ -109,7 +117,7 @@ impl HalfPeriodCells<'_> {
             self.is_least(least).then_some(reach)
         });
         let Some([before, after]) = tube else {
-            // If N is far above the witness, the cells need no parabola about the witness.
+            // If the level N is far above the constraint of the witness, the cells need no parabola about the witness.
             let far = FAR_ABOVE * self.level_over.value().high < self.above().low;
             return far.then_some([1.0, 1.0]);
         };
@@ -120,8 +128,8 @@ impl HalfPeriodCells<'_> {
         ])
     }
 
-    /// Returns N − Q, computed as (N² − Q²)/(N + Q). Q is the velocity constraint of the witness, and N the level
-    /// above it.
+    /// Returns N − Q, computed as (N² − Q²)/(N + Q). Q is the velocity constraint of the witness, and N the level above
+    /// Q.
     fn above(&self) -> Interval {
         let seen = self.part.seen_over;
         let share = Interval::point(self.part.share);
@@ -129,9 +137,9 @@ impl HalfPeriodCells<'_> {
         seen.size.value() * more / (self.level_over.value() + seen.constraint.value())
     }
 
-    /// Returns true if D, or D/τ for a witness near the start, is positive in a region about the witness τ_w. D is
-    /// defined at [`HalfPeriodCells`]. In the region the second derivative is at least `bend`, so D ≥ D(τ_w) −
-    /// D′(τ_w)²/(2·bend). The function tests whether this bound is positive.
+    /// Returns true if D is proven positive in a region about the witness τ_w. For a witness near the start of the half
+    /// period, D/τ takes the place of D. In the region the second derivative is at least `bend`, so D ≥ D(τ_w) −
+    /// D′(τ_w)²/(2·bend). The function tests whether this bound is positive. [`HalfPeriodCells`] defines D.
     fn is_least(&self, bend: f64) -> bool {
         let (seen_at, seen_over) = (self.part.seen_at, self.part.seen_over);
         let above = self.above();
@@ -142,9 +150,9 @@ impl HalfPeriodCells<'_> {
         0.0 < bend.low && 0.0 < (value - rise.squared() / (bend + bend)).low
     }
 
-    /// Returns the fraction of the side after the witness that the cells must still prove, for a witness near the
-    /// start of the half period. The proof about the witness needs (D/τ)″, with D of [`HalfPeriodCells`]. (D/τ)″ =
-    /// ∫₀¹ s²D‴(sτ) ds is at least a third of the smallest D‴.
+    /// Returns the fraction of the side after the witness that the cells must still prove, for a witness near the start
+    /// of the half period. The proof about the witness needs (D/τ)″, where D is the function that must be positive
+    /// ([`HalfPeriodCells`]). (D/τ)″ = ∫₀¹ s²D‴(sτ) ds is at least a third of the smallest D‴.
     fn early(&self, budget: &mut Budget) -> Option<f64> {
         let path = self.part.seen_over.t;
         let path = IntervalSeries::joined(&self.part.seen_at.t, &path).range(self.part.away);
@@ -166,14 +174,15 @@ impl HalfPeriodCells<'_> {
         None
     }
 
-    /// Returns true if D of [`HalfPeriodCells`] is proven positive on a side, from the end of the half period to the
-    /// position `up_to` of the side.
+    /// Returns true if D is proven positive on a side of the witness. The proof runs from the end of the half period
+    /// (τ = 0 or τ = π) to the position `up_to` of the side. [`HalfPeriodCells`] defines D.
     fn side(&self, side: Flank, up_to: f64, budget: &mut Budget) -> bool {
         let fastest = self.wide.modes.iter().map(|mode| mode.x.value().high);
         let fastest = fastest.fold(1.0, f64::max);
         let most = PI * self.path_at.middle();
         let mut length = (CELL / (fastest * most)).min(up_to);
-        // The first cell starts at the end of the half period.
+        // The first cell of the side starts at an end of the half period (τ = 0 or τ = π). D vanishes there, so the
+        // cell needs a proof of its own.
         loop {
             let share = length.min(up_to);
             let shown = match side {
@@ -199,8 +208,8 @@ impl HalfPeriodCells<'_> {
                 from = to;
                 length *= LONGER;
             } else {
-                // Near an instant with nearly the same constraint, cells would become as short as their distance from
-                // that instant.
+                // Near an instant with nearly the constraint of the witness, cells would become as short as their
+                // distance from that instant.
                 let near = region.and_then(|region: PositiveRegion| {
                     region.reach(side, from, self.path_over.value())
                 });
@@ -223,14 +232,14 @@ impl HalfPeriodCells<'_> {
         true
     }
 
-    /// Returns true if D of [`HalfPeriodCells`] is proven positive in a cell of a side.
+    /// Returns true if D is proven positive in a cell, an interval `share` of a side. [`HalfPeriodCells`] defines D.
     fn cell(&self, side: Flank, share: Interval, budget: &mut Budget) -> bool {
         budget.spend(2 * self.wide.modes.len());
         let (t, t_slope, _) = self.instant(side, share);
         let (value, [first, second, _], (sine, cosine)) = self.boxed(t);
         let level = self.level_over.value();
-        // D in the cell changes with r for two reasons: by its own slope in r (`of_r`), and by its slope in τ
-        // (`of_tau`), because the cell shifts with r.
+        // D in the cell changes with r for two reasons. D has a slope in r (`of_r`). The cell shifts with r, so D also
+        // changes by its slope in τ (`of_tau`).
         let of_tau = level * cosine - first;
         let of_r = self.level_over.term(1) * sine - value.term(1);
         let moves = of_r + of_tau * t_slope * Interval::pi();

@@ -11,13 +11,14 @@ use frictiongen_model::table::Request;
 use frictiongen_model::table::Worst;
 use frictiongen_model::table::building::rounding;
 
-/// Number of terms of a series that was divided by the distance from a zero. The division loses one term.
+/// Number of terms of a series after its division by the distance from a zero of β_lim. The division loses one term.
 pub(crate) const SHORT: usize = ORDER - 1;
 /// Number of cells into which the code divides an interval of r to bound a polynomial. The value is tuned. More cells
 /// give narrower bounds, but take more work.
 pub(crate) const CELLS: usize = 8;
-/// Largest fraction of the accuracy that the uncertain position of a zero of β_lim may take. The value is tuned. The
-/// proof leaves a neighbourhood of the zero open. Its length is inversely proportional to this fraction.
+/// Largest fraction of the accuracy that the uncertain position of a zero of β_lim may use up. The value is tuned. The
+/// proof leaves a neighbourhood of the zero open. The length of this neighbourhood is inversely proportional to the
+/// fraction.
 const UNCERTAIN: f64 = 0.01;
 /// Smallest distance from a zero of β_lim, divided by r, down to which the proof covers r. It is hundreds of rounding
 /// units.
@@ -39,12 +40,12 @@ pub(crate) struct ComparedLimit {
     /// Square of the quotient p/β_lim. p is the polynomial of the table, and β_lim comes from the witness. The first
     /// series is at the centre of the interval of r, the second over the interval.
     pub square: [IntervalSeries<SHORT>; 2],
-    /// Largest rounding error in the evaluation of p, divided by p.
+    /// Largest rounding error in the evaluation of the table's polynomial p, divided by p.
     pub rounding: f64,
 }
 
-/// Returns a series divided by r − r₀, where r₀ is the centre of the series. The function must be zero at r₀, so the
-/// code ignores the first coefficient.
+/// Returns a series divided by r − r₀, where r₀ is the centre of the series. The function of the series must be zero at
+/// r₀, so the code ignores the first coefficient.
 pub(crate) fn divided(series: &IntervalSeries<ORDER>) -> IntervalSeries<SHORT> {
     let mut terms = [Interval::ZERO; SHORT];
     for (term, own) in terms.iter_mut().zip(series.terms.iter().skip(1)) {

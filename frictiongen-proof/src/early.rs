@@ -64,8 +64,10 @@ pub(crate) fn over_tau<const N: usize>(
     tau: &IntervalSeries<N>,
 ) -> (IntervalSeries<N>, IntervalSeries<N>) {
     let zero = IntervalSeries::fixed(Interval::ZERO);
-    // At τ = 0 the nth derivative of p is k_n xⁿ⁻¹, with k_n + 2ζk_{n−1} + k_{n−2} = 0. Because x = σ/r, all modes
-    // have the same power of r. The code adds up κc(1 + g)·k_nσⁿ⁻¹ and κcu/x²·k_{n+1}σⁿ over the modes.
+    // p is the free displacement of a mode after a unit velocity. At τ = 0 its nth derivative is k_n xⁿ⁻¹, with
+    // k_n + 2ζk_{n−1} + k_{n−2} = 0. Because x = σ/r with σ = √λ, all modes have the same power of r. The code adds up
+    // the products of κc(1 + g) with k_nσⁿ⁻¹ and of κcu/x² with k_{n+1}σⁿ over the modes. `ModeStage` explains these
+    // two factors.
     let mut sums = [(zero, zero); TERMS + 1];
     for mode in &stage.modes {
         let own = mode.oscillator;
@@ -113,7 +115,8 @@ pub(crate) fn rest<const N: usize>(stage: &ChainStage<N>, t: f64) -> [Interval; 
             let following = -(loss * next) - x.squared() * p;
             (p, next) = (next, following);
         }
-        // Here `p` and `next` are p⁽ᵀ⁺¹⁾ and p⁽ᵀ⁺²⁾. The magnitude of a derivative of the cosine is at most 1.
+        // With T for `TERMS`, `p` and `next` are now p⁽ᵀ⁺¹⁾ and p⁽ᵀ⁺²⁾. The magnitude of a derivative of the cosine is
+        // at most 1.
         let of_forced_slope = mode.forced_slope.value() * (Interval::within(1.0) - next);
         most += (mode.free.value() * p + of_forced_slope).size() * UP;
     }
@@ -122,7 +125,7 @@ pub(crate) fn rest<const N: usize>(stage: &ChainStage<N>, t: f64) -> [Interval; 
     for n in 1..=(TERMS - 1) {
         tail *= tau / n as f64 * UP;
     }
-    // tail is sup|F⁽ᵀ⁺¹⁾| τᵀ⁻¹/(T − 1)!.
+    // With T for `TERMS`, `tail` is sup|F⁽ᵀ⁺¹⁾| τᵀ⁻¹/(T − 1)!.
     let terms = TERMS as f64;
     let of_slope = tail / (terms + 1.0) * FAR_UP;
     let of_value = tail * tau / (terms * (terms + 1.0)) * FAR_UP;

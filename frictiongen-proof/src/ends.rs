@@ -1,5 +1,5 @@
-//! Proves the first and the last cell of the half period. D of [`HalfPeriodCells`] vanishes at both ends of the half
-//! period.
+//! Proves the first and the last cell (interval of τ) of the half period. The function D of [`HalfPeriodCells`], which
+//! must be positive, vanishes at both ends of the half period.
 
 use crate::cells::{Flank, HalfPeriodCells};
 use crate::force;
@@ -10,8 +10,8 @@ use crate::witness::{Witness, WitnessInstant};
 use frictiongen_model::interval::Interval;
 
 impl HalfPeriodCells<'_> {
-    /// Returns true if D/τ is proven positive in the first cell, with D of [`HalfPeriodCells`]. The proof uses D =
-    /// D′(0)τ + D″(0)τ²/2 + D‴τ³/6, where D‴ is taken at some instant of the cell.
+    /// Returns true if D/τ is proven positive in the first cell, where D is the function of [`HalfPeriodCells`]. The
+    /// proof uses D = D′(0)τ + D″(0)τ²/2 + D‴τ³/6, where D‴ is taken at some instant of the cell.
     pub fn first(&self, share: f64, budget: &mut Budget) -> bool {
         budget.spend(4 * self.wide.modes.len());
         let part = self.part;
@@ -20,7 +20,8 @@ impl HalfPeriodCells<'_> {
         let ([_, second, third], (sine, cosine)) = self.derivatives(t);
         let level = self.level_over.value();
         let (at, over) = if matches!(part.witness, Witness::BreakAway) {
-            // D′(0) is N − m* − H_c, computed as the sum of N − μm* − H_c and (μ − 1)m*.
+            // D′(0) is N − m* − H_c, computed as the sum of N − μm* − H_c and (μ − 1)m*. N is the level, and μm* + H_c
+            // the break-away term. m* is the inverse effective mass of the contact.
             let more = Interval::point(part.share);
             let more = more + more + more * more;
             let above = |seen: &WitnessInstant<ORDER>, level: &IntervalSeries<ORDER>| {
@@ -41,7 +42,7 @@ impl HalfPeriodCells<'_> {
         if !(0.0 < start.low) {
             return false;
         }
-        // If D″ ≥ 0, D′(0) > 0 suffices for the cell. Otherwise a plain parabola may suffice.
+        // If D″ ≥ 0 in the cell, D′(0) > 0 suffices. Otherwise a parabola with the smallest D″ may suffice.
         let bend = -(level * sine) - second;
         let reach = t * Interval::pi();
         if 0.0 <= bend.low {
@@ -56,8 +57,8 @@ impl HalfPeriodCells<'_> {
         if !(0.0 < curve.low) {
             return false;
         }
-        // The parabola D′(0) + D″(0)τ/2 + curve·τ² is a lower bound on D/τ. The code bounds its smallest value in the
-        // cell as a function of r.
+        // The parabola D′(0) + D″(0)τ/2 + `curve`·τ² is a lower bound on D/τ, because `curve` is a lower bound on D‴/6.
+        // The code bounds the smallest value of this parabola in the cell as a function of r.
         let bends = [part.at, part.over].map(|stage| force::bend_at_start(stage).times(-half));
         let [bend_at, bend_over] = bends;
         let bend = IntervalSeries::joined(&bend_at, &bend_over).range(away);
@@ -94,8 +95,8 @@ impl HalfPeriodCells<'_> {
                     .low
     }
 
-    /// Returns true if D/(π − τ) is proven positive in the last cell, with D of [`HalfPeriodCells`]. The cell ends at
-    /// τ = π.
+    /// Returns true if D/(π − τ) is proven positive in the last cell, where D is the function of [`HalfPeriodCells`].
+    /// The cell ends at τ = π.
     pub fn last(&self, share: f64, budget: &mut Budget) -> bool {
         budget.spend(2 * self.wide.modes.len());
         let level = self.level_over.value();

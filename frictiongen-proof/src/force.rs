@@ -1,5 +1,6 @@
-//! F(τ) = Σ κc[(1 + g)p + (u/x²)(cos τ − p′)], the sum of the velocity constraint over the modes, and its derivatives
-//! in τ. The code gives τ in half-turns: τ = πt.
+//! Computes F(τ) = Σ κc[(1 + g)p + (u/x²)(cos τ − p′)], the sum of the velocity constraint over the modes, and its
+//! derivatives in τ. p is the free displacement of a mode after a unit velocity. `ModeStage` explains the factors
+//! κc(1 + g) and κcu/x². The code gives τ in half-turns t, with τ = πt.
 
 use crate::series::IntervalSeries;
 use crate::stage::{ChainStage, ModeDecay, ModeStage};
@@ -71,7 +72,7 @@ pub(crate) fn slope<const N: usize>(
 ) -> IntervalSeries<N> {
     let mut sum = IntervalSeries::fixed(Interval::ZERO);
     for (mode, (p, slope)) in stage.modes.iter().zip(motions) {
-        // −p″ = x(2ζp′ + xp).
+        // The free displacement p of a mode satisfies −p″ = x(2ζp′ + xp), with x = √λ/r.
         let two_zeta = mode.oscillator.zeta.doubled();
         let bent = mode.x * (slope.times(two_zeta) + mode.x * *p);
         sum = sum + mode.free * *slope + mode.forced_slope * (bent - *sine);
@@ -110,8 +111,8 @@ pub(crate) fn derivatives<const N: usize>(
     sums
 }
 
-/// Returns the second derivative F″ at τ = 0, where F is the sum of the velocity constraint over the modes. The free
-/// displacement p of a mode has p′ = 1, p″ = −2ζx and p‴ = x²(4ζ² − 1) there.
+/// Returns the second derivative F″ at τ = 0, where F is the sum of the velocity constraint over the modes. At τ = 0
+/// the free displacement p of a mode has p′ = 1, p″ = −2ζx and p‴ = x²(4ζ² − 1).
 pub(crate) fn bend_at_start<const N: usize>(stage: &ChainStage<N>) -> IntervalSeries<N> {
     let one = IntervalSeries::fixed(Interval::ONE);
     let zero = IntervalSeries::fixed(Interval::ZERO);

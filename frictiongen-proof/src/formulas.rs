@@ -30,7 +30,7 @@ const WIDTH: f64 = 1e-11;
 /// Number of frequency ratios at which the test compares each chain.
 const RATIOS: usize = 300;
 
-/// Numbers of compared values, and the width of the widest interval.
+/// Number of compared values, and the relative width of the widest interval.
 #[derive(Default)]
 struct ComparedFormulas {
     values: usize,
@@ -38,7 +38,8 @@ struct ComparedFormulas {
 }
 
 impl ComparedFormulas {
-    /// Compares an interval with the kernel's value, multiplied by κ.
+    /// Checks that an interval overlaps the kernel's value times κ, and that the interval is narrow. κ is the common
+    /// factor of all functions of `ChainStage`.
     fn with(&mut self, name: &str, own: Interval, kernel: Dd, kappa: Interval, size: f64) {
         let kernel = Interval::of(kernel) * kappa;
         assert!(
@@ -52,8 +53,9 @@ impl ComparedFormulas {
     }
 }
 
-/// Compares V, U and G, the velocity constraint at the start, the break-away term, and F at one instant, with the
-/// kernel's values.
+/// Compares functions of a chain at r with the kernel's values. They are the sums V, U and G of the contact, the
+/// velocity constraint at the start, the break-away term, and F at one instant. F is the sum of the velocity constraint
+/// over the modes.
 fn compare(name: &str, modal: &Modal, r: f64, t: f64, compared: &mut ComparedFormulas) {
     let chain = IntervalChain::of(modal);
     let stage = ChainStage::<2>::over(&chain, Interval::point(r), &singular(&chain, r));

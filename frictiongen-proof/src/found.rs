@@ -1,4 +1,4 @@
-//! Results of a proof so far, and the work that it may still do.
+//! Results of a proof so far, and the work that the proof may still do.
 
 use crate::compare::ComparedLimit;
 use frictiongen_model::table::Worst;
@@ -53,7 +53,7 @@ impl FunctionProof {
         }
     }
 
-    /// Adds the results that the proof has for the next piece of the table.
+    /// Adds the results for the next piece of the table.
     pub fn and(&mut self, next: Self) {
         if next.looked {
             self.seen(next.bound);
@@ -116,8 +116,8 @@ impl PieceProof {
     }
 }
 
-/// Errors of the tables that a proof has found over an interval of r. `motion` contains the error of amplitude and
-/// phase, or `None` without a proof of amplitude and phase.
+/// Bounds on the errors of the tables over an interval of r. `limit` has the error of β_lim. `motion` has the error of
+/// amplitude and phase, or `None` without a proof of amplitude and phase.
 pub(crate) struct IntervalProof {
     pub limit: ComparedLimit,
     pub motion: Option<Worst>,

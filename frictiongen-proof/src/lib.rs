@@ -1,11 +1,12 @@
 //! Proof that a table of β_lim is within its accuracy at every r, and not only at the checked points.
 //!
-//! The proof divides the range into intervals of r. In each interval it chooses a *witness*: an instant near the
-//! largest velocity constraint, as a polynomial in r. `certify` proves that no other instant has a constraint larger by
-//! more than a small margin. The witness and the margin then give an upper and a lower bound on β_lim, which are smooth
-//! functions of r. `compare` proves that the polynomial of the table is near these bounds, including all rounding
-//! errors of its evaluation. Both modules use intervals with outward rounding. `motion` proves amplitude and phase of
-//! the contact in the same way.
+//! The proof divides the range into intervals of r. In each interval it chooses a *witness*: an instant τ of the half
+//! period near the largest velocity constraint, as a polynomial in r. With more friction than the velocity constraint
+//! at τ allows, the contact would stop at τ before the half period ends. `certify` proves that no other instant has a
+//! constraint larger by more than a small margin. The witness and the margin then give an upper and a lower bound on
+//! β_lim, which are smooth functions of r. `compare` proves that the polynomial of the table is near these bounds,
+//! including all rounding errors of its evaluation. Both modules use intervals with outward rounding. `motion` proves
+//! amplitude and phase of the contact in the same way.
 //!
 //! If the proof of an interval fails, the prover halves the interval. If the proofs of short intervals fail too, they
 //! stay *open*: the table is checked at points of these intervals, but not proven.
@@ -79,8 +80,8 @@ pub fn prove_if_small<S: Float>(tables: &mut Tables<S>, modal: &Modal, work: Pro
     }
 }
 
-/// Proves β_lim in one piece of the tables. If the tables contain amplitude and phase of the contact, the function
-/// proves these in this piece too.
+/// Proves β_lim in one piece of the tables. If the tables contain amplitude and phase of the contact, the function also
+/// proves amplitude and phase in this piece.
 #[must_use]
 pub fn prove_piece<S: Float>(
     tables: &Tables<S>,

@@ -59,7 +59,7 @@ pub(crate) struct MotionProof<'a, S> {
 struct MotionCell {
     /// Errors of the polynomials a and g.
     off: [Interval; 2],
-    /// Exact values α = β_lim·U/|V| and γ = β_lim·G/|V|.
+    /// Exact values α = β_lim·U/|V| and γ = β_lim·G/|V|. V, U and G are sums of the contact over the modes.
     exact: [Interval; 2],
     /// Relative error of the table's |V|. V is the response of the contact to the load.
     size: Interval,
@@ -82,8 +82,8 @@ struct Functions {
 }
 
 impl<S: Float> MotionProof<'_, S> {
-    /// Returns the largest error of amplitude and phase over the interval of r, or `None` if it may exceed the
-    /// accuracy.
+    /// Returns the largest error of amplitude and phase over the interval of r. Returns `None` if the error may exceed
+    /// the accuracy.
     pub fn compared(
         &self,
         limit: &ComparedLimit,
@@ -135,8 +135,8 @@ impl<S: Float> MotionProof<'_, S> {
         Some(worst)
     }
 
-    /// Returns the largest error of amplitude and phase over a cell of r, or `None` if it may exceed the accuracy.
-    /// `of_limit` is the largest relative rounding error of the table's β_lim.
+    /// Returns the largest error of amplitude and phase over a cell of r. Returns `None` if the error may exceed the
+    /// accuracy. `of_limit` is the largest relative rounding error of the table's β_lim.
     fn error(&self, cell: &MotionCell, of_limit: f64) -> Option<f64> {
         let MotionCell {
             off,
@@ -149,8 +149,8 @@ impl<S: Float> MotionProof<'_, S> {
         // The exact β_lim is between b/(1 + share) and b, where b is the β_lim from the witness.
         let fewer = Interval::new(1.0 / (1.0 + self.share) * (2.0 - UP), 1.0);
         let [alpha, gamma] = exact.map(|exact| exact * fewer);
-        // Adds the rounding errors of a, divided by β_table, those of β_table itself, and those of the product with
-        // β.
+        // Adds the rounding errors of a polynomial (a or g) divided by β_table, those of β_table itself, and those of
+        // the product with β. β_table is the β_lim of the table.
         let with_roundings = |function: usize, off: Interval, exact: Interval| {
             let most = exact.size() + off.size();
             let own =
@@ -180,7 +180,7 @@ impl<S: Float> MotionProof<'_, S> {
             // may compensate each other.
             let of_size = size + Interval::within(self.excitation);
             let off = (off + of_size + off * of_size).size() + FEW * unit;
-            // The phase lag of the contact is −asin ρα − arg V.
+            // The phase lag of the contact is −asin ρα − arg V, with ρ = β/β_lim and α = β_lim·U/|V|.
             let lag = share * of_alpha / own.hull(other) + turned;
             worst = worst.max(off * UP).max((lag.size() + OF_PHASE * unit) * UP);
         }
@@ -273,7 +273,7 @@ impl<S: Float> MotionProof<'_, S> {
         let own = table(Interval::point(self.centre));
         let sign = if self.beside_zero { away.sign() } else { 1 };
         let side = Interval::point(f64::from(sign));
-        // `ChainStage` contains r²V, not V.
+        // The code multiplies the table's |V| by r², because `ChainStage` contains r²V, not V.
         let ratio = |r: Interval, stage: &ChainStage<ORDER>| {
             let [re, im] = [0, 1].map(|place| {
                 let of = |stage: &ChainStage<ORDER>| stage.excitation.get(place).copied();
@@ -300,7 +300,8 @@ impl<S: Float> MotionProof<'_, S> {
         (rounded < SMALL).then_some((off, rounded * most * UP))
     }
 
-    /// Returns the sign of κV in an undamped chain. The polynomial a of the table contains this sign.
+    /// Returns the sign of κV in an undamped chain. V is the response of the contact to the load, and κ the common
+    /// factor of `ChainStage`. The polynomial a of the table contains this sign.
     fn sign(
         &self,
         at: &ChainStage<ORDER>,
@@ -321,8 +322,9 @@ impl<S: Float> MotionProof<'_, S> {
         (sign != 0).then(|| Interval::point(f64::from(sign)))
     }
 
-    /// Returns the angle arg V as series at the centre and over the interval of r, up to whole turns. The last result
-    /// is the error of arg V, in rad, by the uncertain position of a zero.
+    /// Returns the angle arg V as series at the centre and over the interval of r, up to whole turns. V is the response
+    /// of the contact to the load. The last result is the error of arg V, in rad, that the uncertain position of a zero
+    /// causes.
     fn angle(
         &self,
         at: &ChainStage<ORDER>,

@@ -19,24 +19,24 @@ use frictiongen_model::table::{FINEST_PROVEN, Fitted, ProofWork, Request};
 const ELSEWHERE: f64 = 1.0 / 32.0;
 /// Shortest interval of r, as a fraction of r. The value is tuned. It limits the work next to zeros and poles.
 const SHORTEST: f64 = 1e-7;
-/// Shortest interval of r for the proof of amplitude and phase, as a fraction of its piece. The value is tuned. If at
-/// this length only the proof of β_lim succeeds, amplitude and phase stay open. Otherwise intervals would become much
-/// shorter.
+/// Shortest interval of r for the proof of amplitude and phase, as a fraction of its piece of the table. The value is
+/// tuned. If at this length only the proof of β_lim succeeds, amplitude and phase stay open (not proven). Otherwise
+/// intervals would become much shorter.
 const SHORTEST_OF_MOTION: f64 = 2e-3;
 /// Shortest interval of r for the proof of amplitude and phase near a zero of β_lim, as a fraction of the distance
 /// from the zero.
 const SHORTEST_BESIDE_ZERO: f64 = 0.02;
-/// Number of intervals of r into which a piece is divided at first. The value is tuned. The prover halves an interval
-/// that is too long.
+/// Number of intervals of r into which the prover divides a piece of the table at first. The value is tuned. The prover
+/// halves an interval that is too long.
 const FIRST: f64 = 4.0;
 /// Factor by which the next interval of r is longer after a proven interval. The value is tuned. Fast growth saves
 /// intervals, but a failed interval is lost work.
 const LONGER: f64 = 1.15;
-/// Shortest interval that the prover tries after an open interval, as a fraction of the length that stays open if the
-/// trial fails. The value is tuned. It limits the trials to four halvings of that length.
+/// Shortest interval of r that the prover tries after an open (not proven) interval, as a fraction of the length that
+/// stays open if the trial fails. The value is tuned. It limits the trials to four halvings of that length.
 const FINER: f64 = 1.0 / 16.0;
-/// An interval covers the whole rest of a piece if the rest is at most this factor times the interval. The value is
-/// tuned. A short last interval would take as much work as a long one.
+/// The next interval of r covers the whole rest of a piece if the rest is shorter than this factor times the interval.
+/// The value is tuned. A short last interval would take as much work as a long one.
 const NO_STUB: f64 = 1.2;
 /// Largest |κ| that counts as zero at a zero of β_lim, where κ is a product of cosines. It is tens of rounding units
 /// of a cosine.
@@ -49,7 +49,8 @@ pub(crate) struct Prover<'a, 'm> {
     request: Request,
     budget: Budget,
     found: PieceProof,
-    /// Largest relative error of |V|. `None` if the proof does not include amplitude and phase.
+    /// Largest relative error of the table's |V|, where V is the response of the contact to the load. `None` if the
+    /// proof does not include amplitude and phase.
     excitation: Option<f64>,
     /// True if a witness near the start of the half period has proven the last interval of r.
     early: bool,
@@ -75,8 +76,8 @@ impl<'a, 'm> Prover<'a, 'm> {
         }
     }
 
-    /// Proves a piece from one r to another. `kinks` has the kinks of β_lim within the piece. `zero` is the zero of
-    /// β_lim that is the origin of the piece's polynomials, if the piece has one.
+    /// Proves a piece of the table over the interval of r from `from` to `to`. `kinks` has the kinks of β_lim within
+    /// the piece. `zero` is the zero of β_lim that is the origin of the piece's polynomials, if the piece has one.
     pub fn piece<S: Float>(
         mut self,
         piece: &Fitted<S>,
@@ -99,7 +100,7 @@ impl<'a, 'm> Prover<'a, 'm> {
         let beside = zero.map(|zero| if zero.at <= from { from } else { to });
         for pair in ends.windows(2) {
             let [low, high] = pair else { continue };
-            // The proof begins at the zero.
+            // The proof begins at the zero of β_lim, because only its first interval is expanded about the zero.
             if beside == Some(*high) {
                 self.walk(piece, *high, *low, zero);
             } else {
@@ -111,7 +112,8 @@ impl<'a, 'm> Prover<'a, 'm> {
         self.found
     }
 
-    /// Proves the part of a piece between two r, one interval after another.
+    /// Proves the part of a piece between two r, one interval of r after another. The proof runs from `start` to `end`,
+    /// which may be the smaller r.
     fn walk<S: Float>(&mut self, piece: &Fitted<S>, start: f64, end: f64, zero: Option<LimitZero>) {
         let forwards = start < end;
         let mut place = start;
@@ -171,8 +173,8 @@ impl<'a, 'm> Prover<'a, 'm> {
                     length = LONGER * step;
                     skip = shortest.max(0.5 * skip);
                 }
-                // The prover does not halve a failed interval down to the rounding of r. It leaves the interval open.
-                // Each failure doubles the length that stays open.
+                // The prover does not halve a failed interval down to the rounding of r. It leaves the interval open
+                // (not proven). Each failure doubles the length that stays open.
                 None if step <= shortest.max(FINER * skip) => {
                     let far = skip.max(step).min(rest);
                     let next = if forwards { place + far } else { place - far };
@@ -188,7 +190,7 @@ impl<'a, 'm> Prover<'a, 'm> {
         }
     }
 
-    /// Returns what the proof shows over an interval of r, or `None` if the proof fails.
+    /// Returns the error bounds that the proof finds over an interval of r, or `None` if the proof fails.
     fn part<S: Float>(
         &mut self,
         piece: &Fitted<S>,
@@ -224,8 +226,8 @@ impl<'a, 'm> Prover<'a, 'm> {
             let mut seen_over = WitnessInstant::of(&witness, &over, all, rest);
             seen_over.refine(&seen_at, all);
             self.budget.spend(OF_STAGE * self.chain.modes.len());
-            // A witness with a negative constraint is not valid. In an undamped chain it is valid with the modulus of
-            // the constraint, because F occurs with both signs.
+            // A witness with a negative constraint is not valid. In an undamped chain the modulus of the constraint is
+            // valid, because F, the sum of the velocity constraint over the modes, occurs with both signs.
             let is_one = self.chain.all_undamped || 0.0 <= seen_over.constraint.value().low;
             if !is_one {
                 continue;
@@ -274,10 +276,11 @@ impl<'a, 'm> Prover<'a, 'm> {
         None
     }
 
-    /// Returns the functions of the chain at the centre and over the interval of r, multiplied by −1 if κ is
-    /// negative. κ is their common factor, a product of cosines. Returns `None` if its sign is unknown. In a chain
-    /// without damping an unknown sign is allowed, because both signs are valid: F, the sum of the velocity
-    /// constraint, satisfies F(π − τ) = −F(τ).
+    /// Returns the functions of the chain at the centre and over the interval of r, multiplied by −1 if κ is negative.
+    /// κ is the common factor of these functions, a product of cosines. Returns `None` if the sign of κ is unknown.
+    ///
+    /// In a chain without damping an unknown sign is allowed, because both signs are valid. F, the sum of the velocity
+    /// constraint over the modes, then satisfies F(π − τ) = −F(τ).
     fn oriented(
         &self,
         at: ChainStage<ORDER>,

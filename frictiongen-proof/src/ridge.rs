@@ -11,21 +11,21 @@ use frictiongen_kernel::Scalar;
 use frictiongen_model::interval::Interval;
 use std::f64::consts::PI;
 
-/// Largest number of Newton steps towards a minimum of D of [`HalfPeriodCells`]. The value is tuned. It limits the
-/// work if Newton's method does not converge.
+/// Largest number of Newton steps towards a minimum of D, the function of [`HalfPeriodCells`] that must be positive.
+/// The value is tuned. It limits the work if Newton's method does not converge.
 const STEPS: usize = 8;
 /// Newton's method has converged if a step is shorter than this value, in half-turns. The value is tuned. Convergence
 /// is quadratic, so that the next step would be far below a rounding unit.
 const FOUND: f64 = 1e-9;
-/// Shift of an instant over an interval of r, in half-turns. If the instant shifts by more, it belongs to another
-/// minimum of D.
+/// Largest shift of an instant, in half-turns, by Newton's method or over an interval of r. An instant that shifts by
+/// more belongs to another minimum of D, the function of [`HalfPeriodCells`].
 const JUMP: f64 = 0.1;
-/// Number of subintervals of r in which the code bounds D of [`HalfPeriodCells`]. The value is tuned. More
-/// subintervals give narrower bounds, but take more work.
+/// Number of subintervals of r in which the code bounds D, the function of [`HalfPeriodCells`] that must be positive.
+/// The value is tuned. More subintervals give narrower bounds, but take more work.
 const PARTS: usize = 6;
 
-/// A range of instants about a local minimum of D of [`HalfPeriodCells`], in half-turns. D is proven positive in this
-/// range for all r of an interval.
+/// A range of instants about a local minimum of D, in half-turns. D, the function of [`HalfPeriodCells`], is proven
+/// positive in this range for all r of an interval.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct PositiveRegion {
     from: f64,
@@ -33,8 +33,8 @@ pub(crate) struct PositiveRegion {
 }
 
 impl PositiveRegion {
-    /// Returns the share of a side at which the region ends, if the region contains the instant at the given share of
-    /// the side.
+    /// Returns the position on a side at which the region ends, if the region contains the instant at the position
+    /// `share`. Positions run from 0 at the end of the half period to 1 at the witness.
     pub fn reach(&self, side: Flank, share: f64, path: Interval) -> Option<f64> {
         let (begins, end) = match side {
             Flank::Before => (
@@ -52,8 +52,8 @@ impl PositiveRegion {
 }
 
 impl HalfPeriodCells<'_> {
-    /// Returns the region about the local minimum of D near the instant t, with D of [`HalfPeriodCells`]. Returns
-    /// `None` if no minimum is found, or if the bounds do not prove that D is positive.
+    /// Returns the region about the local minimum of D near the instant t. D is the function of [`HalfPeriodCells`]
+    /// that must be positive. Returns `None` if no minimum is found, or if the bounds do not prove that D is positive.
     pub fn region(&self, t: f64, budget: &mut Budget) -> Option<PositiveRegion> {
         let part = self.part;
         let (low, high) = (part.away.low, part.away.high);
@@ -75,7 +75,7 @@ impl HalfPeriodCells<'_> {
         if jump > JUMP {
             return None;
         }
-        // A parabola in r through these three instants gives the instant at every r.
+        // A parabola in r through the instants of the minimum at three r gives the instant at every r.
         let [a, b, c] = instants;
         let step = places[1];
         let slope = (4.0 * b - 3.0 * a - c) / (2.0 * step);
@@ -116,8 +116,8 @@ impl HalfPeriodCells<'_> {
         (from < to).then_some(PositiveRegion { from, to })
     }
 
-    /// Returns an approximate value of N, the level above the velocity constraint of the witness, at the distance
-    /// `away` from the centre of the interval of r.
+    /// Returns an approximate value of N, the level above the velocity constraint of the witness. `away` is the
+    /// distance of r from the centre of the interval of r.
     fn level_at_away(&self, away: f64) -> f64 {
         value_at(&self.full_at, away)
     }
@@ -189,8 +189,8 @@ mod tests {
     use super::*;
     use frictiongen_model::samples::random;
 
-    /// Checks the share of a side that the function returns. Within this share every instant must lie in the region,
-    /// for all positions of the witness. Just outside, some instant must lie outside the region.
+    /// Checks the position on a side that `PositiveRegion::reach` returns. Up to this position every instant must lie
+    /// in the region, for all positions of the witness. Just beyond it, some instant must lie outside the region.
     #[test]
     fn within_the_region() {
         let (mut state, mut told) = (9, 0);

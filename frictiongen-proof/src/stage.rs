@@ -1,9 +1,9 @@
 //! All functions from which the limits follow, as Taylor series in r with intervals as coefficients (section 3 of
 //! `docs/derivation.md`).
 //!
-//! All functions are multiplied by r². Near a pole of U at an undamped mode, they are also multiplied by κ, the product
-//! of cos(πx/2) over the undamped modes with a pole of U nearby, with x = √λ/r. The limits are quotients, in which κ
-//! cancels.
+//! All functions are multiplied by r². Near a pole of U at an undamped mode, the functions are also multiplied by κ. κ
+//! is the product of cos(πx/2), with x = √λ/r, over the undamped modes with a pole of U nearby. The limits are
+//! quotients, in which κ cancels.
 
 use crate::series::IntervalSeries;
 use frictiongen_kernel::number::dd::Dd;
@@ -30,7 +30,7 @@ pub(crate) struct IntervalMode {
     pub kind: ModeDecay,
     pub sigma: Interval,
     pub zeta: Interval,
-    /// √|1 − ζ²|.
+    /// q = √|1 − ζ²|, with the modal damping ratio ζ.
     pub q: Interval,
     /// ζ/q, with q = √|1 − ζ²|.
     pub zeta_over_q: Interval,
@@ -38,7 +38,8 @@ pub(crate) struct IntervalMode {
     pub fast: Interval,
     /// c = (φᵀw)², the inverse effective mass of the mode in the contact.
     pub inverse_mass: Interval,
-    /// (φᵀw)(φᵀp), the residue of the mode in the contact's response to the load.
+    /// (φᵀw)(φᵀp), the residue of the mode in the contact's response to the load. φ is the mode shape, w the direction
+    /// vector of the contact, and p the load vector.
     pub residue: Interval,
 }
 
@@ -132,9 +133,9 @@ pub(crate) struct ChainStage<const N: usize> {
     pub break_away: IntervalSeries<N>,
 }
 
-/// Absolute value of cos(πx/2) for an undamped mode, with x = √λ/r. If the cosine is smaller, it becomes a factor of
-/// κ. The value is tuned. A quotient by a smaller cosine is wide over an interval of r, but each factor of κ takes
-/// more products.
+/// Absolute value of cos(πx/2) for an undamped mode, with x = √λ/r. If the cosine is smaller, it becomes a factor of κ,
+/// by which all functions are multiplied. The value is tuned. A quotient by a smaller cosine is wide over an interval
+/// of r, but each factor of κ takes more products.
 const SINGULAR: f64 = 0.2;
 /// Distance |x − 1| from a resonance, with x = √λ/r. At a smaller distance the code uses a form in which the pole of
 /// V and the zero of cos(πx/2) cancel. At a larger distance it can divide by x² − 1.
@@ -209,7 +210,7 @@ impl<const N: usize> ChainStage<N> {
                 forced_slope = with(*sine * slow).times(c);
                 let beside = x.value() - Interval::ONE;
                 let term = if beside.size() < RESONANT {
-                    // cos(πx/2)/(x² − 1) = −(π/2) sinc(π(x − 1)/2)/(x + 1).
+                    // This form has no pole at x = 1: cos(πx/2)/(x² − 1) = −(π/2) sinc(π(x − 1)/2)/(x + 1).
                     let sinc = (x - one).times(half).sinc();
                     -(sinc / (x + one)).times(Interval::pi() * half)
                 } else {
@@ -277,7 +278,7 @@ impl<const N: usize> ChainStage<N> {
         }
     }
 
-    /// Returns the functions of the chain with −κ in place of κ. κ is the product of cosines by which they are
+    /// Returns the functions of the chain with −κ in place of κ. κ is the product of cosines by which all functions are
     /// multiplied.
     pub fn turned(mut self) -> Self {
         for mode in &mut self.modes {

@@ -21,7 +21,8 @@ fn limit_of<S: Float>(tables: &Tables<S>, modal: &Modal, work: ProofWork) -> Pro
     limit
 }
 
-/// Checks that a table agrees with the exact search within the proven bound, at random r outside the open intervals.
+/// Checks that a table agrees with the exact search within the proven bound, at random r outside the open intervals. An
+/// open interval is not proven.
 #[test]
 fn the_bound_holds() {
     let mut points = 0;
@@ -74,8 +75,8 @@ fn the_bound_holds() {
     assert!(points > 7 * 3 * 1800, "{points}");
 }
 
-/// Checks that a piece is not proven if one coefficient is wrong by ten times the accuracy. It must be open where the
-/// error matters.
+/// Checks that a piece is not proven if one coefficient is wrong by ten times the accuracy. The piece must be open (not
+/// proven) where the error matters.
 #[test]
 fn a_wrong_coefficient_is_not_proven() {
     let mut found = 0;
@@ -120,7 +121,8 @@ fn a_wrong_coefficient_is_not_proven() {
     assert_eq!(found, 3 * (4 + 6 + 6 + 6));
 }
 
-/// Checks that with `side: safe` a table above β_lim is not proven, even if it is above by less than the accuracy.
+/// Checks that with `side: safe` a table above β_lim is not proven, even if the table exceeds β_lim by less than the
+/// accuracy.
 #[test]
 fn above_the_limit_is_not_safe() {
     let accuracy = 1e-3;
@@ -161,8 +163,8 @@ fn single_precision() {
     }
 }
 
-/// Checks that a table reports that it is only checked, not proven, in two cases: if no work is permitted for a
-/// proof, and at an accuracy below 1e-6.
+/// Checks that a table reports that it is only checked, not proven. The test has two cases, a proof without permitted
+/// work and an accuracy below 1e-6.
 #[test]
 fn what_is_not_proven_says_so() {
     let modal = scene("Wall", 1, 0.02, 1.2);

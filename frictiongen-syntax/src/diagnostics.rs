@@ -60,8 +60,7 @@ pub struct Problem {
     pub message: String,
 }
 
-/// Value that tells the caller of a function that the function has already reported its error. The caller must not
-/// report the error again.
+/// Proof that a function has already reported its error. The caller of the function must not report the error again.
 #[derive(Clone, Copy, Debug)]
 pub struct Reported;
 
@@ -81,13 +80,13 @@ impl Problems {
         Reported
     }
 
-    /// Returns true if no error was reported so far.
+    /// Returns true if no function has reported an error so far.
     #[must_use]
     pub fn is_empty(&self) -> bool {
         self.list.is_empty()
     }
 
-    /// Returns true if more than 100 errors were reported. Messages of further errors then have no advice.
+    /// Returns true after more than 100 errors. Messages of further errors then contain no advice.
     pub(crate) fn are_many(&self) -> bool {
         self.list.len() > 100
     }

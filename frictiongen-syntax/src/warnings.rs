@@ -1,4 +1,4 @@
-//! Warnings about descriptions that are valid, but probably not what the author wanted.
+//! Warnings about descriptions that are valid, but probably differ from the author's intention.
 
 use frictiongen_model::modal::Modal;
 use frictiongen_model::scene::Damping;
@@ -60,7 +60,8 @@ fn overdamped(located: &Located<'_>, warnings: &mut Problems) {
                 }
             }
         }
-        // A mass that no spring holds has a natural frequency of 0, and no damping ratio.
+        // A scene with several contacts may have a mass that no spring holds. With Rayleigh damping this mass has a
+        // natural frequency of 0 and no damping ratio.
         Damping::Rayleigh { .. } if located.scene.is_joined() => {}
         Damping::Rayleigh { .. } => {
             let ratios = Modal::of(&located.scene).damping_ratios;

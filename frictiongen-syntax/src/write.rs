@@ -36,8 +36,7 @@ pub fn written(scene: &Scene) -> String {
     text
 }
 
-/// Returns the fields of a scene that differ from their defaults, as names and values, in the usual order of a
-/// description.
+/// Returns the names and values of the fields that differ from their defaults, in the usual order of a description.
 fn fields(scene: &Scene) -> Vec<(&'static str, String)> {
     let node = |node: Node| scene.node_name(node);
     let pair = |from, to| format!("{} - {}", node(from), node(to));
@@ -89,7 +88,7 @@ fn fields(scene: &Scene) -> Vec<(&'static str, String)> {
     fields
 }
 
-/// Adds the fields of damping and friction as a description has them.
+/// Adds the fields for damping, contact stiffness and friction, as a description has them.
 fn law(scene: &Scene, fields: &mut Vec<(&'static str, String)>) {
     match &scene.damping {
         Damping::None => {}
@@ -174,8 +173,8 @@ fn emitted(scene: &Scene, fields: &mut Vec<(&'static str, String)>) {
     }
 }
 
-/// The properties of one contact of the field `contacts`. `Display` writes them as the text between the contact's
-/// braces.
+/// The properties of one contact in the field `contacts`. `Display` writes the properties as the text between the
+/// braces of the contact.
 struct LawText(JointLaw);
 
 impl Display for LawText {

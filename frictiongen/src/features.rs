@@ -71,7 +71,7 @@ pub fn thresholds_into<F: FrictionSystem>(
 /// (6.5).
 ///
 /// # Errors
-/// No errors, because 0 is in the domain.
+/// Returns no error, because r = 0 is in the domain.
 pub fn limits_at_rest<F: FrictionSystem>(system: &F) -> Result<Limits<F::Scalar>, OutOfDomain> {
     Ok(system.at(F::Scalar::constant(0.0))?.limits())
 }
@@ -79,12 +79,12 @@ pub fn limits_at_rest<F: FrictionSystem>(system: &F) -> Result<Limits<F::Scalar>
 /// Returns β_lim and β*_lim for the frequency ratio r → ∞ (6.28). Both are infinite for a contact with a moving base.
 ///
 /// # Errors
-/// No errors, because ∞ is in the domain.
+/// Returns no error, because r = ∞ is in the domain.
 pub fn limits_at_infinity<F: FrictionSystem>(system: &F) -> Result<Limits<F::Scalar>, OutOfDomain> {
     Ok(system.at(F::Scalar::constant(f64::INFINITY))?.limits())
 }
 
-/// A frequency at which the regime changes, with the regimes on both sides.
+/// A frequency ratio at which the regime changes, with the regimes just below and just above this frequency ratio.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Change<S> {
     /// Highest frequency ratio r at which the regime is `before`.
@@ -185,8 +185,8 @@ impl<F: FrictionSystem> Iterator for RegimeChanges<'_, F> {
                     (high, after) = (middle, regime);
                 }
             }
-            // A third regime may lie between the two frequencies. The search therefore continues at the change that it
-            // has found.
+            // A third regime may lie between the two evaluated frequency ratios. The search therefore continues from
+            // the change that it has found, not from the upper frequency ratio.
             self.last = (high, after);
             self.step -= 1;
             return Some(Change {

@@ -96,8 +96,8 @@ pub trait SteadyState {
 }
 
 /// Methods of the kernel's type of a steady state. [`SteadyState`] is implemented for every type that derefs to a type
-/// with `KernelSteady`. The methods need this separate trait. Without it, a later implementation of `Deref` for the kernel's
-/// type would cause two conflicting implementations of [`SteadyState`].
+/// with `KernelSteady`. Without this separate trait, a later `Deref` of the kernel's type would cause two conflicting
+/// implementations of [`SteadyState`].
 #[doc(hidden)]
 pub trait KernelSteady {
     type Scalar: Float;

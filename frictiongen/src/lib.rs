@@ -1,7 +1,7 @@
 //! Exact solvers for mass-spring chains with one Coulomb friction contact.
 //!
-//! A description of masses, springs, one contact and an excitation becomes a solver. The solver gives the exact steady
-//! response and the boundaries between continuous, stick-slip and stuck motion.
+//! The crate turns a description of masses, springs, one contact and an excitation into a solver. The solver gives the
+//! exact steady response and the boundaries between continuous, stick-slip and stuck motion.
 //!
 //! * [`friction_system!`] does the modal analysis at compile time and emits specialised Rust code. The code is
 //!   `no_std`, has a fixed size, and needs neither allocation nor `unsafe`.
@@ -35,7 +35,7 @@
 //!
 //! # What the macro gives
 //!
-//! For `struct Frame` with N masses, S being the scene's scalar type:
+//! The macro gives `struct Frame` these items:
 //!
 //! | item | meaning |
 //! |---|---|
@@ -126,7 +126,7 @@
 //!
 //! # Upper bounds on the work of a call
 //!
-//! No call allocates, and every search is bounded:
+//! No call allocates memory. The work of every call has an upper bound:
 //!
 //! | call | bound |
 //! |---|---|
@@ -151,8 +151,10 @@
 //!
 //! # Conventions
 //!
-//! x̄ = x/(P/k₁), or x/Y for base motion. β = F/P, r = ω√(m₁/k₁), τ = ωt. A phase is a lag in (−π, π]. Equation numbers
-//! refer to L. Marino, *Dynamic analysis of mechanical systems with Coulomb friction*, DPhil thesis, Oxford, 2021.
+//! Displacements are x̄ = x/(P/k₁), or x/Y for base motion. P is the amplitude of the load, Y that of the base, and F
+//! the friction force. The friction ratio is β = F/P, the frequency ratio is r = ω√(m₁/k₁), and the phase of the
+//! excitation is τ = ωt. The phase of a response is a lag in (−π, π]. Equation numbers refer to L. Marino, *Dynamic
+//! analysis of mechanical systems with Coulomb friction*, DPhil thesis, Oxford, 2021.
 #![cfg_attr(not(feature = "std"), no_std)]
 
 pub mod features;

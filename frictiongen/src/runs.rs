@@ -89,8 +89,8 @@ pub trait Run {
     /// Number type of the scene, such as `f64` or `f32`.
     type Scalar: Float;
 
-    /// Advances to the next event, or by `reach` in the phase τ = ωt if no event comes earlier. A reach of 0 does
-    /// nothing.
+    /// Advances to the next event, but by at most `reach` (rad) in the phase τ = ωt. If `reach` is 0, the simulation
+    /// does not advance.
     ///
     /// # Errors
     /// [`OutOfDomain`] for a reach that is negative, infinite or NaN. The simulation then stays unchanged.

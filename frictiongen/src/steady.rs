@@ -22,18 +22,18 @@ pub enum Of {
     /// The displacement of one mass minus that of another. The numbers are the indices of the first and the second
     /// mass.
     Relative(usize, usize),
-    /// The displacement of a mass minus the displacement of the base, by the index of the mass. A base that is not
-    /// excited is at rest.
+    /// The displacement of a mass minus the displacement of the base. The number is the index of the mass. A base that
+    /// is not excited is at rest.
     FromBase(usize),
-    /// The force in a spring, by its index in the description. It is positive if the second end of the spring moves
-    /// away from the first.
+    /// The force in a spring. The number is the index of the spring in the description. The force is positive if the
+    /// second end of the spring moves away from the first end.
     Spring(usize),
     /// The base shear. It is the sum of the forces in all springs between a mass and the base.
     Shear,
 }
 
 impl Of {
-    /// Returns true if the motion is the force of a spring or the base shear.
+    /// Returns true if the variant selects a force, which is the force in a spring or the base shear.
     #[must_use]
     pub fn is_force(self) -> bool {
         matches!(self, Self::Spring(_) | Self::Shear)

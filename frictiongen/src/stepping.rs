@@ -65,9 +65,9 @@ pub struct StepLoad<'l, S> {
     /// Displacement and velocity of the base at this instant, or 0 and 0 for a base that does not move.
     pub base: [S; 2],
     /// Forces on masses. Each entry has the index of a mass in the description, and the force. Forces on the same mass
-    /// add up. A mass without an entry carries no force.
+    /// add up. No force acts on a mass without an entry.
     pub forces: &'l [(usize, S)],
-    /// Kinetic friction force F at zero sliding speed. It is at least 0.
+    /// Kinetic friction force F at zero sliding speed. F must not be negative.
     pub friction: S,
 }
 
@@ -113,8 +113,9 @@ pub trait Stepping {
     /// # Errors
     /// Same errors as [`step`](Self::step). A call after the first step returns [`OutOfDomain`].
     fn begin_with(&mut self, load: &StepLoad<'_, Self::Scalar>) -> Result<(), OutOfDomain>;
-    /// Takes a step. `load` is the input at the end of the step. With `input: linear` the forces change linearly during
-    /// the step, and the base follows a cubic. With `input: hold` the load acts over the whole step.
+    /// Advances the motion by one time step. `load` is the input at the end of the step. With `input: linear` the
+    /// forces change linearly during the step, and the base follows a cubic. With `input: hold` the load acts over the
+    /// whole step.
     ///
     /// # Errors
     /// [`OutOfDomain`] for values that are NaN or infinite, and for friction below zero. [`OutOfDomain`] also for a

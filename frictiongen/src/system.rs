@@ -67,8 +67,8 @@ pub trait FrictionSystem {
     /// Computes [`limits_without_search`](Self::limits_without_search) at each frequency ratio of a slice, and writes
     /// β_lim and β*_lim to two slices of the same length.
     ///
-    /// The results are equal to those of single calls, to the last bit. If all modes are undamped or all are lightly
-    /// damped, the call takes less time than single calls, because it computes several frequencies at once.
+    /// The results are equal to those of single calls, to the last bit. The call takes less time than single calls if
+    /// all modes are undamped, or if all modes are lightly damped. It then computes several frequencies at once.
     ///
     /// ```
     /// use frictiongen::{FrictionSystem, friction_system};

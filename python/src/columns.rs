@@ -47,7 +47,7 @@ pub fn count(value: Option<usize>) -> i64 {
         .unwrap_or(-1)
 }
 
-/// Arrays by name. Together they become the Python answer.
+/// A collection of arrays by name, which becomes the Python answer.
 pub struct NamedArrays<'py> {
     dict: Bound<'py, PyDict>,
     shape: Vec<usize>,
@@ -76,8 +76,8 @@ impl<'py> NamedArrays<'py> {
         Ok(())
     }
 
-    /// Adds one array for each column of a table that depends on `axis`: on frequency alone, on friction alone, or on
-    /// the whole row.
+    /// Adds one array for each column of a table that depends on `axis`. The axis is the frequency alone, the friction
+    /// alone, or the whole row.
     pub fn along<R>(
         &mut self,
         axis: ColumnAxis,
@@ -122,7 +122,8 @@ impl<'py> NamedArrays<'py> {
         }
     }
 
-    /// Adds an array in which each row is a list. The list is the last dimension, and NaN fills up the shorter lists.
+    /// Adds an array in which each row is a list. The lists are along the last dimension, and NaN fills up the shorter
+    /// lists.
     fn lists<'c, R>(
         &mut self,
         column: &Column<'_, R>,
@@ -196,7 +197,8 @@ impl<'py> NamedArrays<'py> {
     fn put(&mut self, name: &str, array: Bound<'py, PyAny>) -> PyResult<()> {
         let py = self.dict.py();
         let array = match self.shape.as_slice() {
-            // With an empty shape the answer contains a number instead of an array with one element.
+            // An empty shape means that the caller gave single numbers. The answer then contains a number instead of an
+            // array with one element.
             [] => array
                 .call_method1("reshape", (PyTuple::empty(py),))?
                 .get_item(PyTuple::empty(py))?,

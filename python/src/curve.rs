@@ -17,7 +17,7 @@ use frictiongen::study::{
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
 
-/// Python arguments of a curve: accuracy, largest step, highest order of harmonics, a flag for velocities, initial
+/// Python arguments of a curve: accuracy, largest step, highest order of harmonics, a flag for velocities, and initial
 /// states.
 type Fineness<'py> = (
     Optional<'py>,
@@ -27,7 +27,7 @@ type Fineness<'py> = (
     Vec<String>,
 );
 
-/// Reads from Python where the motions on each curve start: from rest, or from a neighbouring frequency.
+/// Reads the initial states of the motions on a curve from Python: rest, or the state at a neighbouring frequency.
 fn starts(names: &[String]) -> PyResult<Vec<CurveStart>> {
     let all = [CurveStart::Rest, CurveStart::Up, CurveStart::Down];
     let start = |name: &String| {
@@ -83,7 +83,7 @@ pub fn curve<'py>(
     };
     let columns = table.columns();
     let frictions = frictions.all();
-    // The number of points is known only after the refinement, so the size is checked then.
+    // The refinement determines the number of points, so the size can be checked only now.
     check_size(
         frictions.len().saturating_mul(1000 * starts.len()),
         columns.len(),
@@ -94,7 +94,7 @@ pub fn curve<'py>(
             if !stop.goes_on() || MOST_POINTS < found.len() {
                 break;
             }
-            // A sweep computes one point after the other, so several sweeps run in parallel.
+            // Each sweep computes its points in sequence. The code therefore runs several sweeps in parallel.
             let asked = starts.iter().map(|start| (friction.beta, *start));
             for curve in system.curves(&request, &asked.collect::<Vec<_>>())? {
                 found.extend(table.rows(*friction, &curve));

@@ -34,8 +34,8 @@ pyo3::create_exception!(
 /// name.
 pub fn measurement(py: Python<'_>, source: Option<&str>, error: &Untold) -> PyErr {
     let text = match error {
-        // The library's message for these errors names options of the command. Python therefore has messages of its
-        // own.
+        // The library's messages for these errors name options of the command. The Python package therefore has its own
+        // messages.
         Untold::NoUnit(channel) => format!(
             "the channel `{channel}` has no unit: give one, as in {{{channel:?}: (samples, \"mm\")}}, or of a column of a \
              file {{{channel:?}: (\"COLUMN\", \"mm\")}}"

@@ -19,8 +19,8 @@ use std::sync::Arc;
 /// Largest number of frictions in one call of `features`. The command has the same limit.
 const MOST_FRICTIONS: usize = 16;
 
-/// Returns every list of features by name. Each list has its columns, and the derivatives of its numbers with respect
-/// to every parameter.
+/// Returns every list of features by name, such as peaks. Each list has its columns, and the derivatives of its numbers
+/// with respect to every parameter.
 #[pyfunction]
 pub fn features<'py>(
     py: Python<'py>,
@@ -44,7 +44,8 @@ pub fn features<'py>(
     }
     let mut parts = parts(system, "of", of.as_ref())?;
     if of.is_none() && !system.modal().on_moving_base {
-        // A mass that rubs on a support at rest has the motion of the contact, so its motion is listed only once.
+        // A mass that rubs on a fixed support has the same motion as the contact. The answer therefore lists this
+        // motion only once.
         let rubbing = system.modal().rubbing().map(Of::Mass);
         parts.retain(|part| Some(part.of) != rubbing);
     }
@@ -63,7 +64,7 @@ pub fn features<'py>(
     Ok(lists.all)
 }
 
-/// Python's lists of features, by name. Each list has its columns, and the derivatives of its numbers.
+/// The lists of features for Python, by name. Each list has its columns, and the derivatives of its numbers.
 struct Lists<'a, 'py> {
     table: FeatureTable<'a>,
     all: Bound<'py, PyDict>,
@@ -89,7 +90,7 @@ impl FeatureVisitor for Lists<'_, '_> {
 }
 
 impl<'py> Lists<'_, 'py> {
-    /// Returns the parameters on which the numbers of a column depend. For each parameter two arrays follow: the
+    /// Returns the parameters on which the numbers of a column depend. Two arrays follow each parameter: the
     /// derivatives, and the changes in % if the parameter increases by 1 %.
     fn derivatives<R>(&self, column: &Column<'_, R>, rows: &[R]) -> PyResult<Bound<'py, PyList>> {
         let py = self.all.py();

@@ -14,10 +14,10 @@ use frictiongen::{Stepping, System};
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
 
-/// Number of steps between two checks whether the user has pressed Ctrl-C.
+/// Number of steps after which the program checks if the user has pressed Ctrl-C.
 const PORTION: usize = 4096;
 
-/// End of a run. It contains all data from which another run can continue.
+/// The end of a run of the stepper. It contains all data from which another run can continue.
 #[pyclass(frozen, module = "frictiongen._native", name = "StepState")]
 pub struct NativeStepState {
     saved: SystemStepSaved,
@@ -36,7 +36,8 @@ pub enum RunStart {
 }
 
 impl RunStart {
-    /// Reads the initial state from Python. The argument is missing, the end of a run, or two rows of numbers.
+    /// Reads the initial state from Python: the end of another run, or displacements and velocities of all masses.
+    /// Without the argument, every mass starts at rest.
     pub fn of(given: Option<&Bound<'_, PyAny>>) -> PyResult<Self> {
         let Some(given) = given else {
             return Ok(Self::Rest);
@@ -67,20 +68,20 @@ pub struct Course {
     pub start: RunStart,
     /// Ratio μ of static to kinetic friction. `None` means the ratio in the scene description.
     pub stiction: Option<f64>,
-    /// Number of events that the stepper follows in a step; 0 means that there is no budget. `None` means the budget of
-    /// the run that this run continues, and no budget otherwise.
+    /// Largest number of events that the stepper follows in one step. The value 0 means no limit. `None` means the
+    /// limit of the previous run that this run continues, or no limit for a new run.
     pub budget: Option<u8>,
 }
 
-/// Reads an event budget.
+/// Reads an event budget, which is the largest number of events that the stepper follows in one step.
 pub fn event_budget(given: &Bound<'_, PyAny>) -> PyResult<u8> {
     let events = whole("budget", given, 0..=u8::MAX.into())?;
-    // `whole` has checked the range.
+    // The conversion cannot fail, because `whole` has checked the range.
     Ok(u8::try_from(events).unwrap_or(u8::MAX))
 }
 
-/// Returns a stepper in the initial state of a run. The flag is true if the first sample is at the end of the first
-/// step, as in a continued run. It is false if the first sample is at the start of the first step.
+/// Returns a stepper in the initial state of a run, and a flag. The flag is true if the run continues an earlier run.
+/// The first sample is then at the end of the first step. Otherwise the first sample is at the start of the first step.
 fn ready<'s>(
     py: Python<'_>,
     system: &'s Bound<'_, NativeSystem>,

@@ -13,7 +13,7 @@ use pyo3::prelude::*;
 use pyo3::types::PyDict;
 use rayon::prelude::*;
 
-/// Number of limits that are computed between two checks whether the user has pressed Ctrl-C.
+/// Number of frequencies after which the program checks if the user has pressed Ctrl-C.
 const PORTION: usize = 4096;
 
 fn all(

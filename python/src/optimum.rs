@@ -16,20 +16,21 @@ use frictiongen::study::response::MotionQuantity;
 use pyo3::prelude::*;
 use pyo3::types::{PyDict, PyString};
 
-/// Name of the list of several quantities in the library's lines about an optimum.
+/// Key of the list with several quantities in the library's lines about an optimum.
 const WEIGHTED: &str = "weighted";
 
-/// A quantity, and the value by which it is divided. The value has the unit in which an optimum gives amplitudes.
+/// A quantity, and the value by which the search divides it. The value has the unit in which an optimum gives
+/// amplitudes.
 struct Valued {
     part: MovingPart,
     value: f64,
 }
 
-/// The answer: columns of the optimum, of its peaks, of its tolerances and of its sensitivities, and an entry for
-/// each of several quantities.
+/// The answer: columns of the optimum, of its peaks, of its tolerances and of its sensitivities. The list has an entry
+/// for each quantity if the caller gave several quantities.
 type OptimumAnswer<'py> = ([Bound<'py, PyDict>; 4], Vec<QuotientAnswer<'py>>);
 
-/// Answer about one of several quantities: its name, its unit, and its numbers by the keys of the library.
+/// Answer about one quantity of several: the name, the unit, and the numbers by the keys of the library.
 type QuotientAnswer<'py> = (String, &'static str, Bound<'py, PyDict>);
 
 /// Finds the best friction for a quantity, or for several quantities that are each divided by a value.
@@ -100,14 +101,15 @@ fn request(part: &MovingPart, band: &FrequencyRange, measure: &Measure) -> Optim
     }
 }
 
-/// Reads quantities from Python, each with the value that divides it, in SI units.
+/// Reads quantities from Python, each with the value by which the search divides it, in SI units.
 fn valued(system: &System, measure: &Measure, given: &Bound<'_, PyDict>) -> PyResult<Vec<Valued>> {
     if given.is_empty() {
         return Err(domain(
             "of: the dict is empty; give at least one quantity with the value that divides it",
         ));
     }
-    // The non-dimensional groups of an optimum refer to the load at r = 1.
+    // The result of an optimum has non-dimensional groups that refer to the load at r = 1, so the values are converted
+    // with this load.
     let reference = system.angular_frequency(1.0);
     let read = |(name, value): (Bound<'_, PyAny>, Bound<'_, PyAny>)| {
         let name: String = name.extract().map_err(|_| {
@@ -175,7 +177,7 @@ fn weighted<'py>(
     Ok((answer, quotients(py, &values, &lines)?))
 }
 
-/// Returns the answer about each of several quantities: its name, its unit and its numbers.
+/// Returns the answer about each quantity of several: the name, the unit and the numbers.
 fn quotients<'py>(
     py: Python<'py>,
     values: &[(MovingPart, f64, f64)],
@@ -188,7 +190,8 @@ fn quotients<'py>(
             if let Cell::Number(value) = line.value {
                 numbers.set_item(&line.key, value)?;
             }
-            // The quotient has no unit, so the unit is that of the first number that has one.
+            // The quotient of a quantity has no unit. The unit of the answer is therefore the first unit that is not
+            // empty.
             if unit.is_empty() {
                 unit = line.unit;
             }

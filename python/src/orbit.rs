@@ -43,7 +43,7 @@ impl OrbitKeywords {
         }
     }
 
-    /// Returns the columns of each steady state, as `rows` computes them.
+    /// Returns one dictionary of columns for each steady state. The function `rows` computes the steady states.
     fn answer<'py>(&self, py: Python<'py>, rows: Rows) -> PyResult<Vec<Bound<'py, PyDict>>> {
         let frequency = self.frequencies.only(&self.system)?;
         let (table, friction) = (self.table(), self.frictions.only()?);
@@ -105,7 +105,7 @@ pub fn orbit<'py>(
     only.ok_or_else(|| defect("a steady state is missing: please report this with the description"))
 }
 
-/// Computes every steady state that can be found at one frequency and one friction.
+/// Computes every steady state that the search finds at one frequency and one friction.
 #[pyfunction]
 pub fn states<'py>(
     py: Python<'py>,

@@ -35,7 +35,7 @@ fn row(
 }
 
 /// Finds the steady state under a periodic load at each friction. With `motion`, the answer also has the motion of each
-/// state over one of its periods.
+/// steady state over one of its periods.
 #[pyfunction]
 pub fn periodic<'py>(
     py: Python<'py>,
@@ -92,7 +92,7 @@ pub fn periodic<'py>(
     Ok((arrays.done(), motions(py, &table, shown)?))
 }
 
-/// Returns the columns of each state's motion over one of its periods.
+/// Returns the columns of the motion over one period, for each steady state.
 fn motions<'py>(
     py: Python<'py>,
     table: &PeriodicTable<'_>,

@@ -18,8 +18,8 @@ use std::sync::Arc;
 /// Largest number of cycles, of skipped cycles, and of samples in one cycle.
 const MOST: u32 = MOST_SAMPLES as u32;
 
-/// Python arguments of a run: number of cycles, number of skipped cycles, samples in a cycle, initial state, and a
-/// flag that asks for one period of the steady state.
+/// Python arguments of a run: number of cycles, number of skipped cycles, samples in a cycle, and initial state. The
+/// last argument is a flag for one period of the steady state.
 type RunKeywords<'py> = (
     Optional<'py>,
     Optional<'py>,
@@ -28,7 +28,7 @@ type RunKeywords<'py> = (
     bool,
 );
 
-/// Reads displacements and velocities of all masses from Python, and returns them as non-dimensional groups.
+/// Reads displacements and velocities of all masses from Python, and returns both as non-dimensional groups.
 fn start(
     (displacements, velocities): &(Bound<'_, PyAny>, Bound<'_, PyAny>),
     system: &System,

@@ -30,7 +30,7 @@ enum Excited {
     Base(Vec<f64>, Vec<f64>),
 }
 
-/// Reads a load or friction over time: one number for each sample, or one number for all samples.
+/// Reads a load or a friction over time from Python: one number for each sample, or one number for all samples.
 fn course(argument: &str, given: &Bound<'_, PyAny>, samples: Option<usize>) -> PyResult<Vec<f64>> {
     let given = numbers(argument, given)?;
     if let Some(place) = given.values.iter().position(|value| !value.is_finite()) {

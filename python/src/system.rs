@@ -11,7 +11,8 @@ use std::sync::Arc;
 /// A scene with its modal analysis.
 #[pyclass(frozen, module = "frictiongen._native", name = "System")]
 pub struct NativeSystem {
-    /// System, as a type of the Rust library. A computation that outlives its call shares it.
+    /// The system, as a type of the Rust library. A computation that continues after its Python call has ended shares
+    /// the system.
     pub system: Arc<System>,
 }
 
@@ -75,7 +76,7 @@ impl NativeSystem {
         PyArray1::from_vec(py, masses.map(|mass| mass.value).collect())
     }
 
-    /// Returns the springs, each as the names of both ends and the stiffness in N/m.
+    /// Returns the springs, each with the names of its two nodes and its stiffness in N/m.
     #[getter]
     fn springs(&self) -> Vec<(String, String, f64)> {
         let scene = self.system.scene();
@@ -86,7 +87,7 @@ impl NativeSystem {
             .collect()
     }
 
-    /// Returns the contacts, each as its name and the names of the two nodes between which it acts.
+    /// Returns the contacts, each with its name and the names of the two nodes that rub on each other.
     #[getter]
     fn contacts(&self) -> Vec<(String, String, String)> {
         let scene = self.system.scene();

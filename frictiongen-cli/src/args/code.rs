@@ -7,11 +7,11 @@ use std::path::PathBuf;
 /// Output format of `frictiongen compile`: Rust, C or JSON.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
 pub enum TableFormat {
-    /// Rust.
+    /// Print the tables as Rust code.
     Rust,
-    /// C99.
+    /// Print the tables as C99 code.
     C,
-    /// JSON.
+    /// Print the tables as JSON data.
     Json,
 }
 
@@ -21,10 +21,12 @@ pub struct CompileArguments {
     /// Argument for the scene description.
     #[command(flatten)]
     pub file: FileArgument,
-    /// Largest error of a result: relative, or in radians for a phase [default: as in the description]
+    /// Largest relative error of a result, for a phase the largest error in rad; for example 1e-4 [default: as in the
+    /// description]
     #[arg(long, value_name = "NUMBER", allow_hyphen_values = true)]
     pub accuracy: Option<String>,
-    /// Largest size of the tables in bytes, instead of --accuracy; the command then chooses the best accuracy that fits
+    /// Largest size of the tables in bytes, for example 4096, instead of --accuracy; the command then chooses the best
+    /// accuracy that fits
     #[arg(
         long,
         value_name = "BYTES",
@@ -32,10 +34,10 @@ pub struct CompileArguments {
         conflicts_with = "accuracy"
     )]
     pub budget: Option<String>,
-    /// Range of frequency ratios r = omega sqrt(m1/k1), from a to b
+    /// Range of frequency ratios r = omega sqrt(m1/k1), with the first mass m1 and the first spring k1, from a to b
     #[arg(long, value_name = "a:b", allow_hyphen_values = true)]
     pub r: Option<String>,
-    /// Range of frequencies in Hz, instead of --r
+    /// Range of frequencies in Hz, from a to b, instead of --r
     #[arg(
         long,
         value_name = "a:b",
@@ -43,21 +45,21 @@ pub struct CompileArguments {
         conflicts_with = "r"
     )]
     pub hz: Option<String>,
-    /// Range of angular frequencies in rad/s, instead of --r
+    /// Range of angular frequencies omega in rad/s, from a to b, instead of --r
     #[arg(long, value_name = "a:b", allow_hyphen_values = true, conflicts_with_all = ["r", "hz"])]
     pub omega: Option<String>,
     /// Keep limits on the safe side: beta_lim never above its exact value, beta*_lim never below its exact value
     #[arg(long)]
     pub safe: bool,
-    /// Prove the accuracy at every r, which may take some seconds. Without this option the command only compares the
-    /// tables with exact values at many points
+    /// Prove the accuracy at every r, which may take some seconds. By default the command only compares the tables with
+    /// exact values at many points
     #[arg(long)]
     pub prove: bool,
     /// Print code or data in this format [default: a summary of the tables]
     #[arg(long, value_enum)]
     pub format: Option<TableFormat>,
-    /// Prefix of all names in C [default: the scene's name]. If one program uses two tables of one scene, they need
-    /// different prefixes
+    /// Prefix of all names in C [default: the scene's name]. Two tables of one scene in the same program need different
+    /// prefixes
     #[arg(long, value_name = "NAME")]
     pub name: Option<String>,
     /// Write to this file instead of standard output
@@ -91,11 +93,11 @@ pub struct ExportArguments {
     /// Argument for the scene description.
     #[command(flatten)]
     pub file: FileArgument,
-    /// Write for this language
+    /// Write a C library, or a functional mock-up unit (FMU)
     #[arg(long, value_enum)]
     pub to: ExportTarget,
-    /// Write the files into this folder, which the command creates if necessary; for an FMU, write this file, whose
-    /// name ends in .fmu
+    /// Folder for the C library, which the command creates if necessary; for an FMU, the file to write, whose name ends
+    /// in .fmu
     #[arg(short, long, value_name = "OUT")]
     pub output: PathBuf,
     /// Prefix of all names in C and name of the header, or model identifier of the FMU [default: the scene's name]
@@ -113,7 +115,7 @@ pub struct DiffArguments {
     pub old: PathBuf,
     /// File with the new description; standard input if it is -
     pub new: PathBuf,
-    /// Print JSON
+    /// Print the differences as JSON
     #[arg(long)]
     pub json: bool,
 }
@@ -154,7 +156,8 @@ pub struct PlayArguments {
 /// Arguments of `frictiongen setup`.
 #[derive(Debug, Args)]
 pub struct SetupArguments {
-    /// Folder below which the command writes the files [default: XDG_DATA_HOME, else .local/share in HOME]
+    /// Folder in which the command creates the folders of the scripts and pages [default: XDG_DATA_HOME, else
+    /// .local/share in HOME]
     #[arg(long, value_name = "FOLDER")]
     pub share: Option<PathBuf>,
 }
@@ -169,6 +172,6 @@ pub struct CompletionsArguments {
 /// Arguments of `frictiongen man`.
 #[derive(Debug, Args)]
 pub struct ManArguments {
-    /// Command whose page is printed [default: all commands]
+    /// Command whose manual page to print [default: all commands]
     pub command: Option<String>,
 }

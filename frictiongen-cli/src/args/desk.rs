@@ -11,9 +11,9 @@ use std::path::PathBuf;
 pub enum StartFrom {
     /// Every point starts from rest.
     Rest,
-    /// The state at the previous point, while the frequency increases.
+    /// Every point starts from the state at the previous point, while the frequency increases.
     Up,
-    /// The state at the previous point, while the frequency decreases.
+    /// Every point starts from the state at the previous point, while the frequency decreases.
     Down,
 }
 
@@ -48,7 +48,7 @@ impl LogAxes {
 /// Arguments of `frictiongen curve`.
 #[derive(Debug, Args)]
 pub struct CurveArguments {
-    /// The scene, the frequencies and the frictions.
+    /// Options for the scene, the frequencies, the frictions and the load.
     #[command(flatten)]
     pub point: PointArguments,
     /// Print only this quantity: a mass, `contact`, a difference such as `roof-first`, `spring(a-b)`, `shear`,
@@ -59,10 +59,10 @@ pub struct CurveArguments {
     /// Largest deviation between the curve and straight lines through its points, relative to the curve [default: 5e-4]
     #[arg(long, value_name = "NUMBER", allow_hyphen_values = true)]
     pub accuracy: Option<String>,
-    /// Print also the harmonics X_1, X_2, ... up to order N
+    /// Print also the harmonics X_1, X_2, ... of each motion up to order N, for example 5
     #[arg(long, value_name = "N", allow_hyphen_values = true)]
     pub harmonics: Option<String>,
-    /// Print also velocities and accelerations
+    /// Print also the largest velocity and the largest acceleration of each motion
     #[arg(long)]
     pub rates: bool,
     /// Initial state at each point: rest, or the state at the previous point while the frequency rises (up) or falls
@@ -72,7 +72,8 @@ pub struct CurveArguments {
     /// Use logarithmic axes in a picture: the frequency axis (x), the amplitude axes (y) or both (xy)
     #[arg(long, value_enum)]
     pub log: Option<LogAxes>,
-    /// Write to this file; the file extension sets the format: .csv, .json, .svg; .png with the feature png
+    /// Write to this file. The file extension sets the format: .csv, .json, .svg, or .png if the program has the
+    /// feature png
     #[arg(short, long, value_name = "OUT")]
     pub output: Option<PathBuf>,
     /// Arguments for the format of the output.
@@ -95,20 +96,22 @@ pub enum ShadeArgument {
 /// Arguments of `frictiongen map`.
 #[derive(Debug, Args)]
 pub struct MapArguments {
-    /// The scene, the frequencies and the frictions.
+    /// Options for the scene, the frequencies, the frictions and the load.
     #[command(flatten)]
     pub point: PointArguments,
     /// Print only the amplitude of this quantity: a mass, `contact`, a difference such as `roof-first`, `spring(a-b)`,
     /// `shear`; may be given more than once [default: contact and every mass]
     #[arg(long, value_name = "NAME")]
     pub of: Vec<String>,
-    /// Print the boundaries between the regions instead of the points, to this many significant digits
+    /// Print the frictions at the boundaries between the regions instead of the points, to this many significant
+    /// digits, from 1 to 12
     #[arg(long, value_name = "DIGITS", allow_hyphen_values = true)]
     pub boundaries: Option<String>,
     /// Quantity that the colours of a picture show
     #[arg(long, value_enum, default_value_t)]
     pub shade: ShadeArgument,
-    /// Write to this file; the file extension sets the format: .csv, .json, .svg; .png with the feature png
+    /// Write to this file. The file extension sets the format: .csv, .json, .svg, or .png if the program has the
+    /// feature png
     #[arg(short, long, value_name = "OUT")]
     pub output: Option<PathBuf>,
     /// Arguments for the format of the output.
@@ -119,38 +122,40 @@ pub struct MapArguments {
 /// Arguments of `frictiongen time`.
 #[derive(Debug, Args)]
 pub struct TimeArguments {
-    /// The scene, the frequency and the friction.
+    /// Options for the scene, the frequency, the friction and the load.
     #[command(flatten)]
     pub point: PointArguments,
-    /// Number of excitation cycles to print [default: 10]
+    /// Number of cycles of the excitation to print [default: 10]
     #[arg(long, value_name = "N", allow_hyphen_values = true)]
     pub cycles: Option<String>,
-    /// Number of excitation cycles to compute before the first printed one [default: 0]
+    /// Number of cycles of the excitation to compute before the first printed cycle [default: 0]
     #[arg(long, value_name = "N", allow_hyphen_values = true)]
     pub skip: Option<String>,
-    /// Number of samples in a cycle, an even number [default: 200]
+    /// Number of samples in each cycle of the excitation, an even number [default: 200]
     #[arg(long, value_name = "N", allow_hyphen_values = true)]
     pub samples: Option<String>,
-    /// Initial state: displacements and velocities of all masses, x1,...;v1,... [default: rest]
+    /// Initial displacements and velocities of all masses, x1,...;v1,... in m and m/s under a load, otherwise
+    /// non-dimensional [default: rest]
     #[arg(long, value_name = "STATE", allow_hyphen_values = true)]
     pub from: Option<String>,
-    /// Print one period of the steady state instead of a run
+    /// Print one period of the steady state instead of a run from the initial state
     #[arg(long, conflicts_with_all = ["cycles", "skip", "from"])]
     pub steady: bool,
     /// Print only this quantity: a mass, `contact`, a difference such as `roof-first`, `spring(a-b)`, `shear`; may be
     /// given more than once [default: contact and every mass]
     #[arg(long, value_name = "NAME")]
     pub of: Vec<String>,
-    /// Print the events of the contact instead of samples
+    /// Print the events of the contact (stops, break-aways, reversals) instead of samples
     #[arg(long)]
     pub events: bool,
-    /// Print the spectrum instead of samples
+    /// Print the spectrum of each motion instead of samples over time
     #[arg(long, conflicts_with = "events")]
     pub spectrum: bool,
     /// Arguments for the format of the output.
     #[command(flatten)]
     pub format: FormatArguments,
-    /// Write to this file; the file extension sets the format: .csv, .json, .svg; .png with the feature png
+    /// Write to this file. The file extension sets the format: .csv, .json, .svg, or .png if the program has the
+    /// feature png
     #[arg(short, long, value_name = "OUT")]
     pub output: Option<PathBuf>,
 }
@@ -158,11 +163,11 @@ pub struct TimeArguments {
 /// Arguments of `frictiongen sensitivity`.
 #[derive(Debug, Args)]
 pub struct SensitivityArguments {
-    /// The scene, the frequencies and the frictions.
+    /// Options for the scene, the frequency, the friction and the load.
     #[command(flatten)]
     pub point: PointArguments,
-    /// Motion whose derivatives are printed: a mass, `contact`, `roof-base`, `roof-first`. With several contacts: a mass,
-    /// or a contact for the energy that it dissipates
+    /// Motion whose derivatives the command prints: a mass, `contact`, `roof-base`, `roof-first`. With several
+    /// contacts: a mass, or a contact for the energy that it dissipates
     #[arg(long, value_name = "NAME")]
     pub of: String,
     /// Arguments for the format of the output.
@@ -176,22 +181,22 @@ pub struct OptimumArguments {
     /// Argument for the scene description.
     #[command(flatten)]
     pub file: FileArgument,
-    /// The frequency band a:b.
+    /// Options for the frequency band a:b.
     #[command(flatten)]
     pub frequency: FrequencyArguments,
-    /// The load.
+    /// Options for the amplitude of the load.
     #[command(flatten)]
     pub load: LoadArguments,
-    /// Quantity whose largest value is minimised: a mass, `contact`, `roof-base`, `roof-first`, `spring(a-b)`, `shear`,
-    /// `vel(roof)`, `accel(roof)`, `slip(contact)`, `force(contact)`. Given more than once, with a value each, as in
-    /// `roof/5mm`, the command minimises the largest quotient
+    /// Quantity whose largest value the command minimises: a mass, `contact`, `roof-base`, `roof-first`, `spring(a-b)`,
+    /// `shear`, `vel(roof)`, `accel(roof)`, `slip(contact)`, `force(contact)`. Given more than once, each with a value
+    /// as in `roof/5mm`, the command minimises the largest quotient
     #[arg(long, value_name = "NAME", required = true)]
     pub of: Vec<String>,
     /// Keep the largest value of another quantity within a bound, for example `roof-base <= 5mm`; may be given more than
     /// once
     #[arg(long, value_name = "NAME<=BOUND")]
     pub keep: Vec<String>,
-    /// Vary one number of the description between a and b as well, for example `k base - lower=a:b`
+    /// Find also the best value of one number of the description between a and b, for example `k base - lower=a:b`
     #[arg(long, value_name = "NAME=a:b", allow_hyphen_values = true)]
     pub vary: Option<String>,
     /// Arguments for the format of the output.
@@ -205,10 +210,11 @@ pub struct FeaturesArguments {
     /// Argument for the scene description.
     #[command(flatten)]
     pub file: FileArgument,
-    /// Range of frequency ratios r = omega sqrt(m1/k1), from a to b [default: around the resonances]
+    /// Range of frequency ratios r = omega sqrt(m1/k1), with the first mass m1 and the first spring k1, from a to b
+    /// [default: around the resonances]
     #[arg(long, value_name = "a:b", allow_hyphen_values = true)]
     pub r: Option<String>,
-    /// Range of frequencies in Hz, instead of --r
+    /// Range of frequencies in Hz, from a to b, instead of --r
     #[arg(
         long,
         value_name = "a:b",
@@ -216,10 +222,11 @@ pub struct FeaturesArguments {
         conflicts_with = "r"
     )]
     pub hz: Option<String>,
-    /// Range of angular frequencies in rad/s, instead of --r
+    /// Range of angular frequencies omega in rad/s, from a to b, instead of --r
     #[arg(long, value_name = "a:b", allow_hyphen_values = true, conflicts_with_all = ["r", "hz"])]
     pub omega: Option<String>,
-    /// Friction ratios beta = F/P (base motion: F/(k1 Y)) for which to print features as well
+    /// Friction ratios beta for which to print features as well: beta = F/P for the force amplitude P, beta = F/(k1 Y)
+    /// for the base amplitude Y
     #[arg(long, value_name = "GRID", allow_hyphen_values = true)]
     pub beta: Option<String>,
     /// Kinetic friction forces F in N for which to print features, instead of --beta; needs --force or --base
@@ -230,14 +237,15 @@ pub struct FeaturesArguments {
         conflicts_with = "beta"
     )]
     pub friction: Option<String>,
-    /// The load.
+    /// Options for the amplitude of the load.
     #[command(flatten)]
     pub load: LoadArguments,
     /// Print only this quantity: a mass, `contact`, a difference such as `roof-first`, `spring(a-b)`, `shear`,
     /// `vel(roof)`, `accel(roof)`; may be given more than once [default: contact and every mass]
     #[arg(long, value_name = "NAME")]
     pub of: Vec<String>,
-    /// Write to this file; the file extension sets the format: .csv, .json, .svg; .png with the feature png
+    /// Write to this file. The file extension sets the format: .csv, .json, .svg, or .png if the program has the
+    /// feature png
     #[arg(short, long, value_name = "OUT")]
     pub output: Option<PathBuf>,
     /// Arguments for the format of the output.

@@ -50,13 +50,13 @@ pub struct Arguments {
     pub command: Command,
 }
 
-/// The commands.
+/// The commands of the program.
 #[derive(Debug, Subcommand)]
 pub enum Command {
-    /// Print the limits of continuous motion and of sliding over frequency
+    /// Print the limits of continuous motion (beta_lim) and of sliding (beta*_lim) over frequency
     #[command(after_help = format!("{LIMITS}{UNITS}{GRIDS}"))]
     Limits(LimitsArguments),
-    /// Print regimes, amplitudes, phases and harmonics over frequency and friction
+    /// Print regime, amplitude, phase and harmonics of the response over frequency and friction
     #[command(after_help = format!("{RESPONSES}{UNITS}{GRIDS}"))]
     Response(ResponseArguments),
     /// Print the steady state that motion from rest reaches, in every regime
@@ -84,7 +84,7 @@ pub enum Command {
     #[cfg(feature = "report")]
     #[command(after_help = format!("{}{UNITS}{}", report::REPORTS, report::RANGES))]
     Report(ReportArguments),
-    /// Write a page that computes in a browser: its reader changes the description and sees new results
+    /// Write an interactive page that computes in a browser: its reader changes the description and sees new results
     Play(PlayArguments),
     /// Print derivatives of amplitude, phase and limits with respect to every parameter, in every regime
     #[command(after_help = format!("{SENSITIVITIES}{UNITS}{GRIDS_IN_TIME}"))]
@@ -120,6 +120,6 @@ pub enum Command {
     Completions(CompletionsArguments),
     /// Print the manual page, in roff
     Man(ManArguments),
-    /// Place completion scripts and manual pages where the shells and `man` of this user look for them
+    /// Install completion scripts and manual pages in the folders where the shells and `man` of this user look for them
     Setup(SetupArguments),
 }

@@ -10,13 +10,14 @@ pub struct PeriodicArguments {
     /// File with the description; standard input if it is -
     #[arg(value_name = "FILE")]
     pub scene: PathBuf,
-    /// Table of the load over one period, as CSV or as columns of numbers
+    /// File with the load over one period, as CSV or as columns of numbers
     #[arg(value_name = "TABLE", conflicts_with_all = ["harmonics"])]
     pub table: Option<PathBuf>,
-    /// Load as a sum of harmonics ORDER:AMPLITUDE@DEGREES, instead of a table; for example 1:100@0,3:20@45
+    /// Load as a sum of harmonics ORDER:AMPLITUDE@DEGREES, instead of a table; amplitudes in N, for base motion in m;
+    /// for example 1:100@0,3:20@45
     #[arg(long, value_name = "LIST", allow_hyphen_values = true)]
     pub harmonics: Option<String>,
-    /// Frequency of order 1 of --harmonics, in Hz
+    /// Frequency of the harmonic of order 1 in Hz; --harmonics needs it
     #[arg(long, value_name = "HZ", allow_hyphen_values = true)]
     pub hz: Option<String>,
     /// Kinetic friction forces F in N: a number, a range a:step:b, or a list with commas
@@ -29,19 +30,20 @@ pub struct PeriodicArguments {
     /// given more than once [default: the contact and every mass, relative to the base if the base moves]
     #[arg(long, value_name = "NAME")]
     pub of: Vec<String>,
-    /// Print the motion over a period instead of its extremes
+    /// Print the motion over one period instead of the smallest and largest values
     #[arg(long)]
     pub motion: bool,
-    /// Column and unit of the load, as base=COLUMN:UNIT or force=COLUMN:UNIT [default: the column base or force]
+    /// Column and unit of the load in the table, as base=COLUMN:UNIT or force=COLUMN:UNIT [default: the column base or
+    /// force]
     #[arg(long, value_name = "NAME=COLUMN:UNIT")]
     pub channel: Vec<String>,
-    /// Samples per second, for a table without a time column
+    /// Sampling rate in Hz (samples per second), for a table without a time column
     #[arg(long, value_name = "HZ", allow_hyphen_values = true)]
     pub rate: Option<String>,
     /// Arguments for the format of the output.
     #[command(flatten)]
     pub format: FormatArguments,
-    /// Write to this file; the file extension sets the format: .csv, .json, and with --motion also .svg or .png
+    /// Write to this file. The file extension sets the format: .csv or .json, with --motion also .svg or .png
     #[arg(short, long, value_name = "OUT")]
     pub output: Option<PathBuf>,
 }

@@ -12,10 +12,10 @@ pub struct LimitsArguments {
     /// Argument for the scene description.
     #[command(flatten)]
     pub file: FileArgument,
-    /// The frequency.
+    /// Options for the frequencies.
     #[command(flatten)]
     pub frequency: FrequencyArguments,
-    /// The load.
+    /// Options for the amplitude of the load.
     #[command(flatten)]
     pub load: LoadArguments,
     /// Arguments for the format of the output.
@@ -26,14 +26,14 @@ pub struct LimitsArguments {
 /// Arguments of `frictiongen response`.
 #[derive(Debug, Args)]
 pub struct ResponseArguments {
-    /// The scene, the frequencies and the frictions.
+    /// Options for the scene, the frequencies, the frictions and the load.
     #[command(flatten)]
     pub point: PointArguments,
-    /// Print this motion instead of every mass; the contact is always printed. Names are those of `curve`; may be given
-    /// more than once
+    /// Print this quantity instead of every mass: a mass, a difference such as `roof-first`, or another name of
+    /// `curve`; may be given more than once. The contact is always printed
     #[arg(long, visible_alias = "mass", value_name = "NAME")]
     pub of: Vec<String>,
-    /// Print also the harmonics X_1, X_3, ... up to order N
+    /// Print also the odd harmonics X_1, X_3, ... of each motion up to order N, for example 5
     #[arg(long, value_name = "N", allow_hyphen_values = true)]
     pub harmonics: Option<String>,
     /// Arguments for the format of the output.
@@ -44,14 +44,14 @@ pub struct ResponseArguments {
 /// Arguments of `frictiongen orbit`.
 #[derive(Debug, Args)]
 pub struct OrbitArguments {
-    /// The scene, the frequencies and the frictions.
+    /// Options for the scene, the frequencies, the frictions and the load.
     #[command(flatten)]
     pub point: PointArguments,
-    /// Print this motion instead of every mass; the contact is always printed. Names are those of `curve`; may be given
-    /// more than once
+    /// Print this quantity instead of every mass: a mass, a difference such as `roof-first`, or another name of
+    /// `curve`; may be given more than once. The contact is always printed
     #[arg(long, visible_alias = "mass", value_name = "NAME")]
     pub of: Vec<String>,
-    /// Print also the harmonics X_0, X_1, ... up to order N
+    /// Print also the mean value X_0 and the harmonics X_1, X_2, ... of each motion up to order N, for example 5
     #[arg(long, value_name = "N", allow_hyphen_values = true)]
     pub harmonics: Option<String>,
     /// Print every steady state that the search finds. Without this option, only the state that motion from rest
@@ -61,8 +61,8 @@ pub struct OrbitArguments {
     /// Arguments for the format of the output.
     #[command(flatten)]
     pub format: FormatArguments,
-    /// Write to this file; the file extension sets the format: .csv, .json, .svg; .png with the feature png. A picture
-    /// shows one period
+    /// Write to this file. The file extension sets the format: .csv, .json, .svg, or .png if the program has the
+    /// feature png. A picture shows one period
     #[arg(short, long, value_name = "OUT")]
     pub output: Option<PathBuf>,
 }

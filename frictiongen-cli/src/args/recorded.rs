@@ -4,20 +4,20 @@ use super::FormatArguments;
 use clap::{Args, ValueEnum};
 use std::path::PathBuf;
 
-/// The scene and its recordings.
+/// Arguments for the scene and its recordings.
 #[derive(Debug, Args)]
 pub struct RecordingArguments {
     /// File with the description; standard input if it is -
     #[arg(value_name = "FILE")]
     pub scene: PathBuf,
-    /// Recordings, as CSV or UFF58
+    /// Files with recordings over time, as CSV or UFF58 (universal file format)
     #[arg(value_name = "RECORDING", required = true)]
     pub recordings: Vec<PathBuf>,
     /// Column and unit of the base motion, of the force or of a mass, as NAME=COLUMN:UNIT; may be given more than once
     /// [default: the column NAME]
     #[arg(long, value_name = "NAME=COLUMN:UNIT")]
     pub channel: Vec<String>,
-    /// Samples per second, for recordings without a time column
+    /// Sampling rate in Hz (samples per second), for recordings without a time column
     #[arg(long, value_name = "HZ", allow_hyphen_values = true)]
     pub rate: Option<String>,
 }
@@ -25,49 +25,49 @@ pub struct RecordingArguments {
 /// Arguments of `frictiongen transmissibility`.
 #[derive(Debug, Args)]
 pub struct TransmissibilityArguments {
-    /// The description and the recordings.
+    /// Arguments for the description and the recordings.
     #[command(flatten)]
     pub recordings: RecordingArguments,
     /// Arguments for the format of the output.
     #[command(flatten)]
     pub format: FormatArguments,
-    /// Write to this file; the file extension sets the format: .csv, .json
+    /// Write to this file. The file extension sets the format: .csv or .json
     #[arg(short, long, value_name = "OUT")]
     pub output: Option<PathBuf>,
 }
 
-/// Quantities of the motion that the command compares with the recording.
+/// Quantities of the motion that the command compares with the recording: amplitude, phase, or both.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, ValueEnum)]
 pub enum By {
-    /// Amplitude and phase.
+    /// Compare amplitude and phase.
     #[default]
     Both,
-    /// The amplitude alone.
+    /// Compare the amplitude alone.
     Amplitude,
-    /// The phase alone.
+    /// Compare the phase alone.
     Phase,
 }
 
 /// An unknown that the command fits together with the friction force.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
 pub enum Also {
-    /// One damping ratio for all modes.
+    /// Fit one damping ratio for all modes.
     Damping,
-    /// A factor on all natural frequencies.
+    /// Fit one factor on all natural frequencies.
     Frequency,
-    /// The ratio μ of static to kinetic friction. Only motions with stops depend on it.
+    /// Fit the ratio μ of static to kinetic friction, which affects only motions with stops.
     Stiction,
-    /// Stiffness of an elastic contact. The description contains a first guess.
+    /// Fit the stiffness of an elastic contact. The description contains a first guess.
     Stiffness,
 }
 
 /// Arguments of `frictiongen identify`.
 #[derive(Debug, Args)]
 pub struct IdentifyArguments {
-    /// The description and the recordings.
+    /// Arguments for the description and the recordings.
     #[command(flatten)]
     pub recordings: RecordingArguments,
-    /// Compare these quantities with the recording
+    /// Quantities of the motion to compare with the recording
     #[arg(long, value_enum, default_value_t)]
     pub by: By,
     /// Use only this mass; may be given more than once [default: every recorded mass]
@@ -76,13 +76,13 @@ pub struct IdentifyArguments {
     /// Fit this unknown together with the friction force; may be given more than once
     #[arg(long, value_enum)]
     pub also: Vec<Also>,
-    /// Compare the odd harmonics up to order N as well
+    /// Compare also the odd harmonics up to order N, for example 5
     #[arg(long, value_name = "N", allow_hyphen_values = true)]
     pub harmonics: Option<String>,
     /// Range of friction forces to search, in N [default: from 0 to the force at which the contact is stuck]
     #[arg(long, value_name = "a:b", allow_hyphen_values = true)]
     pub between: Option<String>,
-    /// Treat the recording as a free vibration of a scene with one mass
+    /// Find the friction from the decay of a recorded free vibration, for a scene with one mass
     #[arg(long, conflicts_with_all = ["by", "mass", "harmonics", "between"])]
     pub decay: bool,
     /// Arguments for the format of the output.
@@ -99,11 +99,11 @@ pub struct FitArguments {
     /// File with the description, whose values are the first guess; standard input if it is -
     #[arg(value_name = "FILE")]
     pub scene: PathBuf,
-    /// Sweep as CSV, with the columns frequency_Hz, and NAME.transmissibility and NAME.deviation for each mass. With
-    /// --friction or --vary, a recording of the whole motion as CSV
+    /// Measured sweep as CSV, with the column frequency_Hz, and the columns NAME.transmissibility and NAME.deviation
+    /// for each mass. With --friction or --vary, a recording of the whole motion as CSV
     #[arg(value_name = "SWEEP")]
     pub sweep: PathBuf,
-    /// Fit one damping ratio for all modes as well
+    /// Fit also one damping ratio for all modes
     #[arg(long, conflicts_with_all = ["friction", "vary"])]
     pub damping: bool,
     /// Fit the kinetic friction force to a recording of the whole motion; F in N is the first guess
@@ -116,7 +116,7 @@ pub struct FitArguments {
     /// Arguments for the format of the output.
     #[command(flatten)]
     pub format: FormatArguments,
-    /// Write to this file; the file extension sets the format: .csv, .json
+    /// Write to this file. The file extension sets the format: .csv or .json
     #[arg(short, long, value_name = "OUT")]
     pub output: Option<PathBuf>,
 }
@@ -124,23 +124,25 @@ pub struct FitArguments {
 /// Arguments of `frictiongen drive`.
 #[derive(Debug, Args)]
 pub struct DriveArguments {
-    /// The description and the recordings.
+    /// Arguments for the description and the recordings.
     #[command(flatten)]
     pub recordings: RecordingArguments,
-    /// Kinetic friction force F in N [default: the channel friction]
+    /// Kinetic friction force F in N, constant over time [default: the channel `friction` of the recording]
     #[arg(long, value_name = "F", allow_hyphen_values = true)]
     pub friction: Option<String>,
     /// Print only this quantity: a mass, `contact`, a difference such as `roof-first`, `spring(a-b)`, `shear`; may be
     /// given more than once [default: the contact and every mass, relative to the base if the base moves]
     #[arg(long, value_name = "NAME")]
     pub of: Vec<String>,
-    /// Print the response spectrum of the recorded base motion for this damping ratio, instead of the motion
+    /// Print the response spectrum of the recorded base motion instead of the motion, for the damping ratio ZETA, for
+    /// example 0.05
     #[arg(long, value_name = "ZETA", allow_hyphen_values = true, conflicts_with_all = ["friction", "of"])]
     pub spectrum: Option<String>,
     /// Arguments for the format of the output.
     #[command(flatten)]
     pub format: FormatArguments,
-    /// Write to this file; the file extension sets the format: .csv, .json, .svg; .png with the feature png
+    /// Write to this file. The file extension sets the format: .csv, .json, .svg, or .png if the program has the
+    /// feature png
     #[arg(short, long, value_name = "OUT")]
     pub output: Option<PathBuf>,
 }

@@ -44,16 +44,16 @@ pub struct ReportArguments {
     /// Argument for the scene description.
     #[command(flatten)]
     pub file: FileArgument,
-    /// The range of frequencies.
+    /// Options for the range of frequencies.
     #[command(flatten)]
     range: RangeArguments,
-    /// The frictions.
+    /// Options for the frictions.
     #[command(flatten)]
     levels: LevelArguments,
-    /// The load.
+    /// Options for the amplitude of the load.
     #[command(flatten)]
     pub load: LoadArguments,
-    /// Show only this mass, or `contact`; may be given more than once [default: `motions` below]
+    /// Show only this mass, or `contact`; may be given more than once [default: see `motions` below]
     #[arg(long, value_name = "NAME")]
     pub of: Vec<String>,
     /// Add the playground with this scene to the page; the page then has about 2 MB
@@ -68,26 +68,28 @@ pub struct ReportArguments {
     pub output: Option<PathBuf>,
 }
 
-/// An optional range of frequencies, as ratios, in Hz or in rad/s.
+/// Options for an optional range of frequencies, as ratios r, in Hz or in rad/s.
 #[derive(Debug, Args)]
 #[group(multiple = false)]
 struct RangeArguments {
-    /// Range of frequency ratios r = omega sqrt(m1/k1)
+    /// Range of frequency ratios r = omega sqrt(m1/k1), with the first mass m1 and the first spring k1, from a to b
+    /// [default: around the resonances]
     #[arg(long, value_name = "a:b", allow_hyphen_values = true)]
     r: Option<String>,
-    /// Range of frequencies in Hz, instead of --r
+    /// Range of frequencies in Hz, from a to b, instead of --r
     #[arg(long, value_name = "a:b", allow_hyphen_values = true)]
     hz: Option<String>,
-    /// Range of angular frequencies in rad/s, instead of --r
+    /// Range of angular frequencies omega in rad/s, from a to b, instead of --r
     #[arg(long, value_name = "a:b", allow_hyphen_values = true)]
     omega: Option<String>,
 }
 
-/// Optional frictions, as ratios or as forces in N.
+/// Options for optional frictions, as ratios β or as forces in N.
 #[derive(Debug, Args)]
 #[group(multiple = false)]
 struct LevelArguments {
-    /// Friction ratios beta = F/P, for base motion F/(k1 Y)
+    /// Friction ratios: beta = F/P for the force amplitude P, beta = F/(k1 Y) for the base amplitude Y; for example
+    /// 0.1,0.3
     #[arg(long, value_name = "GRID", allow_hyphen_values = true)]
     beta: Option<String>,
     /// Kinetic friction forces F in N, instead of --beta; needs --force or --base
@@ -96,7 +98,7 @@ struct LevelArguments {
 }
 
 impl ReportArguments {
-    /// Returns the range of frequencies, if one is given.
+    /// Returns the frequency options, if the user gives a range of frequencies.
     pub fn range(&self) -> Option<FrequencyArguments> {
         let RangeArguments { r, hz, omega } = &self.range;
         let given = [r, hz, omega].iter().any(|text| text.is_some());
@@ -107,7 +109,7 @@ impl ReportArguments {
         })
     }
 
-    /// Returns the frictions, if any are given.
+    /// Returns the friction options, if the user gives frictions.
     pub fn frictions(&self) -> Option<FrictionArguments> {
         let LevelArguments { beta, friction } = &self.levels;
         let given = beta.is_some() || friction.is_some();

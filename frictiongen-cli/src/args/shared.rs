@@ -3,30 +3,30 @@
 use clap::Args;
 use std::path::PathBuf;
 
-/// The description to read.
+/// The argument for the file with the description.
 #[derive(Debug, Args)]
 pub struct FileArgument {
     /// File with the description. Without FILE, or with `-`, the command reads standard input
     pub file: Option<PathBuf>,
 }
 
-/// The format in which the command prints numbers. The default is a table.
+/// Options for the format of the output. The default is a printed table.
 #[derive(Debug, Args)]
 pub struct FormatArguments {
-    /// Print JSON; infinity is the string "inf"
+    /// Print JSON, in which infinity is the string "inf"
     #[arg(long, conflicts_with = "csv")]
     pub json: bool,
     /// Print CSV with all digits of every number
     #[arg(long)]
     pub csv: bool,
-    /// In CSV, print the units of the columns in a second line
+    /// Print the units of the columns in the second line of a CSV table
     #[arg(long, conflicts_with = "json")]
     pub unit_row: bool,
-    /// In CSV, print comment lines (#) first: the scene, its natural frequencies, the load
+    /// Print comment lines (#) before a CSV table: the scene, its natural frequencies and the load
     #[arg(long, conflicts_with = "json")]
     pub comments: bool,
-    /// Print the columns r and beta in addition to Hz and N. Without this option, a table with a limited
-    /// width (--width) omits r and beta
+    /// Print the columns r and beta in addition to Hz and N. By default, a table with a limited width (--width) omits r
+    /// and beta
     #[arg(long)]
     pub groups: bool,
     /// Largest width of a printed table in characters; 0 for any width [default: 100 on a terminal, otherwise 0]
@@ -34,26 +34,28 @@ pub struct FormatArguments {
     pub width: Option<u16>,
 }
 
-/// The frequency of the excitation, as a ratio, in Hz or in rad/s.
+/// Options for the frequency of the excitation, as a ratio, in Hz or in rad/s.
 #[derive(Debug, Args)]
 #[group(required = true, multiple = false)]
 pub struct FrequencyArguments {
-    /// Frequency ratios r = omega sqrt(m1/k1)
+    /// Frequency ratios r = omega sqrt(m1/k1), with the first mass m1 and the first spring k1; for example 0.9 or
+    /// 0.2:0.01:2.5
     #[arg(long, value_name = "GRID", allow_hyphen_values = true)]
     pub r: Option<String>,
-    /// Frequencies in Hz, instead of --r
+    /// Frequencies of the excitation in Hz, instead of --r; for example 5 or 1:0.1:10
     #[arg(long, value_name = "GRID", allow_hyphen_values = true)]
     pub hz: Option<String>,
-    /// Angular frequencies in rad/s, instead of --r
+    /// Angular frequencies omega of the excitation in rad/s, instead of --r; for example 30 or 10:0.5:60
     #[arg(long, value_name = "GRID", allow_hyphen_values = true)]
     pub omega: Option<String>,
 }
 
-/// The friction, as a ratio or as a force in N.
+/// Options for the friction, as a ratio or as a force in N.
 #[derive(Debug, Args)]
 #[group(required = true, multiple = false)]
 pub struct FrictionArguments {
-    /// Friction ratios beta = F/P, for base motion F/(k1 Y)
+    /// Friction ratios: beta = F/P for the force amplitude P, beta = F/(k1 Y) for the base amplitude Y; for example 0.5
+    /// or 0.1:0.1:0.9
     #[arg(long, value_name = "GRID", allow_hyphen_values = true)]
     pub beta: Option<String>,
     /// Kinetic friction forces F in N, instead of --beta; needs --force or --base
@@ -61,17 +63,17 @@ pub struct FrictionArguments {
     pub friction: Option<String>,
 }
 
-/// The amplitude of the load. With a load, results are in N and m.
+/// Options for the amplitude of the load. With a load, results are in N and m.
 #[derive(Debug, Args)]
 pub struct LoadArguments {
     /// Amplitude P of the force in N, if a force on a mass drives the scene
     #[arg(long, value_name = "P", allow_hyphen_values = true)]
     pub force: Option<String>,
-    /// Amplitude Y of the base motion in m, if the base drives the scene. With a unit, a velocity or an acceleration
-    /// that is the same at every frequency: `0.1 m/s`, `2 m/s2`, `0.2g`
+    /// Amplitude Y of the base motion in m, if the base drives the scene. With a unit, the amplitude of a velocity or
+    /// an acceleration that is the same at every frequency: `0.1 m/s`, `2 m/s2`, `0.2g`
     #[arg(long, value_name = "Y", allow_hyphen_values = true)]
     pub base: Option<String>,
-    /// Unbalance m e of a rotor in kg m, instead of --force. The force is m e omega^2
+    /// Unbalance m e of a rotor in kg m, instead of --force. The amplitude of the force is m e omega^2
     #[arg(
         long,
         value_name = "ME",
@@ -81,19 +83,19 @@ pub struct LoadArguments {
     pub unbalance: Option<String>,
 }
 
-/// A scene, the frequencies and the frictions.
+/// Options for the scene, the frequencies, the frictions and the load.
 #[derive(Debug, Args)]
 pub struct PointArguments {
     /// Argument for the scene description.
     #[command(flatten)]
     pub file: FileArgument,
-    /// The frequency.
+    /// Options for the frequencies.
     #[command(flatten)]
     pub frequency: FrequencyArguments,
-    /// The friction.
+    /// Options for the frictions.
     #[command(flatten)]
     pub friction: FrictionArguments,
-    /// The load.
+    /// Options for the amplitude of the load.
     #[command(flatten)]
     pub load: LoadArguments,
 }

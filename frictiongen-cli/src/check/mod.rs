@@ -16,13 +16,13 @@ use std::ops::Range;
 pub fn run(arguments: &CheckArguments, out: &mut dyn Write) -> Result<(), Failure> {
     let name = arguments.file.name();
     let text = arguments.file.text()?;
-    // The command rejects every description that the macro rejects, with one exception: it accepts all valid scenes
-    // with several contacts or dashpots.
+    // The command rejects the same descriptions as the macro, with one exception. It accepts all valid scenes with
+    // several contacts or dashpots.
     let description = parse_text(&text, &SizeLimits::CHECK).map_err(|diagnostics| {
         if arguments.json {
             let answer =
                 json!({ "file": name, "errors": listed(&diagnostics.list), "warnings": [] });
-            // In addition the command writes the errors to standard error. The user then sees them even if this write
+            // The command also writes the errors to standard error, so that the user sees them even if this write
             // fails.
             let _ = writeln!(out, "{answer:#}");
             let _ = out.flush();
@@ -103,7 +103,7 @@ fn token(text: &str, line: usize, column: usize) -> Range<usize> {
     let start = before + within.map_or(rest.len(), |(place, _)| place);
     let token = text.get(start..).unwrap_or_default();
     let word = |letter: char| letter.is_alphanumeric() || letter == '_' || letter == '.';
-    // A number may have a sign. Any other token that is not a word is a single sign or bracket.
+    // A number may begin with a sign. Any other token that is not a word is a single character.
     let first = token.chars().next().map_or(0, char::len_utf8);
     let sign = if token.starts_with('-') { first } else { 0 };
     let after = token.get(sign..).unwrap_or_default();

@@ -36,7 +36,7 @@ pub fn write(scene: &Scene, out: &mut dyn Write) -> io::Result<()> {
             (Load::Force(FORCE), format!("1 N on {name}"))
         }
     };
-    // A mass that no path of springs connects to a support has no static displacement.
+    // A mass without a path of springs to a support has no static displacement, because nothing holds it.
     let held = system.resonances().iter().all(|root| *root > 0.0);
     if let Ok(scale) = system.load_scale(load)
         && held
@@ -109,7 +109,8 @@ pub fn json(scene: &Scene) -> Option<Map<String, Json>> {
 /// Largest number of masses for which the command prints every static displacement.
 const MOST: usize = 4;
 
-/// Returns the static displacement x̄ of each mass under a unit load, while the contact carries no force.
+/// Returns the non-dimensional static displacement x̄ of each mass under a unit load, while the contact carries no
+/// force.
 fn statics(system: &System) -> Vec<f64> {
     let modal = system.modal();
     let masses = system.scene().masses.len();

@@ -1,10 +1,11 @@
-//! Writes the command line that stands in the head of an emitted file. A user can copy the line to emit the file again.
+//! Writes the command line of a call, for the head of the emitted file. With this command line a user can emit the file
+//! again.
 
 use crate::args::{CompileArguments, FileArgument, TableFormat};
 use std::path::Path;
 
-/// Returns the command line of `frictiongen compile` with the options of this call. File names stand in it without
-/// their folders, so that the emitted file has the same bytes on every machine.
+/// Returns the command line of `frictiongen compile` with the options of this call. It contains file names without
+/// folders, so that the emitted file has the same bytes on every machine.
 pub(super) fn written(arguments: &CompileArguments) -> String {
     let mut words = vec!["frictiongen".to_owned(), "compile".to_owned()];
     words.push(description(&arguments.file));

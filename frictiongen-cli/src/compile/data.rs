@@ -27,7 +27,8 @@ pub(super) fn written<S: frictiongen::scalar::Float>(source: &Source<'_, S>) -> 
     format!("{{\"generated\":{generated},\"units\":{units},\"known_answers\":{known},{tables}")
 }
 
-/// Shortens the numbers of tables in `f32`: each has only the digits that a reader needs to get the same `f32`.
+/// Shortens the numbers of tables in `f32`. Each number keeps only as many digits as a reader needs to get the same
+/// `f32`.
 fn shortened<S: frictiongen::scalar::Float>(value: Value) -> Value {
     if S::EPSILON <= f64::EPSILON {
         return value;

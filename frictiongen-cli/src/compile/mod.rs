@@ -1,5 +1,5 @@
-//! `frictiongen compile`: builds tables of a declared accuracy. Prints a summary of the tables, or writes them as code
-//! or data.
+//! `frictiongen compile`: builds tables of a declared accuracy. The command prints a summary of the tables, or writes
+//! the tables as code or data.
 
 pub mod command;
 mod data;
@@ -20,8 +20,8 @@ use frictiongen_codegen::{SceneTables, SizeLimits};
 use std::io::Write;
 use std::path::Path;
 
-/// The limits that the macro sets for a description, but without a declared accuracy. The command builds the tables
-/// itself, according to its options.
+/// Size limits of the macro for a description, without the macro's tables. The command builds the tables itself, with
+/// the accuracy from its options.
 const LIMITS: SizeLimits = SizeLimits {
     tables: false,
     ..SizeLimits::MACRO
@@ -93,7 +93,7 @@ fn c_prefix(scene: &Scene, arguments: &CompileArguments) -> Result<String, Failu
     Ok(name.clone())
 }
 
-/// Prints a line on standard error about those items of `provide` that the emitted files do not contain.
+/// Prints a line on standard error that lists the items of the field `provide` that the emitted files do not contain.
 fn say_what_is_left_out(scene: &Scene) {
     let left_out = left_out(scene);
     if !left_out.is_empty() {
@@ -104,11 +104,12 @@ fn say_what_is_left_out(scene: &Scene) {
     }
 }
 
-/// Replaces the accuracy, range and side of the description by those that the options give.
+/// Replaces the accuracy, range and side of the description by those from the options. On the safe side, β_lim is
+/// never above its exact value, and β*_lim never below.
 fn declare(scene: &mut Scene, arguments: &CompileArguments) -> Result<(), Failure> {
     let declared = &mut scene.declared;
-    // The option --prove decides whether the command proves the accuracy of the tables. The field `proof` of the
-    // description applies only to the macro.
+    // Only the option --prove requests a proof of the accuracy here. The field `proof` of the description applies only
+    // to the macro.
     declared.proof = Proving::Quick;
     if let Some(accuracy) = &arguments.accuracy {
         declared.accuracy = Accuracy::Relative(number(accuracy, "--accuracy")?);
@@ -125,8 +126,8 @@ fn declare(scene: &mut Scene, arguments: &CompileArguments) -> Result<(), Failur
         scene.declared.range = Some(Range { r, beta });
     }
     if scene.declared.accuracy == Accuracy::Exact && scene.declared.budget.is_none() {
-        // A description with a range but without an accuracy is also an error. Its own message, however, would not fit
-        // the options.
+        // A description with a range but without an accuracy has an error of its own. The message of that error would
+        // not mention the options.
         return Err(Failure::new(NO_ACCURACY));
     }
     if arguments.safe {
@@ -236,7 +237,8 @@ fn write<S: frictiongen::scalar::Float>(
     }
 }
 
-/// Returns a sentence about the accuracy of the tables between the points at which they were checked.
+/// Returns a sentence about the accuracy of the tables. Without a proof, errors between the checked points may be
+/// larger.
 fn told<S: frictiongen::scalar::Float>(tables: &Tables<S>, proof: &Proof, proves: bool) -> String {
     if proves || proof.evidence != Evidence::Checked {
         return proof.told_in::<S>();

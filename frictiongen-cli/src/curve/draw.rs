@@ -36,7 +36,7 @@ pub fn draw(report: &CurveReport, form: OutputFormat, out: &mut dyn Write) -> Re
     picture::write(figure, &report.system, form, out)
 }
 
-/// Returns the words of the legend for the initial state of a curve.
+/// Returns the words of the legend that describe the initial state of a curve.
 fn way(start: CurveStart) -> &'static str {
     match start {
         CurveStart::Rest => ", from rest",

@@ -78,7 +78,8 @@ pub fn run(arguments: &CurveArguments, out: &mut dyn Write) -> Result<(), Failur
         harmonics: orders,
         rates: arguments.rates || parts.iter().any(MovingPart::has_rate),
         turned: measure.turns_contact(),
-        // If the amplitude of the load depends on frequency, the user gives frictions as forces.
+        // The user gives the friction as a force. If the load's amplitude is proportional to r⁻ⁿ, the friction
+        // ratio β is therefore proportional to rⁿ, with the same exponent n.
         rise: measure.fall(),
         fall: measure.fall(),
         ..CurveRequest::new(band.from, band.to, &of)

@@ -1,4 +1,4 @@
-//! Table of curves, with one line for each point. Each line has the number of its curve's continuous piece.
+//! Table of curves, with one line for each point. Each line contains the number of the continuous piece of the curve.
 
 #[cfg(feature = "pictures")]
 use crate::args::LogAxes;
@@ -13,7 +13,7 @@ use frictiongen::System;
 use frictiongen::study::columns::{Column, CurveRow, CurveTable, FrictionSetting, Setting};
 use frictiongen::study::curve::{Curve, CurveRequest};
 
-/// The curves, with the settings for their output.
+/// Curves over frequency, with the options for the output.
 pub struct CurveReport {
     /// The system that the results describe.
     pub system: System,

@@ -7,18 +7,18 @@ use frictiongen::study::units::{Load, hertz};
 
 /// Number of frequencies at which the command compares two scenes.
 pub const FREQUENCIES: u32 = 400;
-/// Range of the compared frequencies. It begins at the first number times the lowest natural frequency. It ends at the
-/// second number times the highest natural frequency.
+/// Range of the compared frequencies. The range begins at 0.2 times the lowest natural frequency, and ends at 1.5 times
+/// the highest natural frequency.
 const BAND: (f64, f64) = (0.2, 1.5);
-/// Largest value that is treated as 0, divided by the largest value of the same result over the frequencies. If the
-/// exact result is 0, rounding causes values of this size.
+/// Largest value that the comparison treats as 0, divided by the largest value of the same result over the frequencies.
+/// Rounding errors of a result whose exact value is 0 have this size.
 const NOISE: f64 = 1e-12;
 /// Friction for the comparison of motions, divided by the smaller of the limits β_lim and β*_lim of the old scene.
 const FRICTION: f64 = 0.5;
 
-/// Words for the frequencies at which a limit is finite in both scenes.
+/// Words for a comparison only at frequencies at which both scenes have a finite limit.
 const FINITE: &str = "where both are finite";
-/// Words for the frequencies at which both scenes have a continuous motion.
+/// Words for a comparison only at frequencies at which both scenes have a continuous motion.
 const CONTINUOUS: &str = "where both motions are continuous";
 
 /// Largest difference of one result of two scenes over the compared frequencies.
@@ -30,18 +30,18 @@ pub struct Difference {
     pub unit: &'static str,
     /// Frequency of the largest difference, in Hz.
     pub hertz: f64,
-    /// Value in the old scene and value in the new scene at this frequency.
+    /// Value of the result in the old scene and in the new scene, at the frequency of the largest difference.
     pub values: (f64, f64),
-    /// Difference of the two values at this frequency, divided by the larger value.
+    /// Difference of the two values at the frequency of the largest difference, divided by the larger value.
     pub relative: f64,
     /// Median of the relative differences over the compared frequencies.
     pub median: f64,
     /// Number of frequencies at which both scenes have a result.
     pub compared: usize,
-    /// Words for the scenes whose emitted code does not provide this result. The text is empty if the code of both
-    /// scenes provides it.
+    /// Words for the scene or scenes (old, new) whose emitted code does not provide this result. The text is empty if
+    /// the code of both scenes provides the result.
     pub left_out_by: &'static str,
-    /// Words for the compared frequencies, if they are not all frequencies of the band.
+    /// Words for the compared frequencies, if the comparison leaves out some frequencies of the band.
     pub where_both: &'static str,
 }
 
@@ -57,7 +57,7 @@ pub struct Answers {
     pub band: Option<(f64, f64)>,
     /// True if a declared `range` bounds the compared frequencies.
     pub within_range: bool,
-    /// Largest differences, one for each kind of result.
+    /// Largest difference for each result that the command compares.
     pub differences: Vec<Difference>,
     /// Reasons why some results were not compared.
     pub left_out: Vec<String>,
@@ -152,7 +152,8 @@ fn answered(system: &System) -> Option<(f64, f64)> {
     Some((low / ratio_at_one_hertz, high / ratio_at_one_hertz))
 }
 
-/// Returns true if the emitted code of a scene provides the continuous motion of a mass. `None` stands for the contact.
+/// Returns true if the emitted code of a scene provides the continuous motion of a mass. `mass` is `None` for the
+/// contact.
 fn provides(scene: &Scene, mass: Option<&str>) -> bool {
     let named = |index: &usize| {
         let own = scene.masses.get(*index).map(|own| own.name.as_str());
@@ -165,7 +166,8 @@ fn provides(scene: &Scene, mass: Option<&str>) -> bool {
     })
 }
 
-/// Returns words for the scenes whose emitted code does not provide the continuous motion of a mass, or of the contact.
+/// Returns words for the scene or scenes whose emitted code does not provide the continuous motion of a mass. `mass` is
+/// `None` for the contact.
 fn left_out_by(old: &Scene, new: &Scene, mass: Option<&str>) -> &'static str {
     match (provides(old, mass), provides(new, mass)) {
         (true, true) => "",
@@ -249,7 +251,7 @@ impl ResultSeries {
 
 fn differences(old: &System, new: &System, band: &[f64]) -> Vec<Difference> {
     let on_base = old.scene().excitation == Excitation::Base;
-    // The load is 1. The results are therefore the limits and displacements, divided by the amplitude of the load.
+    // The load has the amplitude 1. The results are therefore limits and displacements per unit of the load.
     let load = if on_base {
         Load::Base(1.0)
     } else {

@@ -4,12 +4,13 @@ use crate::emitted::functions;
 use frictiongen_codegen::{Description, SceneTables, SizeLimits, parse_text, pretty};
 use similar::{ChangeTag, TextDiff};
 
-/// Sizes of the emitted code of two descriptions (old, new), and its differences.
+/// Sizes of the emitted code of two descriptions (old, new), and differences between the two codes.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Code {
     /// Number of lines of the emitted code, for the old and the new description.
     pub lines: (usize, usize),
-    /// Number of lines that only the old source contains, and number of lines that only the new source contains.
+    /// Number of lines in which the two sources differ: lines that only the old source contains, and lines that only
+    /// the new source contains.
     pub differing: (usize, usize),
     /// Number of bytes of the emitted code, for the old and the new description.
     pub bytes: (usize, usize),

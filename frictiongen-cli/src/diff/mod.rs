@@ -130,11 +130,12 @@ fn unified(
     Ok(out.flush()?)
 }
 
-/// Largest relative difference at which two results are treated as equal. Rounding in both scenes can cause this
-/// difference.
+/// Largest relative difference at which the command treats two results as equal. Rounding in the two scenes can cause
+/// differences of this size.
 const ROUNDINGS: f64 = 1e-12;
 
-/// Returns the absolute difference of two numbers, divided by the larger absolute value. The result is 0 if both are 0.
+/// Returns the absolute difference of two numbers, divided by the larger absolute value. Returns 0 if both numbers are
+/// 0.
 fn relative(old: f64, new: f64) -> f64 {
     let size = old.abs().max(new.abs());
     if size == 0.0 {

@@ -5,7 +5,7 @@ use frictiongen::study::scene::{
     Side, StepInput,
 };
 
-/// A field of a description, as text and, if possible, as a number.
+/// A field of a description as text, and as a number if the text is a number.
 #[derive(Clone, Debug, PartialEq)]
 pub struct DescriptionField {
     /// Name of the field, with the name of its mass or spring.
@@ -81,7 +81,7 @@ pub fn changes(old: &Scene, new: &Scene) -> Vec<FieldChange> {
         .collect()
 }
 
-/// Returns every field of a scene that has no default, or whose value is not the default.
+/// Returns every field of a scene that has no default, and every field that differs from its default.
 fn fields(scene: &Scene) -> Vec<DescriptionField> {
     let mut fields = vec![word("name", scene.name.clone())];
     for mass in &scene.masses {
@@ -195,7 +195,7 @@ fn damping(damping: &Damping, fields: &mut Vec<DescriptionField>) {
     }
 }
 
-/// Adds the fields `accuracy`, `range` and others that declare tables.
+/// Adds the fields that declare tables, such as `accuracy` and `range`.
 fn tables(scene: &Scene, fields: &mut Vec<DescriptionField>) {
     let declared = &scene.declared;
     if let Accuracy::Relative(accuracy) = declared.accuracy {

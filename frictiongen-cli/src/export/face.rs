@@ -30,7 +30,7 @@ pub struct StructField {
 }
 
 impl StructField {
-    /// Creates a field from its name, its type, and its meaning with the unit.
+    /// Creates a field from its name, its type, and a text with its meaning and unit.
     pub fn new(name: impl Into<String>, kind: FieldType, about: impl Into<String>) -> Self {
         Self {
             name: name.into(),
@@ -51,7 +51,7 @@ pub struct ExportedStruct {
     pub fields: Vec<StructField>,
 }
 
-/// The way in which an exported function takes a parameter.
+/// The way in which C passes a parameter to an exported function: by value or by pointer.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub enum Passed {
     /// The function takes the parameter by value.
@@ -60,11 +60,11 @@ pub enum Passed {
     Input(&'static str),
     /// The function takes a pointer to memory for its result.
     Output(FieldType),
-    /// The function takes a pointer to memory for an opaque struct, which it initialises.
+    /// The function takes a pointer to memory for an opaque struct, and initialises this struct.
     Fresh(&'static str),
-    /// The function takes a pointer to an opaque struct that it changes.
+    /// The function takes a pointer to an opaque struct, and changes the struct.
     Changed(&'static str),
-    /// The function takes a pointer to an opaque struct that it only reads.
+    /// The function takes a pointer to an opaque struct, and only reads the struct.
     Read(&'static str),
 }
 
@@ -98,7 +98,7 @@ impl ExportedFunction {
     }
 }
 
-/// An opaque struct of the C interface. C allocates its memory.
+/// An opaque struct of the C interface. The C program allocates its memory, and does not know its fields.
 #[derive(Clone, Debug)]
 pub struct Opaque {
     /// Name of the struct in snake case, without the prefix of the export.
@@ -111,10 +111,10 @@ pub struct Opaque {
     pub words: usize,
 }
 
-/// All exported items of a scene.
+/// All structs and functions that an exported crate offers to C.
 #[derive(Clone, Debug, Default)]
 pub struct ExportedItems {
-    /// The structs of numbers. Each struct comes before the structs that contain it.
+    /// The structs of numbers. A struct that is a field of another struct comes before the other struct.
     pub records: Vec<ExportedStruct>,
     /// Opaque structs of the C interface.
     pub opaque: Vec<Opaque>,
@@ -122,7 +122,7 @@ pub struct ExportedItems {
     pub functions: Vec<ExportedFunction>,
 }
 
-/// Returns the name of a struct in Rust, for its name in snake case.
+/// Returns the Rust name of a struct, in camel case, from its name in snake case.
 pub fn type_name(name: &str) -> String {
     let words = name.split('_');
     let words = words.map(|word| {

@@ -45,7 +45,7 @@ fn head(name: &str, (kind, features): (&str, &str), library: Option<&Path>) -> S
     )
 }
 
-/// Returns the text of a Makefile. It builds the exported library by cargo, and then the example.
+/// Returns the text of a Makefile, which builds the exported library by cargo, and then the example.
 pub fn makefile(prefix: &str) -> String {
     format!(
         "# Builds the library by cargo, then the example.  For a microcontroller:\n\

@@ -33,7 +33,7 @@ struct ExportRequest<'a> {
     description: &'a Description,
     /// Prefix of all names in the exported C interface.
     prefix: &'a str,
-    /// Text of the description, and of the command that exported it.
+    /// Text of the description, and the command line of the export.
     origin: Origin<'a>,
     /// Folder of the crate `frictiongen`. `None` means the crate of the registry.
     library: Option<&'a Path>,
@@ -171,7 +171,7 @@ fn face_of(description: &Description) -> ExportedItems {
     face
 }
 
-/// Fails for a description that gives the crate `frictiongen` another path, by its field `crate`.
+/// Fails if the field `crate` of the description gives another path for the crate `frictiongen`.
 fn check_facade(description: &Description) -> Result<(), Failure> {
     let path = description.facade.to_string().replace(' ', "");
     if path == "::frictiongen" {

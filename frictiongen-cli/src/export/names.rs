@@ -5,7 +5,7 @@ use crate::failure::Failure;
 use frictiongen::study::scene::Scene;
 use frictiongen_codegen::standalone::c_name;
 
-/// Headers of the C library. If an exported header had one of these names, it would hide the header of the library.
+/// Headers of the C library. An exported header with one of these names would hide the header of the C library.
 const TAKEN: [&str; 24] = [
     "assert", "complex", "ctype", "errno", "fenv", "float", "inttypes", "iso646", "limits",
     "locale", "math", "setjmp", "signal", "stdarg", "stdbool", "stddef", "stdint", "stdio",
@@ -54,8 +54,8 @@ pub fn mass(scene: &Scene, index: usize) -> &str {
     scene.masses.get(index).map_or("", |mass| &mass.name)
 }
 
-/// Returns one text for each mass. `text` creates it from two names: the name of the mass as a struct field, and its
-/// name in the description.
+/// Returns one text for each mass. `text` creates the text from two names of the mass: as a struct field, and in the
+/// description.
 pub fn of_masses(scene: &Scene, text: impl Fn(&str, &str) -> String) -> Vec<String> {
     (0..scene.masses.len())
         .map(|index| text(&field(scene, index, "mass"), mass(scene, index)))

@@ -23,8 +23,8 @@ orbit.write(Orbit {
 });
 Ok(())";
 
-/// Adds the functions that return the numbers of a steady state. One starts the motion from rest, and another from a
-/// given state. `unit` is the unit of displacements.
+/// Adds the functions that return the numbers of a steady state. One function starts the motion from rest, another
+/// function from a given state. `unit` is the unit of displacements.
 pub fn add(face: &mut ExportedItems, scene: &Scene, unit: &str) {
     records(face, scene, unit);
     let output = ("orbit", Passed::Output(FieldType::Record("orbit")));

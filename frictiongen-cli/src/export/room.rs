@@ -10,8 +10,8 @@ use frictiongen_codegen::standalone::StepperShape;
 /// Number of bytes that padding may add to an extrapolated size.
 const PADDING: i64 = 16;
 
-/// Size of a stepper and of its saved state for one combination of small numbers: one or two modes, one or two modes of
-/// the stuck chain, and one or two inputs.
+/// Size in bytes of a stepper, and size of its saved state, for one combination of three small numbers. The numbers are
+/// one or two modes, one or two modes of the stuck chain, and one or two inputs.
 type Corner = [usize; 2];
 
 /// Returns the size of a stepper and the size of its saved state, in words of 64 bits. Each size includes one word that
@@ -48,9 +48,9 @@ pub fn words(shape: &StepperShape, precision: Precision) -> [usize; 2] {
     })
 }
 
-/// Returns the size of a simulation in words of 64 bits. It includes one word that marks an initialised struct. `parts`
-/// is the number of the simulation's oscillators. The size is linear in this number. The flags are true for a friction
-/// law over the speed and for an elastic contact.
+/// Returns the size of a simulation in words of 64 bits, including one word that marks an initialised struct. The size
+/// is linear in `parts`, the number of the simulation's oscillators. The flags of `of` are true for a friction law that
+/// depends on the speed, and for an elastic contact.
 pub fn simulation_words(parts: usize, of: (bool, bool), precision: Precision) -> usize {
     let [one, two] = match precision {
         Precision::F64 => simulations::<f64>(of),

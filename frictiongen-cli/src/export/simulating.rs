@@ -12,8 +12,8 @@ const STATE: &str = "simulation";
 const CHANGED: (&str, Passed) = ("simulation", Passed::Changed(STATE));
 const READ: (&str, Passed) = ("simulation", Passed::Read(STATE));
 
-/// Adds the functions of the simulation with their structs. `name` is the scene's type in Rust, and `unit` the unit of
-/// displacements.
+/// Adds the functions of the simulation, and the structs of these functions. `name` is the Rust type of the scene, and
+/// `unit` the unit of displacements.
 pub fn add(face: &mut ExportedItems, scene: &Scene, (name, unit): (&str, &str)) {
     let shape = StepperShape::of(scene);
     let parts = shape.modes + shape.held;
@@ -101,8 +101,8 @@ fn records(face: &mut ExportedItems, scene: &Scene, unit: &str) {
     });
 }
 
-/// Adds the functions that start a motion in time. With a friction law over the speed, they need the amplitude of the
-/// load.
+/// Adds the functions that start a motion in time. If the friction depends on the speed, the functions need the
+/// amplitude of the load.
 fn starts(face: &mut ExportedItems, scene: &Scene, has_law: bool) {
     let (given, call) = if has_law {
         ("r, beta, amplitude", "simulation_under")

@@ -158,7 +158,7 @@ fn limits(face: &mut ExportedItems) {
     ));
 }
 
-/// The motions of the contact and of masses, which the exported interface returns as fields of one struct.
+/// Motions of the contact and of masses. The exported interface returns these motions as fields of one struct.
 struct Motions {
     name: &'static str,
     prepare: &'static str,
@@ -167,7 +167,7 @@ struct Motions {
 }
 
 impl Motions {
-    /// Returns the fields of a struct with one entry for the contact and for each mass.
+    /// Returns the fields of a struct: one for the contact, and one for each mass whose motion the scene provides.
     fn fields(&self, scene: &Scene, record: &'static str) -> Vec<StructField> {
         let contact = StructField::new(
             "contact",
@@ -179,8 +179,8 @@ impl Motions {
         std::iter::once(contact).chain(masses).collect()
     }
 
-    /// Returns the fields of the struct in Rust code. The value of each field is the macro `function`, applied to a
-    /// motion of the contact or of a mass.
+    /// Returns the Rust code for the fields of the struct. The code applies the macro `function` to the motion of the
+    /// contact and of each mass.
     fn written(&self, scene: &Scene, function: &str) -> String {
         let contact = format!("contact: {function}!(motion.contact()), ");
         let masses = self.masses.iter().map(|index| {

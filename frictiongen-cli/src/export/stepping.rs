@@ -14,7 +14,7 @@ const SAVED: &str = "stepper_saved";
 const CHANGED: (&str, Passed) = ("stepper", Passed::Changed(STATE));
 const READ: (&str, Passed) = ("stepper", Passed::Read(STATE));
 
-/// Adds the functions of the stepper with their structs. `name` is the scene's type in Rust.
+/// Adds the functions of the stepper, and the structs of these functions. `name` is the Rust type of the scene.
 pub fn add(face: &mut ExportedItems, scene: &Scene, name: &str) {
     let shape = StepperShape::of(scene);
     let [words, saved] = room::words(&shape, scene.precision);

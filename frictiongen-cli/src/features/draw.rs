@@ -28,14 +28,14 @@ pub fn marks(
 ) -> Vec<Markers> {
     let mut marks = Vec::new();
     for (feature, marker, name) in MARKS {
-        // The curves of the picture are amplitudes. Features of the fundamental component do not lie on these curves,
-        // and get no mark.
+        // The curves of the picture show amplitudes. A feature of the fundamental component is not on these curves, so
+        // the picture does not mark it.
         let marked = lines.iter().filter(|line| {
             line.feature == feature
                 && line.of == part.name
                 && !line.detail.starts_with("fundamental")
         });
-        // The amplitude in a line is in m under a load, but the axes are in mm.
+        // Under a load, the amplitude of a feature is in m, but the axis of the picture is in mm.
         let points: Vec<_> = marked
             .filter_map(|line| {
                 let height = measure.length_ratio(line.amplitude?);
@@ -50,8 +50,8 @@ pub fn marks(
     marks
 }
 
-/// Draws each motion in a panel of its own, at the given friction. If the user gives no friction, the panel shows the
-/// motion without friction.
+/// Draws each motion in its own panel, at the given friction. If the user gives no friction, the panels show the
+/// motions without friction.
 pub fn draw(
     report: &FeaturesReport<'_>,
     parts: &[MovingPart],

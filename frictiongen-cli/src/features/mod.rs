@@ -1,5 +1,5 @@
-//! `frictiongen features`: lists the features of a scene's response, such as resonances, thresholds and peaks, without
-//! a sweep.
+//! `frictiongen features`: lists the features of a scene's response, such as resonances, thresholds and peaks. The
+//! command computes them directly, without a frequency sweep.
 
 #[cfg(feature = "pictures")]
 pub mod draw;
@@ -69,8 +69,8 @@ pub fn run(arguments: &FeaturesArguments, out: &mut dyn Write) -> Result<(), Fai
     let mut parts = asked::parts(&system, &arguments.of)?;
     asked::without_rates(&parts)?;
     if arguments.of.is_empty() && !system.modal().on_moving_base {
-        // A mass that rubs on a support at rest moves as the contact does. The output therefore lists its motion only
-        // once.
+        // A mass that rubs on a fixed support has the same motion as the contact. The output therefore lists this
+        // motion only once.
         let rubbing = system.modal().rubbing().map(Of::Mass);
         parts.retain(|part| Some(part.of) != rubbing);
     }

@@ -10,7 +10,7 @@ use frictiongen::study::columns::{Column, FeatureLine, FeatureTable, MovingPart,
 use frictiongen::study::features::Sensed;
 use serde_json::{Value as Json, json};
 
-/// The features, with the settings for their output.
+/// The features of a response, with the options for the output.
 pub struct FeaturesReport<'s> {
     /// The system that the results describe.
     pub system: &'s System,

@@ -17,16 +17,16 @@ use frictiongen_plot::desk::{
 use frictiongen_plot::{Figure, Label};
 use std::io::Write;
 
-/// Number of frequencies at which the picture evaluates the limit of the stuck state.
+/// Number of steps in r along the line of the smallest friction at which no contact slides.
 const LINE: usize = 400;
 
-/// The kind of a picture of steady states: responses over frequency, or a map.
+/// Type of a picture of steady states: response curves over frequency, or a map.
 #[derive(Clone, Copy, Debug)]
 pub enum Picture {
-    /// Amplitudes over frequency. The flags are true for a logarithmic frequency axis and for logarithmic amplitude
-    /// axes.
+    /// Amplitudes over frequency. The first flag is true for a logarithmic frequency axis, the second for logarithmic
+    /// amplitude axes.
     Curve(bool, bool),
-    /// A map over frequency and friction. Its colours show the regimes, or the amplitude of the first mass.
+    /// A map over frequency and friction. The colours of the map show the regimes, or the amplitude of the first mass.
     Map(ShadeArgument),
 }
 
@@ -41,7 +41,7 @@ pub fn motion(
     picture::write(figure, question.system, form, out)
 }
 
-/// Returns the figure of a motion over time.
+/// Returns the figure of a motion over time in a scene with several contacts.
 pub fn motion_figure(
     question: &Question<'_>,
     (history, frequency): (&JoinedHistory, Frequency),
@@ -111,7 +111,7 @@ pub fn steady(
 /// Steady states at one friction for all frequencies.
 pub type Line = (FrictionSetting, Vec<JoinedRow>);
 
-/// Computes the steady states of a picture.
+/// Computes the steady states of a picture at every frequency and friction.
 pub fn rows(question: &Question<'_>) -> Result<Vec<Line>, Failure> {
     let frequencies: Vec<Frequency> = question.frequencies.all(question.system).collect();
     let frictions: Vec<FrictionSetting> = question.frictions.all().collect();
@@ -135,7 +135,7 @@ pub fn rows(question: &Question<'_>) -> Result<Vec<Line>, Failure> {
     Ok(rows)
 }
 
-/// Returns the picture of steady states.
+/// Returns the figure of steady states, as curves over frequency or as a map.
 pub fn steady_figure(
     question: &Question<'_>,
     picture: Picture,
@@ -172,8 +172,8 @@ pub fn steady_figure(
     Ok(picture::under_load(figure, &question.measure, ""))
 }
 
-/// Returns the panels of the picture, and the curves in them: the amplitude of each mass, and the stuck fraction of
-/// each contact.
+/// Returns the panels of a picture and the curves in the panels. The curves show the amplitude of each mass, and the
+/// fraction of the period during which each contact sticks.
 fn curves(
     question: &Question<'_>,
     rows: &[Line],
@@ -215,7 +215,7 @@ fn curves(
     (titles, curves.collect())
 }
 
-/// Returns the cells of a map, row by row from the lowest friction to the highest.
+/// Returns the contents of a map's cells, row by row from the lowest friction to the highest.
 fn cells(
     question: &Question<'_>,
     rows: &[Line],
@@ -247,8 +247,8 @@ fn cells(
     JoinedCells::Regimes(classes.collect())
 }
 
-/// Returns the line of the smallest friction at which no contact slides, over the frequency. The line ends somewhat
-/// above the map.
+/// Returns the smallest friction at which no contact slides as a line over frequency. The code caps this friction at
+/// four times the largest friction of the map.
 fn limit(
     question: &Question<'_>,
     (frequencies, frictions): (&[Frequency], &[f64]),
@@ -264,7 +264,7 @@ fn limit(
         let r = low + (high - low) * place as f64 / LINE as f64;
         let frequency = Frequency::at(question.system, r);
         let at = question.table().at(frequency).map_err(Failure::new)?;
-        // On an undamped resonance, no friction keeps all contacts stuck.
+        // At an undamped resonance, no friction keeps all contacts stuck, so the limit is infinite.
         let limit = at.stuck().map_or(f64::INFINITY, |stuck| stuck.limit());
         points.push((scales.frequency(r), scales.friction(limit).min(top)));
     }

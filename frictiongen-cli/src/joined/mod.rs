@@ -34,7 +34,7 @@ pub use optimum::optimum;
 pub use page::write as write_page;
 pub use time::OfTime;
 
-/// Fails if the user gives one of these options. They are not available for several contacts.
+/// Fails if the user gives one of these options, which are not available for a scene with several contacts.
 pub fn refused(options: &[(bool, &str)]) -> Result<(), Failure> {
     match options.iter().find(|(given, _)| *given) {
         None => Ok(()),
@@ -52,7 +52,7 @@ pub struct Asked<'a> {
     of: &'a [String],
 }
 
-/// Frequencies, frictions and load that the user requests, in the units of the results.
+/// Frequencies, frictions, load and masses that the user requests, with the units of the results.
 struct Question<'s> {
     system: &'s System,
     joined: &'s Joined<'s>,
@@ -93,7 +93,7 @@ impl Question<'_> {
 }
 
 impl<'a> Asked<'a> {
-    /// Collects the options of a command for scenes with several contacts.
+    /// Collects the options of a command for a scene with several contacts.
     pub fn of(
         point: &'a PointArguments,
         frequencies: Frequencies,
@@ -108,7 +108,7 @@ impl<'a> Asked<'a> {
         }
     }
 
-    /// Converts the request to the units of the results, and calls `answer` with it.
+    /// Prepares the request with the units of the results, and calls `answer` with it.
     fn question(
         self,
         scene: Scene,
@@ -127,7 +127,8 @@ impl<'a> Asked<'a> {
             measure,
             masses: masses.into_iter().map(|mass| mass.index).collect(),
         };
-        // A scene without springs requires physical units. The error message must come before any output.
+        // A scene without springs requires physical units. This call reports the error before the command prints any
+        // output.
         if let Some(first) = question.frequencies.all(&system).next() {
             question.table().at(first).map_err(Failure::new)?;
         }
@@ -149,8 +150,8 @@ impl<'a> Asked<'a> {
         })
     }
 
-    /// Writes derivatives with respect to every number of the scene: those of a mass's amplitude, or of a contact's
-    /// energy.
+    /// Writes derivatives with respect to every number of the scene. The derivatives are those of the amplitude of a
+    /// mass, or of the energy that a contact dissipates.
     pub fn write_sensitivities(
         self,
         scene: Scene,

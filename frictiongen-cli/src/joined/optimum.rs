@@ -1,4 +1,4 @@
-//! Finds the best common friction of several contacts.
+//! Finds the best common friction of several contacts, with which the largest amplitude of a mass is smallest.
 
 use super::refused;
 use crate::args::OptimumArguments;
@@ -64,7 +64,8 @@ pub fn optimum(
         joined: &joined,
         masses: &all,
     };
-    // If the scene has no spring, this call fails unless the units are physical.
+    // Without a spring in the scene, this call fails unless the units are physical. The user then gets the error before
+    // the search.
     table
         .at(Frequency::at(&system, band.from))
         .map_err(Failure::new)?;
@@ -115,9 +116,9 @@ pub fn optimum(
     Ok(())
 }
 
-/// Reads the shares that `--vary` names. `share pads=a:b` means the share of one contact. `share=a:b` means the shares
-/// of all contacts but the first. The first keeps its share, because a common factor on all shares has the effect of
-/// the common friction.
+/// Reads the shares that `--vary` names. A share is the friction of a contact, relative to the common friction. `share
+/// pads=a:b` varies the share of one contact. `share=a:b` varies the shares of all contacts but the first, because a
+/// common factor on all shares has the effect of the common friction.
 fn ranges(joined: &Joined<'_>, text: &str) -> Result<Vec<ShareRange>, Failure> {
     let vary = Vary::parsed(text)?;
     let contacts = joined.contact_names();

@@ -6,11 +6,11 @@ use crate::layout::Layout;
 use crate::output::{ResultTable, Visitor};
 use frictiongen::study::columns::{Column, JoinedRow};
 
-/// Steady states of a scene with several contacts, with the settings for their output.
+/// Steady states of a scene with several contacts, with the options for the output.
 pub struct JoinedReport<'q> {
     /// Frequencies, frictions, units and masses that the user has requested.
     pub(super) question: &'q Question<'q>,
-    /// True if the user requests every steady state at a point.
+    /// True if the user requests every steady state at each frequency and friction.
     pub states: bool,
 }
 
@@ -30,7 +30,7 @@ impl ResultTable for JoinedReport<'_> {
                 if self.states {
                     rows = table.states(frequency, friction).map_err(Failure::new)?;
                 }
-                // If there is no steady state, the line contains the reason.
+                // If the search finds no steady state, the table has a line with the reason.
                 if rows.is_empty() {
                     rows.push(table.row(frequency, friction).map_err(Failure::new)?);
                 }

@@ -10,7 +10,8 @@ use frictiongen::study::columns::{
 };
 use frictiongen::study::joined::Joined;
 
-/// Returns the number whose derivatives the user requests: the energy of a contact, or the amplitude of a mass.
+/// Returns the number whose derivatives the user requests: the energy that a contact dissipates, or the amplitude of a
+/// mass.
 pub fn number(system: &System, joined: &Joined<'_>, name: &str) -> Result<JoinedNumber, Failure> {
     let contacts = joined.contact_names();
     if let Some(contact) = contacts.iter().position(|known| known == name) {
@@ -28,7 +29,7 @@ pub fn number(system: &System, joined: &Joined<'_>, name: &str) -> Result<Joined
     Ok(JoinedNumber::Amplitude(mass, name.to_owned()))
 }
 
-/// Derivatives of a number of a steady state, with the settings for their output.
+/// Derivatives of a number of a steady state, with the options for the output.
 pub struct SensitivityReport<'q> {
     /// Frequencies, frictions and units that the user has requested.
     pub(super) question: &'q Question<'q>,

@@ -15,7 +15,7 @@ use std::io::Write;
 
 /// Length, initial state and form of a motion over time.
 pub struct OfTime<'a> {
-    /// Numbers of cycles and samples, and whether the output is one period of a steady state.
+    /// Number of cycles and of samples, with a flag for one period of a steady state instead of a run.
     pub asked: Length,
     /// Initial state of the motion, as the text of the option `--from`.
     pub from: Option<&'a str>,
@@ -61,7 +61,7 @@ impl Asked<'_> {
     }
 }
 
-/// Returns the caption of the picture of a motion: frequency, friction and kind of motion.
+/// Returns the caption of a figure over time: frequency, friction, and the kind of motion (run or steady state).
 #[cfg(feature = "pictures")]
 fn caption(
     question: &Question<'_>,
@@ -86,7 +86,7 @@ fn caption(
     Ok(format!("{frequency}; {friction}; {kind}"))
 }
 
-/// Returns the motion and its frequency. With `draws`, the motion has additional samples at the events.
+/// Returns a motion over time and its frequency. If `draws` is true, the motion has additional samples at the events.
 fn history(
     question: &Question<'_>,
     time: &OfTime<'_>,
@@ -119,14 +119,14 @@ fn history(
     Ok((history.map_err(Failure::new)?, frequency))
 }
 
-/// The samples of a motion, with the settings for their output.
+/// The samples of a motion over time, with the options for the output.
 struct SamplesReport<'m> {
     question: &'m Question<'m>,
     history: &'m JoinedHistory,
     omega: f64,
 }
 
-/// The events of a motion, with the settings for their output.
+/// The events of a motion over time, with the options for the output.
 struct EventsReport<'m> {
     question: &'m Question<'m>,
     history: &'m JoinedHistory,

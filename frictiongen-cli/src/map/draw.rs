@@ -21,7 +21,7 @@ pub fn draw(
     form: OutputFormat,
     out: &mut dyn Write,
 ) -> Result<(), Failure> {
-    // The picture has one unit of force and one unit of length: those that the load has at r = 1.
+    // The unit of force and the unit of length of the whole picture are those that belong to the load at r = 1.
     let (map, grids) = (&report.map.at_reference(), &report.grids);
     let fall = grids.measure.fall();
     let ends = map

@@ -6,7 +6,7 @@ use crate::output::{ResultTable, Visitor};
 use frictiongen::study::columns::{BoundaryRow, Column, MapRow, MapTable};
 use frictiongen::study::map::{Boundary, Map};
 
-/// A map, with the settings for its output.
+/// A map of the regimes, with the options for the output.
 pub struct MapReport<'m> {
     /// Grids, units, and the contact and masses whose motions the map contains.
     pub grids: Grids,
@@ -14,7 +14,7 @@ pub struct MapReport<'m> {
     pub map: &'m Map,
 }
 
-/// The boundaries between the regions of a map, with the map itself.
+/// The boundaries between the regions of a map, and the map itself.
 pub struct BoundaryReport<'m> {
     /// The map to which the boundaries belong.
     pub map: &'m MapReport<'m>,

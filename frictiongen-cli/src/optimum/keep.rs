@@ -87,7 +87,8 @@ fn values(bounds: &[QuantityArgument], largest: &[f64]) -> Vec<(MovingPart, f64,
         .collect()
 }
 
-/// Returns the failure for an error of the search. If no friction holds a bound, the failure names the bound.
+/// Returns the failure for an error of the search. If no friction keeps a quantity within its bound, the failure names
+/// this bound.
 fn failure(
     table: &OptimumTable<'_>,
     bounds: &[QuantityArgument],

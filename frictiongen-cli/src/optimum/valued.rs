@@ -9,7 +9,7 @@ use frictiongen::study::columns::bound;
 use frictiongen::study::response::MotionQuantity;
 use std::fmt::Display;
 
-/// A quantity with its value, as the command line gives them.
+/// A quantity and its value, which the user gives in one option.
 pub struct QuantityArgument {
     /// Name of the quantity.
     pub name: String,
@@ -21,7 +21,8 @@ pub struct QuantityArgument {
 }
 
 impl QuantityArgument {
-    /// Parses a name and a value. `wrong` converts an error to a failure whose message names the option and its text.
+    /// Parses a name and a value. `wrong` converts an error to a failure, whose message contains the name and the text
+    /// of the option.
     pub fn parsed(
         system: &System,
         (name, text): (&str, &str),
@@ -41,7 +42,8 @@ impl QuantityArgument {
                 &"a value with a unit needs the load; give --base, --force or --unbalance",
             ));
         }
-        // The non-dimensional groups in the result of an optimum refer to the load at r = 1.
+        // The result of the search has non-dimensional amplitudes that refer to the load at r = 1, so the value is
+        // converted with this load.
         let reference = system.angular_frequency(1.0);
         let unit = measure.convert(part.dimension(), 1.0, reference);
         Ok(Self {

@@ -1,5 +1,5 @@
-//! The option `--of` of `frictiongen optimum` with several quantities, each divided by its own value: `--of roof/5mm
-//! --of 'accel(roof)/2m/s2'`.
+//! The option `--of` of `frictiongen optimum` with several quantities. The command divides each quantity by its own
+//! value: `--of roof/5mm --of 'accel(roof)/2m/s2'`.
 
 use super::valued::QuantityArgument;
 use crate::asked::MovingPart;
@@ -9,7 +9,7 @@ use frictiongen::System;
 use frictiongen::study::columns::{Further, OptimumLine, OptimumTable};
 use frictiongen::study::optimum::{OptimumRequest, Weighted};
 
-/// Parses the quantities of `--of` with their values.
+/// Parses the quantities in the options `--of`, and the value by which the command divides each quantity.
 pub fn parsed(
     system: &System,
     texts: &[String],
@@ -31,9 +31,8 @@ pub fn parsed(
     texts.iter().map(one).collect()
 }
 
-/// Finds the best friction for all quantities together, and returns the lines of the result. The decisive quantity is
-/// the quantity whose quotient, the quantity divided by its value, is largest. `table` creates the table for the
-/// decisive quantity.
+/// Finds the friction that minimises the largest quotient of a quantity and its value, and returns the lines of the
+/// result. `table` creates the table for the quantity with the largest quotient.
 pub fn lines<'a>(
     table: &dyn Fn(&'a MovingPart) -> OptimumTable<'a>,
     request: &OptimumRequest,

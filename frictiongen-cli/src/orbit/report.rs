@@ -7,14 +7,14 @@ use crate::layout::Layout;
 use crate::output::{ResultTable, Visitor};
 use frictiongen::study::columns::{Column, OrbitRow, OrbitTable};
 
-/// The steady states, with the settings for their output.
+/// Steady states over frequency and friction, with the options for the output.
 pub struct OrbitReport {
     /// Grids, units, and the contact and masses whose motions the output contains.
     pub grids: Grids,
     /// Orders n of the harmonics in the output.
     pub orders: Vec<u32>,
-    /// True if the output contains every steady state that the search finds. If false, it contains only the state that
-    /// the motion from rest reaches.
+    /// True if the output contains every steady state that the search finds. If false, the output contains only the
+    /// steady state that motion from rest reaches.
     pub states: bool,
 }
 
@@ -45,7 +45,7 @@ impl ResultTable for OrbitReport {
                         .states(&at, frequency, friction)
                         .map_err(Failure::new)?;
                 }
-                // If the search finds no steady state, the line contains the reason.
+                // If the search finds no steady state, the table has a line with the reason.
                 if rows.is_empty() {
                     let row = table.row(&at, frequency, friction);
                     rows.push(row.map_err(Failure::new)?);

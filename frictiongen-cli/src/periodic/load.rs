@@ -84,8 +84,8 @@ fn table(arguments: &PeriodicArguments, system: &System) -> Result<PeriodicLoad,
     load.map_err(|error| told(&error))
 }
 
-/// Parses harmonics such as `1:100@0, 3:20@45`. Each harmonic has an order, an amplitude and a lag in degrees. Without
-/// a lag, the lag is 0.
+/// Parses harmonics such as `1:100@0, 3:20@45`. Each harmonic has an order, an amplitude and a lag in degrees. The lag
+/// is 0 if the text gives none.
 fn parsed(text: &str) -> Result<Vec<Harmonic>, Failure> {
     let one = |text: &str| {
         let wrong = || {

@@ -83,7 +83,7 @@ pub fn run(arguments: &PeriodicArguments, out: &mut dyn Write) -> Result<(), Fai
     })
 }
 
-/// Reads the scene from its description. With `--hold` the input is constant between samples.
+/// Reads the scene from its description. With `--hold` the scene keeps each force constant between samples.
 fn scene(arguments: &PeriodicArguments) -> Result<System, Failure> {
     let file = FileArgument {
         file: Some(arguments.scene.clone()),

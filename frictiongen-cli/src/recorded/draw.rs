@@ -15,11 +15,11 @@ use frictiongen_plot::{
 };
 use std::io::Write;
 
-/// The end of an axis, divided by the largest value on the axis.
+/// Upper end of an axis, as a multiple of the largest value that the axis shows.
 const ROOM: f64 = 1.15;
 
-/// Draws the residuals of an identification over frequency, divided by their standard deviations. The picture shows
-/// real parts, imaginary parts, and lines at ±2.
+/// Draws the residuals of an identification over frequency, as multiples of their standard deviations. The picture
+/// shows real parts, imaginary parts, and lines at ±2 standard deviations.
 pub fn residuals(
     system: &System,
     observations: &[Observation],

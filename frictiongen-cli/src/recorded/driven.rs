@@ -11,7 +11,7 @@ use frictiongen::measure::columns::{Driven, DrivenRow};
 use frictiongen::study::columns::Column;
 use serde_json::{Value as Json, json};
 
-/// Motion of a scene under a recorded input, with the settings for its output.
+/// Motion of a scene under a recorded input, with the options for the output.
 pub struct DrivenReport<'s> {
     system: &'s System,
     /// The contact and masses whose motions the output contains.
@@ -54,7 +54,7 @@ impl<'s> DrivenReport<'s> {
         })
     }
 
-    /// Returns the terms of the energy balance, each with its name and its value.
+    /// Returns the terms of the energy balance, each as a name and an energy in J.
     fn sums(&self) -> [(&'static str, f64); 4] {
         let Work {
             load,

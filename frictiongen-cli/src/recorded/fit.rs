@@ -14,7 +14,8 @@ use frictiongen::measure::columns::{fit_lines, motion_lines};
 use frictiongen::measure::{CsvRequest, Recording, SweepFit, SweepPoint};
 use std::io::Write;
 
-/// Fraction of the recorded motion above which the residuals contradict the description.
+/// Ratio of the residuals to the recorded motion above which the command warns that the description does not explain
+/// the recording.
 const UNEXPLAINED: f64 = 0.1;
 
 /// Runs `frictiongen fit`.

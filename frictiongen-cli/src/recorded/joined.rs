@@ -34,8 +34,8 @@ pub struct DriveRequest<'s> {
 }
 
 impl<'s> DriveRequest<'s> {
-    /// Returns the motions that `--of` names. Without names, returns all contacts and all masses. If the base moves,
-    /// the displacements of the masses are then relative to the base.
+    /// Returns the motions that the option `--of` names. Without names, returns all contacts and all masses. If the
+    /// base moves, these displacements of the masses are relative to the base.
     pub fn of(
         system: &'s System,
         names: &[String],
@@ -161,7 +161,7 @@ fn named(system: &System, name: &str, contacts: &[String]) -> Result<MovingPart,
     Ok(part)
 }
 
-/// Motion of several contacts under a recorded input, with the settings for its output.
+/// Motion of several contacts under a recorded input, with the options for the output.
 struct DriveReport<'a, 's> {
     asked: &'a DriveRequest<'s>,
     motion: JoinedDriven,
@@ -187,7 +187,7 @@ impl DriveReport<'_, '_> {
         ("friction energy", text)
     }
 
-    /// Returns the motion in the form that the picture needs.
+    /// Returns the motion in the type that the plotting library needs.
     #[cfg(feature = "pictures")]
     fn drawn(&self) -> JoinedMotion {
         let motion = &self.motion;

@@ -1,4 +1,4 @@
-//! Table of a result, with one quantity in each line: its value with an interval, and its unit.
+//! Table of a result, with one quantity in each line. The line contains the value with its interval, and the unit.
 
 use crate::failure::Failure;
 use crate::output::{ResultTable, Visitor};
@@ -7,7 +7,7 @@ use frictiongen::measure::columns::{QuantityLine, line_columns};
 use frictiongen::study::columns::Column;
 use serde_json::Value as Json;
 
-/// The quantities of a result, and the texts for the lines before them.
+/// The quantities of a result, and the texts that the output has before the quantities.
 pub struct ResultLines<'a> {
     /// The system that the result describes.
     pub system: &'a System,
@@ -15,7 +15,7 @@ pub struct ResultLines<'a> {
     pub lines: Vec<QuantityLine>,
     /// Titles and texts of the lines before the quantities.
     pub said: Vec<(&'static str, String)>,
-    /// Names and keys that JSON contains in addition to the titles and texts.
+    /// Names and texts that only the JSON output contains, in addition to the titles and texts in `said`.
     pub keys: Vec<(&'static str, &'static str)>,
 }
 

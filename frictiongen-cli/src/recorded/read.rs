@@ -1,4 +1,4 @@
-//! Reads recordings, and the scenes to which they belong.
+//! Reads recordings, and the description of the scene on which they were recorded.
 
 use crate::args::{FileArgument, RecordingArguments};
 use crate::asked::number_that;
@@ -11,7 +11,7 @@ use frictiongen_codegen::SizeLimits;
 use std::fs;
 use std::path::Path;
 
-/// Reads the scene to which the recordings belong.
+/// Reads the scene on which the recordings were made.
 pub fn scene(path: &Path) -> Result<System, Failure> {
     let file = FileArgument {
         file: Some(path.to_owned()),
@@ -20,8 +20,8 @@ pub fn scene(path: &Path) -> Result<System, Failure> {
     System::try_from(description.scene).map_err(Failure::new)
 }
 
-/// Reads the scene to which the recordings belong. It may have several contacts and dashpots. In this case its kinetic
-/// friction must be constant.
+/// Reads the scene on which the recordings were made. The scene may have several contacts and dashpots, but its kinetic
+/// friction must then be constant.
 pub fn any_scene(path: &Path) -> Result<System, Failure> {
     let file = FileArgument {
         file: Some(path.to_owned()),

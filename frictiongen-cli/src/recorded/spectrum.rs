@@ -13,12 +13,11 @@ use frictiongen::study::scene::Excitation;
 use frictiongen::study::units::hertz;
 use serde_json::{Value as Json, json};
 
-/// The response spectrum of a recorded base motion, with the settings for its output.
+/// The response spectrum of a recorded base motion, with the options for the output.
 pub struct ResponseSpectrumReport<'s> {
     system: &'s System,
     zeta: f64,
-    /// The peak responses. Those at the natural periods of the scene come first, and those over the whole range of
-    /// periods follow.
+    /// The peak responses: first those at the natural periods of the scene, then those over the whole range of periods.
     pub rows: Vec<SpectrumRow>,
 }
 

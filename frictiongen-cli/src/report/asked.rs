@@ -17,13 +17,13 @@ use frictiongen::{Of, System};
 const MOST_FRICTIONS: usize = 6;
 /// Largest number of masses for which the page shows every motion.
 const ALL_SHOWN: usize = 4;
-/// Default range of frequencies. It begins at the first number times the lowest resonance, and ends at the second
-/// number times the highest resonance.
+/// Default range of frequencies. The range begins at 0.3 times the lowest resonance, and ends at 1.5 times the highest
+/// resonance.
 pub const RANGE: [f64; 2] = [0.3, 1.5];
 /// Default frictions, divided by the median of β*_lim over the range of frequencies.
 pub const FRACTIONS: [f64; 3] = [0.1, 0.3, 0.7];
-/// Number of frequencies at which the command computes two quantities: β*_lim for its median, and the motion with the
-/// contact stuck for its largest value.
+/// Number of frequencies over the range. At these frequencies the command computes β*_lim for its median, and the
+/// motion with the contact stuck for its largest value.
 pub const PLACES: usize = 401;
 
 /// Scene, range, units and motions that the report page shows.
@@ -38,7 +38,7 @@ pub struct ReportRequest {
     pub parts: Vec<MovingPart>,
     /// Friction ratios β that the user gave. `None` for the default frictions.
     pub frictions: Option<Vec<f64>>,
-    /// Sentences that tell the reader what the command has chosen, and by which rule it has chosen.
+    /// Sentences for the reader about the values that the command has chosen, and about the rule for each choice.
     pub chosen: Vec<String>,
 }
 
@@ -89,12 +89,12 @@ impl ReportRequest {
         })
     }
 
-    /// Returns `count` evenly spaced frequency ratios over the range, including both bounds.
+    /// Returns `count` evenly spaced frequency ratios r over the range of the page, including both bounds.
     pub fn even(&self, count: usize) -> impl Iterator<Item = f64> + use<> {
         evenly(&self.band, count)
     }
 
-    /// Returns the masses in descending order of their largest motion with the contact stuck.
+    /// Returns the indices of the masses, in descending order of the largest amplitude with the contact stuck.
     pub fn farthest_if_stuck(&self) -> Vec<usize> {
         farthest_if_stuck(&self.system, &self.band)
     }
@@ -104,7 +104,7 @@ impl ReportRequest {
         self.system.scene().stiffness.is_some()
     }
 
-    /// Returns the finite values of β*_lim over the range, in ascending order.
+    /// Returns the finite values of β*_lim at frequencies over the range, in ascending order.
     pub fn sliding_limits(&self) -> Vec<f64> {
         let at = |r: f64| Some(self.system.at(r).ok()?.sliding_limit());
         let mut limits: Vec<f64> = self.even(PLACES).filter_map(at).collect();
@@ -113,8 +113,8 @@ impl ReportRequest {
         limits
     }
 
-    /// Returns the frictions of the curves, in ascending order. They are the frictions that the user gave. If the user
-    /// gave none, they are the default frictions and the best friction.
+    /// Returns the frictions of the curves, in ascending order. The function returns the user's frictions. Without
+    /// these, it returns the default frictions and the best friction.
     pub fn levels(&mut self, best: Option<f64>) -> Vec<f64> {
         if let Some(given) = &self.frictions {
             return given.clone();
@@ -136,8 +136,8 @@ impl ReportRequest {
             if best.is_some() { ", and the best friction" } else { "" },
         ));
         if let Some(best) = best.filter(|best| 0.0 < *best && best.is_finite()) {
-            // A reader could not distinguish a curve close to the curve of the best friction. The code therefore leaves
-            // out its friction.
+            // A reader could not distinguish a curve that is close to the curve of the best friction. The code
+            // therefore drops the friction of such a curve.
             levels.retain(|level| 0.05 * best < (level - best).abs());
             levels.push(best);
         }
@@ -177,7 +177,7 @@ pub fn given_frictions(
     Ok(Some(given))
 }
 
-/// Returns evenly spaced frequency ratios over a range, including both bounds.
+/// Returns `count` evenly spaced frequency ratios r over a range, including both bounds.
 fn evenly(band: &Band, count: usize) -> impl Iterator<Item = f64> + use<> {
     let (from, to) = (band.from, band.to);
     let steps = count.max(2) - 1;
@@ -190,7 +190,8 @@ fn evenly(band: &Band, count: usize) -> impl Iterator<Item = f64> + use<> {
     })
 }
 
-/// Returns the masses in descending order of their largest motion with the contact stuck.
+/// Returns the indices of the masses, in descending order of the largest amplitude over the range with the contact
+/// stuck.
 fn farthest_if_stuck(system: &System, band: &Band) -> Vec<usize> {
     let stuck = evenly(band, PLACES).filter_map(|r| system.at(r).ok()?.stuck().ok());
     let mut most = vec![(0.0_f64, 0); system.scene().masses.len()];
@@ -223,8 +224,9 @@ fn automatic(system: &System, in_hertz: bool) -> Band {
     )
 }
 
-/// Returns the contact and masses that the page shows. For a long chain it returns only the most important ones. If a
-/// mass slides on a wall, the contact has the same motion as this mass. The list then does not contain the contact.
+/// Returns the contact and masses that the page shows. For a long chain, the function chooses only some masses: those
+/// at the contact and at the load, the last mass, and the mass that moves farthest with the contact stuck. If a mass
+/// slides on a wall, the contact moves as this mass does, so the list does not contain the contact.
 fn shown(
     system: &System,
     band: &Band,

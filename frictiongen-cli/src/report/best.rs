@@ -20,12 +20,13 @@ const MOST_MASSES: usize = 16;
 /// `frictiongen optimum`, because the page should be ready within seconds.
 const WORK: usize = 150_000;
 /// Largest number of motions for which the command searches the best friction, in a chain of at most [`ALL_MOTIONS`]
-/// masses.
+/// masses. A motion is the displacement of a mass or of the contact.
 const MOST_MOTIONS: usize = 4;
-/// Largest number of masses in a short chain. For a longer chain, the command searches the best friction for
-/// [`MOST_OF_LONG`] motions.
+/// Largest number of masses for which the command searches the best friction for up to `MOST_MOTIONS` motions. For a
+/// longer chain, it searches for at most [`MOST_OF_LONG`] motions.
 const ALL_MOTIONS: usize = 4;
-/// Largest number of motions for which the command searches the best friction, in a longer chain.
+/// Largest number of motions for which the command searches the best friction, in a chain of more than `ALL_MOTIONS`
+/// masses.
 const MOST_OF_LONG: usize = 2;
 
 /// Best friction for one motion, or the reason why the search found none.
@@ -49,7 +50,7 @@ pub fn search(asked: &ReportRequest) -> Result<Vec<Best>, String> {
     let parts = asked.parts.iter();
     let parts = parts.filter(|part| only_contact || part.of != Of::Contact);
     let mut parts: Vec<MovingPart> = parts.cloned().collect();
-    // The command searches only for the motions that are largest with the contact stuck.
+    // The command searches only for the masses with the largest amplitudes while the contact is stuck.
     let farthest = asked.farthest_if_stuck();
     let rank = |part: &MovingPart| match part.of {
         Of::Mass(mass) => farthest.iter().position(|other| *other == mass),
@@ -87,17 +88,17 @@ pub fn limits(best: &Result<Vec<Best>, String>) -> Option<(f64, f64)> {
     Some((found.free_of_sticking, found.locked))
 }
 
-/// Returns the range of friction ratios in which the largest amplitude is at most 10 % above the best amplitude.
+/// Returns the range of friction ratios β in which the largest amplitude is at most 10 % above the best amplitude.
 pub fn within(optimum: &Optimum) -> Option<(f64, f64)> {
     let widest = optimum.tolerances.last();
     widest.map(|widest| (widest.from, widest.to))
 }
 
-/// Returns the result for the motion with the largest best amplitude.
+/// Returns the motion whose largest amplitude at its own best friction exceeds that of all other motions.
 pub fn worst(best: &Result<Vec<Best>, String>) -> Option<(&Best, &Optimum)> {
     let all = best.as_ref().ok()?.iter();
     let found = all.filter_map(|best| Some((best, best.found.as_ref().ok()?)));
-    // A mass that is at rest while the contact sticks does not count, because friction can stop it completely.
+    // A mass that rests while the contact sticks does not count, because a large friction can stop it completely.
     let found = found.filter(|(_, answer)| 0.0 < answer.amplitude);
     found.max_by(|a, b| a.1.amplitude.total_cmp(&b.1.amplitude))
 }
@@ -109,7 +110,7 @@ fn damping(optimum: &Optimum, asked: &ReportRequest) -> Option<f64> {
     response.largest(Of::Contact, MotionQuantity::Damping)
 }
 
-/// Returns words for the reason why every other friction gives a larger amplitude.
+/// Returns words that explain why every other friction gives a larger amplitude.
 pub fn kind(optimum: &Optimum) -> &'static str {
     match (optimum.kind, optimum.end) {
         (_, OptimumEnd::WorkSpent) => {

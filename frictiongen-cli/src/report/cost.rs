@@ -13,17 +13,17 @@ use serde_json::{Value as Json, json};
 
 /// Largest number of masses for which the command compares results with double-double precision.
 const MOST_COMPARED: usize = 16;
-/// Number of frequencies at which the command compares results with double-double precision.
+/// Number of frequencies at which the command compares the results with double-double precision.
 const PLACES: usize = 101;
 /// Largest number of masses for which the command builds tables of declared accuracy.
 const MOST_TABLED: usize = 4;
-/// Accuracy that the command declares for the tables: largest relative error of a result.
+/// Largest relative error that the command declares for results from the tables.
 const DECLARED: f64 = 1e-4;
 
-/// Number of steps of the stepper in a period of the highest resonance.
+/// Number of steps that the stepper makes in one period of the highest resonance.
 const STEPS_OF_A_PERIOD: f64 = 20.0;
 
-/// Largest differences between results and the same results in double-double precision.
+/// Largest differences between results of a solver and the same results in double-double precision.
 struct MeasuredErrors {
     precision: &'static str,
     continuous: f64,
@@ -43,8 +43,8 @@ struct TableCosts {
     operations: usize,
 }
 
-/// Upper bounds on the evaluations, the memory and the operations of the emitted solvers. They follow from the numbers
-/// of masses and modes.
+/// Upper bounds on the evaluations, the memory and the operations of the emitted solvers. The numbers of masses and
+/// modes determine these bounds.
 struct SolverBounds {
     /// Largest number of evaluations of the modal sum in a search for β_lim.
     limit: Option<u32>,
@@ -52,8 +52,8 @@ struct SolverBounds {
     amplitude: u32,
     /// Memory for a steady state with stops, in bytes.
     orbit: usize,
-    /// Length of a step of the stepper in seconds, and two numbers of operations: of a step that uses only the constant
-    /// tables, and of a step with one event. `None` if the scene declares no step.
+    /// Step length of the stepper in s, and two numbers of operations. The first number is for a step that uses only
+    /// the constant tables, the second for a step with one event. `None` if the scene declares no step.
     step: Option<(f64, u64, u64)>,
 }
 

@@ -7,8 +7,8 @@ use frictiongen::study::{
 };
 use frictiongen::{Error, Of, Regime};
 
-/// Friction ratio with which the contact is stuck, except very close to a resonance of the chain with its contact
-/// stuck.
+/// Friction ratio β that is large enough to keep the contact stuck, except very close to a resonance of the stuck
+/// chain.
 pub const STUCK: f64 = 1e9;
 
 /// Regime, amplitude and phase of a motion, or the reason why no motion was found.
@@ -19,7 +19,8 @@ pub type FoundMotion = Result<(Regime, Swing), Error>;
 pub fn found(asked: &ReportRequest, r: f64, beta: f64, of: Of) -> FoundMotion {
     let at = asked.system.at(r)?;
     let rest = Swing::REST;
-    // A stuck elastic contact moves with its spring. The computation after this block gives its motion.
+    // A rigid stuck contact is at rest. A stuck elastic contact moves with its spring, and the code below computes its
+    // motion.
     if beta == STUCK && !asked.is_elastic() {
         let stuck = at.stuck()?;
         let swing = match of {
@@ -56,8 +57,8 @@ pub fn line_styles(elastic: bool) -> &'static str {
     }
 }
 
-/// Computes the answers to several questions in parallel. Each question has a thread of its own, because there are only
-/// a few questions and each takes seconds.
+/// Computes the answers to several questions in parallel. Each question has its own thread, because there are only a
+/// few questions, and each question takes seconds.
 pub fn at_once<Q: Send, A: Send>(questions: Vec<Q>, answer: impl Fn(Q) -> A + Sync) -> Vec<A> {
     let answer = &answer;
     std::thread::scope(|scope| {
@@ -67,7 +68,7 @@ pub fn at_once<Q: Send, A: Send>(questions: Vec<Q>, answer: impl Fn(Q) -> A + Sy
         let threads: Vec<_> = threads.collect();
         let answers = threads.into_iter().map(|thread| match thread.join() {
             Ok(answer) => answer,
-            // If a thread panics, this thread continues the panic, as if it had computed the answer itself.
+            // If the thread of a question has panicked, the calling thread panics with the same message.
             Err(panic) => std::panic::resume_unwind(panic),
         });
         answers.collect()

@@ -1,4 +1,4 @@
-//! The playground in the report. In it, a reader can change numbers and see the results.
+//! The playground in the report, in which a reader can change numbers and see the results.
 
 use super::asked::ReportRequest;
 use crate::play;

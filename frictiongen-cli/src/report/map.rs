@@ -29,7 +29,7 @@ const ROWS: usize = 31;
 /// Contents of the section about regimes.
 pub struct Regimes {
     lines: LimitLines,
-    /// The map. `None` for a long chain, because its steady states would take too long.
+    /// The map of the regimes. `None` for a long chain, because its steady states would take too long.
     map: Option<Map>,
     /// True if the map ends before its last frequency because the user pressed Ctrl-C.
     pub is_cut: bool,
@@ -74,8 +74,8 @@ impl Regimes {
                 (low.min(limit), high.max(limit))
             })
         };
-        // The extreme values from the search for the best friction are more accurate than those from a drawn line,
-        // which has only some points.
+        // If the search for the best friction has found the extreme values, they are more accurate than the few points
+        // of a drawn line.
         let (continuous_to, stuck_from) = known.unwrap_or_else(|| {
             (
                 ends(|limits| limits.continuous.min(limits.sliding)).0,
@@ -102,7 +102,7 @@ impl Regimes {
             Some((columns, count)) => {
                 let step = (to - from) / columns as f64;
                 let rise = top / count as f64;
-                // The points of the map are the middles of cells that fill the range.
+                // Each point of the map is the centre of a cell. The cells fill the whole range.
                 let request = MapRequest {
                     r: (0..columns)
                         .map(|i| from + step * (i as f64 + 0.5))
@@ -206,7 +206,7 @@ impl Regimes {
         )
     }
 
-    /// Returns the regime of each cell of the map, row by row from the smallest friction upwards.
+    /// Returns the regime of the contact in each cell of the map, row by row from the smallest friction upwards.
     fn cells(&self, asked: &ReportRequest) -> Json {
         let Some(map) = &self.map else {
             return Json::Null;
@@ -217,7 +217,8 @@ impl Regimes {
         for row in 0..map.beta.len() {
             for column in &map.columns {
                 let name = match column.points.get(row) {
-                    // While an elastic contact sticks, it moves with its spring.
+                    // An elastic contact that sticks does not stop, because it moves with its spring. The text
+                    // therefore says "sticks".
                     Some(Ok(point)) if asked.is_elastic() => {
                         does(point.pattern).replace("stops", "sticks")
                     }

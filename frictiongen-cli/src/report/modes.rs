@@ -13,15 +13,15 @@ use serde_json::{Value as Json, json};
 const MOST_DRAWN: usize = 5;
 /// Largest number of modes in the table. The JSON data contain all modes.
 const MOST_LISTED: usize = 16;
-/// Largest participation of a mode that is treated as zero, divided by the largest participation of all modes.
+/// Largest participation that the table shows as zero, as a fraction of the largest participation of all modes.
 const NONE: f64 = 1e-12;
 
-/// A vibration mode of the chain, as the page shows it.
+/// A vibration mode of the chain, with the numbers that the page shows.
 struct ModeRow {
     r: f64,
     hertz: f64,
     zeta: f64,
-    /// Displacement of each mass in the mode. The largest displacement is 1 or −1.
+    /// Displacement of each mass in the mode, scaled so that the largest displacement is 1.
     shape: Vec<f64>,
     load: f64,
     contact: f64,

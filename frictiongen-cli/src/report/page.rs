@@ -42,7 +42,7 @@ pub struct ReportPage<'a> {
     pub best: Result<Vec<Best>, String>,
     /// Contents of the section about cost and accuracy of the emitted code.
     pub cost: CostSection,
-    /// The page of the playground with the description, if the user asks for it.
+    /// The page of the playground with the description, if the user requests the playground.
     pub live: Option<String>,
 }
 
@@ -119,8 +119,9 @@ impl ReportPage<'_> {
     }
 }
 
-/// Returns a whole page: its head with the security policy, the `main` part, the data, and the script if there is one.
-/// `name` is the name of the scene, `file` the name of the description, and `documentation` its doc comments.
+/// Returns a whole page: the head with the security policy, the `main` element, the data, and the script if there is
+/// one. `name` is the name of the scene. `file` is the name of the description, and `documentation` contains its doc
+/// comments.
 pub fn document(
     policy: &str,
     name: &str,

@@ -1,28 +1,28 @@
-//! A picture of the report with the data of its curves. From these data, the page shows the values under the pointer.
+//! A picture of the report with the data of its curves. The page uses these data to show the values under the pointer.
 
 use super::words::rounded;
 use frictiongen_plot::{Colour, Figure, Label, Layer, Page, PanelFrame, Scale, Stroke};
 use maud::{Markup, PreEscaped, html};
 use serde_json::{Value as Json, json};
 
-/// Largest distance between a curve and straight lines through its data. It is a sum of two terms: the first number
-/// times the value of the curve at the position, and the second number times the largest value of the curve.
+/// Largest distance between a curve and the straight lines through its data points. The distance is the first number
+/// times the local value of the curve, plus the second number times the curve's largest value.
 const STRAYS: [f64; 2] = [5e-4, 2e-5];
 
 /// A curve of a panel, in the units of the panel's axes.
 pub struct PlotCurve {
     name: String,
     colour: Colour,
-    /// Pieces of the curve with their regime. The regime is `None` if the strokes do not show it.
+    /// Pieces of the curve, each group with its regime. The regime is `None` if the strokes do not show regimes.
     runs: Vec<(Option<&'static str>, Pieces)>,
 }
 
-/// Points of each piece of a curve. Lines join the points of one piece.
+/// The points of each piece of a curve. Straight lines join the points of a piece, but not two pieces.
 type Pieces = Vec<Vec<(f64, f64)>>;
 
 impl PlotCurve {
-    /// Creates a curve from the layers of the figure that draw it. If `by_regime` is true, the stroke of a layer gives
-    /// the regime of its pieces.
+    /// Creates a curve from the layers that draw it in a figure. If `by_regime` is true, the stroke of a layer
+    /// determines the regime of its pieces.
     pub fn of(name: &Label, colour: Colour, layers: &[Layer], by_regime: bool) -> Self {
         let lines = layers.iter().filter_map(|layer| match layer {
             Layer::Line(line) => Some(line),
@@ -65,8 +65,8 @@ impl PlotCurve {
     }
 }
 
-/// Removes points from a piece of a curve as long as straight lines through the remaining points stay close to the
-/// curve. A curve that ends at a pole or at the bound of the range has many more points than a picture needs.
+/// Removes the points of a curve piece that a picture does not need. Straight lines through the remaining points stay
+/// close to the curve. A curve that ends at a pole or at the bound of the range has many such points.
 fn thinned(piece: &[(f64, f64)], most: f64) -> Vec<(f64, f64)> {
     let [relative, absolute] = STRAYS;
     let mut kept = vec![false; piece.len()];
@@ -181,7 +181,7 @@ impl Plot {
     pub fn html(&self) -> Markup {
         html! {
             figure.plot data-plot=(self.id) aria-label=(self.title) {
-                // This text comes from frictiongen-plot, which escapes every word in it.
+                // The crate frictiongen-plot has made this SVG text, and has escaped every word of the user in it.
                 div.paper { (PreEscaped(&self.svg)) }
             }
         }

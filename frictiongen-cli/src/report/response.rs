@@ -25,10 +25,11 @@ const ROWS: usize = 31;
 const MOST_STRETCHES: usize = 6;
 /// Bound on the work of one curve, in units of about 10 µs. A page has up to eight curves.
 const WORK: usize = 60_000;
-/// Smallest amplitude on an axis, divided by the largest. The axis then has at most four decades.
+/// Smallest lower end of an amplitude axis, as a fraction of the largest amplitude. The axis therefore shows about four
+/// decades at most.
 const DECADES: f64 = 1e-4;
 
-/// A curve over frequency at one friction, with its name.
+/// A response curve over frequency at one friction, with the name of the curve.
 struct FrictionCurve {
     name: String,
     beta: f64,
@@ -39,8 +40,8 @@ struct FrictionCurve {
 /// Contents of the section about amplitudes and phases.
 pub struct Responses {
     levels: Vec<FrictionCurve>,
-    /// Motions in the table. Each frequency has a list for each friction. In the list, each contact or mass has one
-    /// entry.
+    /// Rows of the table. Each row has a frequency ratio r and, for each friction, a list with the motion of each
+    /// contact or mass.
     rows: Vec<(f64, Vec<Vec<FoundMotion>>)>,
 }
 
@@ -104,8 +105,8 @@ impl Responses {
         Ok(Self { levels, rows })
     }
 
-    /// Returns the regimes along a curve, each with its range of frequencies. Returns `None` if the curve has more
-    /// ranges than the page can list. `elastic` selects the words for an elastic contact.
+    /// Returns the regimes along a curve, each with its lowest and highest frequency ratio r. Returns `None` if the
+    /// curve has more such ranges than the page can list. If `elastic` is true, the words are for an elastic contact.
     pub fn stretches(&self, beta: f64, elastic: bool) -> Option<Vec<(&'static str, f64, f64)>> {
         let level = self.levels.iter().find(|level| level.beta == beta)?;
         let mut found: Vec<(&'static str, f64, f64)> = Vec::new();
@@ -212,8 +213,9 @@ impl Responses {
         )
     }
 
-    /// Returns the bounds of the amplitude axis for a motion. All finite amplitudes lie within the bounds. If an
-    /// amplitude is unbounded, the upper bound is a fixed multiple of the amplitudes at evenly spaced frequencies.
+    /// Returns the lower and the upper end of the amplitude axis for a motion. The upper end is 1.3 times the largest
+    /// amplitude. For a curve with a pole, at most three times the largest amplitude in the table counts. The lower end
+    /// is the smallest amplitude, but at least 1e-4 and at most 0.1 times the largest amplitude.
     fn ends(&self, part: usize, words: &PageUnits) -> (f64, f64) {
         let sizes = |level: &FrictionCurve| -> Vec<f64> {
             let points = level.curve.pieces.iter().flat_map(|piece| &piece.points);
@@ -278,7 +280,7 @@ impl Responses {
         }
     }
 
-    /// Returns the largest amplitude of a curve, with its frequency ratio r and its regime.
+    /// Returns the largest amplitude of a motion on a curve, with its frequency ratio r and its regime.
     fn peak(level: &FrictionCurve, part: usize) -> Option<(f64, f64, Regime)> {
         let points = level.curve.pieces.iter().flat_map(|piece| &piece.points);
         let sizes = points.filter_map(|point| {
@@ -384,8 +386,8 @@ impl Responses {
     }
 }
 
-/// Returns the accuracy of a curve: the largest relative deviation of straight lines through its points. With more
-/// masses the accuracy is coarser, because the steady states of long chains take longer.
+/// Returns the accuracy of a curve, which is the largest relative deviation of straight lines through its points. The
+/// accuracy is coarser for more masses, because the steady states of long chains take longer.
 fn accuracy(masses: usize) -> f64 {
     match masses {
         0..=4 => 5e-4,
@@ -394,7 +396,7 @@ fn accuracy(masses: usize) -> f64 {
     }
 }
 
-/// Returns the two bounds of a phase axis.
+/// Returns the lower and the upper end of a phase axis, in degrees.
 fn turns(layers: &[Layer]) -> (f64, f64) {
     let lines = layers.iter().filter_map(|layer| match layer {
         Layer::Line(line) => Some(line.pieces.iter().flatten()),

@@ -98,7 +98,7 @@ pub fn html(asked: &ReportRequest) -> Markup {
         section #scene {
             h2 { "The chain" }
             @match drawing(scene, &asked.words.measure) {
-                // This text comes from frictiongen-plot, which escapes every word in it.
+                // The crate frictiongen-plot has made this SVG text, and has escaped every word of the user in it.
                 Some(svg) => div.scroll.paper.sketch tabindex="0" role="region" aria-label="Drawing of the chain" { (PreEscaped(svg)) },
                 None => p { "A chain of " (scene.masses.len()) " masses is not drawn; its values are in the tables." },
             }

@@ -7,7 +7,7 @@ use frictiongen::study::units;
 use frictiongen_plot::desk::Scales;
 use serde_json::Value as Json;
 
-/// Units in which the report page shows its numbers.
+/// Units in which the report page shows frequencies, frictions and displacements.
 #[derive(Clone, Copy, Debug)]
 pub struct PageUnits {
     /// Units of the axes of the page's pictures.

@@ -11,7 +11,7 @@ use frictiongen::study::units::LoadScale;
 /// Largest number of cycles, largest number of skipped cycles, and largest number of samples in a cycle.
 const MOST: u32 = MOST_SAMPLES as u32;
 
-/// Length and form of the motion over time that the user requests.
+/// Length of the motion over time that the user requests, and the form of its output.
 #[derive(Clone, Copy, Debug)]
 pub struct TimeRequest {
     /// Number of cycles of the excitation in the output.
@@ -27,7 +27,7 @@ pub struct TimeRequest {
 }
 
 impl TimeRequest {
-    /// One period of the steady state, in samples that a picture needs.
+    /// Request for one period of the steady state, with as many samples as a picture needs.
     #[cfg(feature = "pictures")]
     pub const PERIOD: Self = Self {
         cycles: 1,
@@ -64,7 +64,7 @@ impl TimeRequest {
 /// An initial state: displacements and velocities of all masses, as non-dimensional groups.
 pub type InitialState = (Vec<f64>, Vec<f64>);
 
-/// Parses the initial state in the option `--from`. Under a load, the state is in the units of the load.
+/// Parses the initial state in the option `--from`. Under a load, the state is in m and m/s.
 pub fn start(
     text: &str,
     system: &System,
@@ -73,8 +73,8 @@ pub fn start(
     state(text, system, course.measure.scale(), course.frequency.omega)
 }
 
-/// Parses a state. If a load is given, the state is in the units of the load. `omega` is the angular frequency ω in
-/// rad/s.
+/// Parses an initial state, and returns non-dimensional groups. If a load is given, the text is in m and m/s. `omega`
+/// is the angular frequency ω of the excitation in rad/s.
 pub fn state(
     text: &str,
     system: &System,

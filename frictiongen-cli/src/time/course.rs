@@ -7,7 +7,7 @@ use frictiongen::study::columns::{
     Frequency, FrequencyUnit, FrictionSetting, HistoryTable, Setting,
 };
 
-/// Settings of a motion over time: frequency, friction, units, and the list of motions.
+/// Settings of a motion over time: frequency, friction, units, and the motions in the output.
 pub struct RunSettings<'a> {
     /// The system whose motion the output contains.
     pub system: &'a System,
@@ -26,7 +26,7 @@ pub struct RunSettings<'a> {
 }
 
 impl RunSettings<'_> {
-    /// Returns the tables of the motion over time.
+    /// Returns the tables of samples and events, with the units of this motion over time.
     pub fn table(&self) -> HistoryTable<'_> {
         HistoryTable {
             setting: Setting {

@@ -12,7 +12,7 @@ use frictiongen::study::{
 use frictiongen::{NoOrbit, Of};
 use serde_json::{Value as Json, json};
 
-/// A motion over time, with the settings for its output.
+/// A motion over time, with the options for the output.
 pub struct RunMotion<'a> {
     /// Settings of the motion: frequency, friction, units, and the list of motions.
     pub course: RunSettings<'a>,
@@ -20,9 +20,9 @@ pub struct RunMotion<'a> {
     pub history: History,
     /// Exact spectrum of each motion. The list is empty unless the user has requested the spectrum of a steady state.
     pub exact: Vec<Spectrum>,
-    /// Words for the kind of motion: from rest, from a state, or a steady state.
+    /// Words for the start of the motion: from rest, from a given state, or a steady state.
     kind: &'static str,
-    /// Regime of the motion if it is a steady state. Otherwise `None`.
+    /// Regime of the motion, if the motion is a steady state. Otherwise `None`.
     regime: Option<&'static str>,
 }
 
@@ -74,7 +74,7 @@ impl<'a> RunMotion<'a> {
         })
     }
 
-    /// Returns frequency and friction of the motion, each with its name.
+    /// Returns the frequency and the friction of the motion, each as a name and a value.
     fn point(&self) -> impl Iterator<Item = (String, Cell<'static>)> {
         let (course, setting) = (&self.course, self.course.table().setting);
         let frequency = setting.frequency_columns().into_iter();
@@ -86,7 +86,7 @@ impl<'a> RunMotion<'a> {
         frequency.chain(friction)
     }
 
-    /// Returns the fields of the JSON object that belong to the whole motion, not to one sample.
+    /// Returns the JSON fields that describe the whole motion, not one of its samples.
     pub fn head(&self) -> Vec<(String, Json)> {
         let history = &self.history;
         let point = self.point();
@@ -132,7 +132,7 @@ impl<'a> RunMotion<'a> {
     }
 }
 
-/// Returns the message for an error. The message contains the names of the command's options.
+/// Returns an error message that contains the names of the command's options.
 fn told(error: HistoryError) -> Failure {
     match error {
         HistoryError::TooManySamples => {

@@ -23,8 +23,8 @@ pub(super) fn chosen(arms: &[Arm], all: usize) -> (TokenStream, TokenStream) {
             statements,
             value,
         } = only;
-        // A single arm for all masses needs no check of the index, because its look-up of the mode shape returns `None`
-        // for a mass that does not exist. If the shapes fold away, the code has no look-up.
+        // A single arm for all masses needs no check of the index. Its look-up of the mode shape returns `None` for a
+        // mass that does not exist. If the shapes fold away, the code has no look-up and needs the check.
         if masses.len() == all && mentions(statements, "mass") {
             return (statements.clone(), value.clone());
         }

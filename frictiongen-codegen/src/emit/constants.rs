@@ -279,7 +279,7 @@ fn mode_constant(emission: &Emission<'_>, mode: &Mode<f64>, first: bool) -> Toke
     code!(Mode { #fields })
 }
 
-/// Emits the variant name of a damping kind.
+/// Emits the name of the enum variant for a kind of damping.
 pub(super) fn kind(kind: Kind) -> TokenStream {
     match kind {
         Kind::Undamped => code!(Undamped),
@@ -325,7 +325,8 @@ fn answers(emission: &Emission<'_>) -> String {
 }
 
 /// Returns the expression for the relative displacement of the contact on a moving base for r → 0. The expression is
-/// the name `AT_REST` of an emitted constant. For 0, 1 and −1, which the formulas fold, it is the number itself.
+/// the name `AT_REST` of an emitted constant. For 0, 1 and −1, which the formulas fold, the expression is the number
+/// itself.
 fn at_rest_by_name(emission: &Emission<'_>, at_rest: f64) -> TokenStream {
     if at_rest == 0.0 || at_rest.abs() == 1.0 {
         emission.literal(at_rest)

@@ -119,8 +119,8 @@ pub(super) fn emit(emission: &Emission<'_>, wanted: &Wanted<'_>) -> DynamicsCons
     }
 }
 
-/// Emits all modes of the chain. If the constant `MODES` of the steady response has the same modes, emits a reference
-/// to `MODES`.
+/// Emits all modes of the chain. Emits a reference to `MODES`, the modes of the steady response, if `MODES` has the
+/// same modes.
 fn modes(emission: &Emission<'_>, transient: &Transient<f64>) -> TokenStream {
     let all = |modes: &[Mode<f64>]| {
         let modes = mode_constants(emission, modes);

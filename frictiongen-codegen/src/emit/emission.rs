@@ -16,7 +16,7 @@ use proc_macro2::{Ident, TokenStream, TokenTree};
 /// modes. With fewer modes, each mass has its own straight-line code.
 const SUMS_FROM: usize = 3;
 
-/// Data of a scene from which its items are emitted.
+/// Data of a scene from which the generator emits the items of the scene.
 pub(super) struct Emission<'a> {
     pub description: &'a Description,
     pub scene: &'a Scene,
@@ -97,8 +97,9 @@ impl<'a> Emission<'a> {
         bound(&self.constant_names(), body, &code!(&Self::MODES))
     }
 
-    /// Emits the statements that bind the inputs of a motion's formulas: 1/r, the sums V, H, U, G and H_c of the
-    /// contact, the modes and their constants. The statements bind only names that occur in `body`.
+    /// Emits the statements that bind the inputs of a motion's formulas. The inputs are 1/r, the sums V, H, U, G and
+    /// H_c of the contact, the modes at a frequency and their constants. The statements bind only names that occur in
+    /// `body`.
     pub fn inputs(&self, body: &TokenStream) -> TokenStream {
         let mut inputs = TokenStream::new();
         if mentions(body, "inverse_r") {
@@ -112,8 +113,8 @@ impl<'a> Emission<'a> {
         inputs
     }
 
-    /// Emits the statement that binds the components of a mass in the mode shapes. It binds only names that occur in
-    /// `body`.
+    /// Emits the statement that binds the components of a mass in the mode shapes. The statement binds only names that
+    /// occur in `body`.
     pub fn shape(&self, body: &TokenStream) -> TokenStream {
         let names = self.numbered("shape");
         let source = code!(*Self::SHAPES.get(mass)?);

@@ -93,13 +93,13 @@ impl Fnv {
         }
     }
 
-    /// Hashes a variant. The caller then hashes the fields of the variant.
+    /// Hashes the number of an enum variant with fields. The caller then hashes these fields.
     fn variant(&mut self, variant: u8) -> &mut Self {
         self.unit(variant);
         self
     }
 
-    /// Hashes a variant without fields.
+    /// Hashes the number of an enum variant without fields.
     fn unit(&mut self, variant: u8) {
         self.bytes(&[variant]);
     }
@@ -134,7 +134,7 @@ impl Fnv {
             hash.text(&contact.name);
             hash.node(contact.sides.from);
             hash.node(contact.sides.to);
-            // A rigid contact is one of infinite stiffness.
+            // The hash treats a rigid contact as one of infinite stiffness.
             hash.number(contact.law.stiffness.unwrap_or(f64::INFINITY));
             hash.numbers(&[contact.law.stiction, contact.law.share]);
         });

@@ -43,7 +43,7 @@ pub(super) fn emit(emission: &Emission<'_>) -> Stage {
     } else {
         &FROM_BASE
     };
-    // The emitted code has plain zeros for the terms that are 0 without damping.
+    // Without damping some terms are 0. The emitted code has plain zeros for them.
     let undamped = (!emission.damped())
         .then(|| code!(#[doc = " Without damping r²G, r²H_c and the imaginary parts are 0."]));
     let about = code! {
@@ -133,8 +133,8 @@ fn single(emission: &Emission<'_>) -> (TokenStream, OperationCount) {
     (body, count)
 }
 
-/// Emits the frequency stage of a scene with several modes as straight-line code: the response of each mode at r,
-/// then the sums V, H, U, G and H_c over the modes.
+/// Emits the frequency stage of a scene with several modes as straight-line code. The code computes the response of
+/// each mode at r, and then the sums V, H, U, G and H_c over the modes.
 fn straight(emission: &Emission<'_>) -> (TokenStream, OperationCount) {
     let graph = emission.graph(emission.modes());
     let tracer = Tracer::over_constants(&graph, &emission.modal, emission.precision);
@@ -164,8 +164,8 @@ fn straight(emission: &Emission<'_>) -> (TokenStream, OperationCount) {
     (body, count)
 }
 
-/// Emits the response of each mode at r, then for each mode a call of the kernel function that adds the mode to the
-/// sums V, H, U, G and H_c. The compiler inlines these calls, so the compiled code is that of straight-line code.
+/// Emits the response of each mode at r. Then emits, for each mode, a call of the kernel function that adds the mode to
+/// the sums V, H, U, G and H_c. The compiler inlines these calls, so the compiled code is that of straight-line code.
 fn summed(emission: &Emission<'_>) -> (TokenStream, OperationCount) {
     let (calls, blocks, count) = blocks(emission);
     let graph = emission.graph(emission.modes());
@@ -312,7 +312,7 @@ fn passes(emission: &Emission<'_>, kind: Kind) -> (TokenStream, OperationCount) 
     let response = tracer.response("response");
     let at = chain.scaled(&response, graph.input("sum.scale"), false, 0);
     let sum = symbolic_sum(&graph, damped);
-    // If modes have a load in quadrature, the loop binds the two numbers of that load.
+    // If modes have a load in quadrature with the base's motion, the loop binds the two numbers of that load.
     let from_base = !emission.reduced.quadratures.is_empty();
     let quadrature = from_base.then(|| Quadrature {
         load: graph.input("quadrature"),

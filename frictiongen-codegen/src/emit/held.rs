@@ -12,8 +12,8 @@ use frictiongen_model::table::{Held, HeldForm, Tables};
 use proc_macro2::{Ident, Literal, TokenStream};
 use quote::format_ident;
 
-/// Emits the stuck responses, in the form of products of factors, as constants, and the functions that evaluate the
-/// products. Emits nothing for a scene without a declared accuracy.
+/// Emits the stuck responses as constants, each a product of factors, and the functions that evaluate the products.
+/// Emits nothing for a scene without a declared accuracy.
 pub(super) fn emit(emission: &Emission<'_>) -> EmittedCode {
     match &emission.description.tables {
         None => EmittedCode::default(),

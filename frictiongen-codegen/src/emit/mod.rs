@@ -46,9 +46,9 @@ pub(crate) use fingerprint::fingerprint;
 pub use step_facts::{StepFacts, step_facts};
 pub use trace::traces;
 
-/// Smallest number of modes from which the emitted frequency stage consists of passes over an array of modes. For
-/// fewer modes it is straight-line code, which is faster but grows with the number of modes. `scripts/passes-trial`
-/// measures both kinds of code.
+/// Smallest number of modes from which the emitted frequency stage consists of passes over an array of modes. For fewer
+/// modes the frequency stage is straight-line code, which is faster but grows with the number of modes.
+/// `scripts/passes-trial` measures both forms of code.
 pub const PASSES_FROM: usize = 17;
 
 /// Returns the emitted code of a description.

@@ -9,8 +9,8 @@ use crate::graph::{Expr, Graph, Operand};
 use frictiongen_kernel::oscillator::mode::{Kind, Mode, ModeResponse};
 use proc_macro2::TokenStream;
 
-/// Emits the functions that return the response of a mode, multiplied by a factor that removes its pole. Modes with
-/// the same kind of damping share one function.
+/// Emits the functions that return the response of a mode. The functions multiply the response by a factor that removes
+/// its pole. Modes with the same kind of damping share one function.
 pub(super) fn functions(emission: &Emission<'_>) -> TokenStream {
     if emission.modes() == 1 {
         return TokenStream::new();
@@ -52,9 +52,9 @@ pub(super) fn has_g(kind: Kind) -> bool {
     kind != Kind::Undamped
 }
 
-/// Name of the constant parameter of emitted functions that selects whether they compute g, the displacement of a
-/// mode at a reversal. `limits_without_search` needs no g, and the compiler alone would not remove all of its
-/// computation.
+/// Name of a constant parameter of emitted functions. It selects whether a function computes g, the displacement of a
+/// mode at a reversal. `limits_without_search` needs no g, and the compiler alone would not remove the whole
+/// computation of g.
 pub(super) const WITH_G: &str = "WITH_G";
 
 /// The kinds of damping, each with the name and the documentation of its emitted function.

@@ -190,16 +190,15 @@ fn in_lines(emission: &Emission<'_>, masses: &[(usize, &Ident)]) -> TokenStream 
     }
 }
 
-/// Coefficients of the motion of the contact or of a mass: those of its fundamental component, and those of each
-/// mode.
+/// Coefficients of the motion of the contact or of a mass, for its fundamental component and for each mode.
 struct Coefficients<'g> {
     fundamental: Fundamental<Expr<'g>>,
     /// Coefficients of each mode; `None` for a mode that the contact does not drive.
     modal: Vec<Option<ModalCoefficients<Expr<'g>>>>,
 }
 
-/// Returns the documentation line about the kernel's part of the work, which the number of operations does not
-/// include.
+/// Returns the documentation line about the work of the kernel's functions. The stated number of operations does not
+/// include this work.
 fn waves_about(emission: &Emission<'_>) -> String {
     let modes = emission.modes();
     let plural = if modes == 1 { "" } else { "s" };
@@ -238,7 +237,7 @@ fn of_contact(emission: &Emission<'_>, tracer: &Tracer<'_>) -> (TokenStream, Ope
 }
 
 /// Emits the statements that all masses share, then the statements of each mass. The number in the result is the number
-/// of operations for the mass that needs most.
+/// of operations for the mass that needs the most.
 fn of_masses(
     emission: &Emission<'_>,
     tracer: &Tracer<'_>,
@@ -349,7 +348,7 @@ impl Coefficients<'_> {
     }
 }
 
-/// Emits the value that describes the decay of a mode: `Undamped`, or the constants of a damped mode.
+/// Emits the value that describes the decay of a mode. It is `Undamped`, or the constants of a damped mode.
 fn decay(emission: &Emission<'_>, mode: usize) -> TokenStream {
     if !emission.damped() {
         return code!(Undamped);

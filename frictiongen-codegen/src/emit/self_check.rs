@@ -13,11 +13,11 @@ use proc_macro2::{Literal, TokenStream};
 /// Allowed error of an answer of the exact formulas, in rounding units. At the frequency ratios of the known answers,
 /// a change of r by 32 rounding units changes an answer by at most an eighth of this error.
 const ROUNDINGS: f64 = 4096.0;
-/// Largest allowed error of an answer, in rounding units. It is needed if all answers in a part of the scene's range
-/// depend on rounding.
+/// Largest allowed error of an answer, in rounding units. The self-check needs this larger error if all answers in a
+/// part of the scene's range of r depend on rounding.
 const WIDEST: f64 = 16.0 * ROUNDINGS;
-/// Range of the frequency ratios of the known answers: from the first number times the lowest resonance to the second
-/// number times the highest resonance.
+/// Range of the frequency ratios of the known answers, as two factors. The range runs from the first factor times the
+/// lowest resonance to the second factor times the highest resonance.
 const BAND: (f64, f64) = (0.2, 1.5);
 
 /// Emits the function `self_check` and its known answers. `constants` has all other emitted constants.

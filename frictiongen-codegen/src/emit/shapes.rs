@@ -19,8 +19,8 @@ pub(super) fn by_masses(emission: &Emission<'_>, shapes: &[f64]) -> TokenStream 
             let places = places.into_iter().map(Literal::usize_unsuffixed);
             code!(transposed(&[#(Self::MODE_SHAPES[#places]),*]))
         }
-        // Modes of equal frequency are rotated so that the contact drives only one of these modes. `MODE_SHAPES`
-        // therefore has other numbers.
+        // For modes of equal frequency, the solver uses combinations of which the contact drives only one.
+        // `MODE_SHAPES` therefore has other numbers.
         None => {
             let masses = shapes.chunks(modes.max(1));
             let masses = masses.map(|shape| emission.list(shape.iter().copied()));

@@ -31,8 +31,8 @@ pub(super) fn emit(items: &TokenStream) -> TokenStream {
 /// Types that emitted code writes without a path. The code that collects names excludes keywords by another check.
 const TYPES: [&str; 4] = ["bool", "f32", "f64", "usize"];
 
-/// Returns true if a name has a form like `mode_3_decay`. A name of this form needs no hiding function: users do not
-/// give it to a constant, and each mode has dozens of these names.
+/// Returns true if a name has a form like `mode_3_decay`. A name of this form needs no hiding function, because users
+/// do not give it to a constant. Each mode has dozens of these names.
 fn is_of_a_mode(text: &str) -> bool {
     let rest = text.strip_prefix("mode_").unwrap_or_default();
     let rest = rest.trim_start_matches(|letter: char| letter.is_ascii_digit());

@@ -27,8 +27,8 @@ pub(super) fn parts(scene: &StepScene<'_, Dd, AnyContact<Dd>>, step: Option<f64>
     ]
 }
 
-/// Returns upper bounds on the cost of a step, and the number of parts into which the stepper divides it. Without a
-/// declared step, they hold for a step of a single part.
+/// Returns upper bounds on the cost of a step, and the number of equal parts into which the stepper divides the step.
+/// Without a declared step, the bounds are those of a step with a single part.
 pub(super) fn cost(
     scene: &StepScene<'_, Dd, AnyContact<Dd>>,
     step: Option<f64>,
@@ -75,7 +75,7 @@ pub(super) fn operations(
         Precision::F32 => format!(
             "  A Cortex-M4F takes up to {each} instructions for each operation, and {beside} more for a part."
         ),
-        // A Cortex-M4F has no registers for doubles, so no instruction count is given.
+        // A Cortex-M4F has no registers for doubles, so the text states no number of instructions.
         Precision::F64 => String::new(),
     };
     vec![

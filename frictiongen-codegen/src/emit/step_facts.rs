@@ -15,18 +15,18 @@ use syn::{Expr, Lit, Member, UnOp};
 /// Facts about the emitted stepper of a scene with one contact.
 #[derive(Clone, Debug, PartialEq)]
 pub struct StepFacts {
-    /// Upper bounds on the cost of a step, as in the documentation of the stepper. Without a declared step, they hold
-    /// for a step of a single part.
+    /// Upper bounds on the cost of a step, as in the documentation of the stepper. Without a declared step, the bounds
+    /// are those of a step with a single part.
     pub cost: Cost,
     /// Number of equal parts into which the stepper divides a step.
     pub parts: u32,
-    /// Numbers of the tables of the declared step. Each comes with the fields and indices that lead to it. Without a
-    /// declared step the list is empty.
+    /// Numbers of the tables of the declared step. The text with each number is its path, the names of fields and the
+    /// indices that lead to the number in the tables. Without a declared step the list is empty.
     pub numbers: Vec<(String, f64)>,
 }
 
 /// Returns facts about the emitted stepper of a description. Returns `None` if the description provides no stepper, or
-/// has several contacts or dashpots: the stepper of several contacts or dashpots has no tables and no stated cost.
+/// has several contacts or dashpots. A stepper for several contacts or dashpots has no tables and no stated cost.
 #[must_use]
 pub fn step_facts(description: &Description) -> Option<StepFacts> {
     let scene = &description.scene;
@@ -59,8 +59,8 @@ pub fn step_facts(description: &Description) -> Option<StepFacts> {
     })
 }
 
-/// Appends the numbers of a Rust expression to `to`, each with the fields and indices that lead to it. The expression
-/// has structures, arrays and literals.
+/// Appends the numbers of a Rust expression to `to`. The text with each number is its path, the fields and indices that
+/// lead to the number. The expression consists of structures, arrays and literals.
 fn collect(value: &Expr, place: &str, to: &mut Vec<(String, f64)>) {
     match value {
         Expr::Struct(structure) => {

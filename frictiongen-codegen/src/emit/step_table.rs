@@ -1,5 +1,5 @@
-//! Emits the tables of a declared step, by which each oscillator advances over a part of the step. Each number is
-//! computed in double-double and rounded once.
+//! Emits the tables of a declared step. With these tables each oscillator advances over a part of the step. Each number
+//! is computed in double-double and rounded once.
 
 use super::checksum;
 use super::dynamics::count;
@@ -33,8 +33,8 @@ impl Sizes {
     }
 }
 
-/// Emits the tables, and returns them with their checksum. Returns `None` for a step that the kernel refuses; `lower`
-/// has already reported that error.
+/// Emits the tables, and returns them with their checksum. Returns `None` for a step that the kernel refuses, because
+/// `lower` has already reported that error.
 pub(super) fn emit(
     emission: &Emission<'_>,
     scene: &StepScene<'_, Dd, AnyContact<Dd>>,
@@ -110,7 +110,8 @@ fn table<const D: usize>(
     let modes = modes.map(|(index, mode)| write.mode(mode, index == 0));
     let held = held.iter().enumerate();
     let held = held.map(|(index, mode)| write.held(mode, index == 0));
-    // `chunks` panics at size 0. A chain without held modes has no `held_loads`, so the list is empty in any case.
+    // The size must not be 0, because `chunks` would panic. A chain without held modes has no `held_loads`, so the list
+    // is empty in any case.
     let loads = loads.chunks(inputs.max(1)).map(|row| write.list(row));
     let mut first = true;
     let held_loads = held_loads.chunks(inputs.max(1)).map(|row| {
@@ -185,8 +186,8 @@ fn without_noise_of_held<const D: usize>(mode: &mut HeldStep<Dd, D>) {
     }
 }
 
-/// Sets weights of a row to 0 if they consist only of rounding errors. Otherwise these errors would change with every
-/// change of the scene.
+/// Sets weights of a row to 0 if they consist only of rounding errors. Otherwise every change of the scene would change
+/// these errors in the emitted tables.
 fn without_noise<'w>(row: impl Iterator<Item = &'w mut Dd>) {
     let row: Vec<&mut Dd> = row.collect();
     let largest = row.iter().map(|weight| weight.abs());

@@ -35,7 +35,7 @@ fn tabled<S: Float + Listed<S>>(
         names: TypeNames { name, .. },
         ..
     } = emission;
-    // The sign of a zero changes no answer.
+    // The addition of 0.0 removes the sign of a zero, which changes no answer.
     let number = |value: S| emission.literal(value.to_f64() + 0.0);
     let functions = Literal::usize_unsuffixed(tables.functions);
     let terms = Literal::usize_unsuffixed(tables.terms);
@@ -203,7 +203,7 @@ pub(super) fn quotient<S: Float>(emission: &Emission<'_>, product: &Product<S>) 
     quotient_over(emission, product, &code!(&#denominator))
 }
 
-/// Emits a quotient of products. `denominator` is the expression for its poles.
+/// Emits a quotient of products over zeros and poles. `denominator` is the emitted expression for the poles.
 pub(super) fn quotient_over<S: Float>(
     emission: &Emission<'_>,
     product: &Product<S>,
@@ -288,7 +288,7 @@ fn sliding_error<S: Float>(tables: &Tables<S>) -> String {
 }
 
 fn limit_about<S: Float>(tables: &Tables<S>) -> Vec<String> {
-    // True if no work was spent on a proof and a proof of this accuracy is possible.
+    // True if the tables spent no work on a proof, although a proof of this accuracy is possible.
     let untried = tables.proof.work == ProofWork(0) && FINEST_PROVEN <= tables.request.accuracy;
     let remedy = match (untried, cfg!(feature = "proof")) {
         (true, true) => "  `proof: whole` in the scene asks for a proof.",

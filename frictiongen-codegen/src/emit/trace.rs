@@ -49,7 +49,8 @@ impl<'g> Tracer<'g> {
             named(&mut mode.contact, "contact");
             named(&mut mode.contact_squared, "contact_squared");
             named(&mut mode.static_residue, "static_residue");
-            // Equal residues and inverse masses mean that V and H are the same sum.
+            // If the residue of every mode equals its inverse mass, V and H are the same sum. V is the response to the
+            // load, and H the response to a force in the contact.
             if same {
                 mode.residue = mode.contact_squared;
             } else {
@@ -65,8 +66,8 @@ impl<'g> Tracer<'g> {
         tracer
     }
 
-    /// Returns the components of a mass in the mode shapes, as `shape_1`, `shape_2`, …. Masses for which the same
-    /// components fold then have the same formulas.
+    /// Returns the components of a mass in the mode shapes, as inputs `shape_1`, `shape_2`, …. Components that fold (0,
+    /// 1 and −1) stay numbers. Masses for which the same components fold then have the same formulas.
     pub fn shape(&self, mass: usize) -> Vec<Expr<'g>> {
         let components = self.reduced.shape(mass).iter().zip(1..);
         let named = components.map(|(component, number)| match *component {
@@ -128,7 +129,8 @@ impl<'g> Tracer<'g> {
         }
     }
 
-    /// Returns the functions of a mode as inputs. They are multiplied so that they have no pole.
+    /// Returns the response functions of a mode as inputs of the graph. The emitted code has multiplied these functions
+    /// by a factor that removes their pole.
     pub fn response(&self, name: &str) -> ModeResponse<Expr<'g>> {
         let of = |field: &str| self.graph.input(format!("{name}.{field}"));
         ModeResponse {
@@ -158,7 +160,8 @@ impl<'g> Tracer<'g> {
         }
     }
 
-    /// Records the whole frequency stage without loops. The closure `g` replaces the damping function g of each mode.
+    /// Records the whole frequency stage without loops. The closure `g` replaces the recorded g of each mode, the
+    /// displacement of the mode at a reversal.
     pub fn frequency(
         &self,
         inverse_r: Expr<'g>,
@@ -193,7 +196,7 @@ impl<'g> Tracer<'g> {
         (contact, at)
     }
 
-    /// Records the sums over the modes from their functions `mode_1`, `at_1` and so on.
+    /// Records the sums over the modes. The functions of the modes are the inputs `mode_1`, `at_1` and so on.
     pub fn joined(&self) -> ContactAt<Expr<'g>> {
         let Reduced {
             modes,
@@ -235,7 +238,7 @@ fn constant<'g>(graph: &'g Graph, text: &str, value: Expr<'g>) -> Expr<'g> {
     }
 }
 
-/// Returns the sums of a loop over the modes as inputs.
+/// Returns the sums over the modes as inputs, for the body of a loop that adds one mode to them.
 pub(super) fn symbolic_sum(graph: &Graph, damped: bool) -> ContactAt<Expr<'_>> {
     let of = |field: &str| graph.input(format!("sum.{field}"));
     let if_damped = |field: &str| {

@@ -14,8 +14,8 @@ pub(super) fn constants(emission: &Emission<'_>) -> UnitConstants {
     }
 }
 
-/// Emits the reference frequency √(k₁/m₁) by its name. If it is 1, it has no name, because the emitted code then
-/// contains no division by it.
+/// Emits the reference frequency √(k₁/m₁) by its name. A value of 1 has no name, because the emitted code then contains
+/// no division by this value.
 pub(super) fn reference_by_name(emission: &Emission<'_>, reference: f64) -> TokenStream {
     if reference == 1.0 {
         emission.literal(reference)
@@ -24,8 +24,8 @@ pub(super) fn reference_by_name(emission: &Emission<'_>, reference: f64) -> Toke
     }
 }
 
-/// Emits the constants as associated items, and the conversions as items at the end of the same block. The checksum
-/// also covers natural frequencies and resonances.
+/// Emits the constants as associated items, and the conversions as items at the end of the same block. The checksum of
+/// the constants also covers natural frequencies and resonances.
 pub(super) fn emit(
     emission: &Emission<'_>,
     (frequencies, resonances): (&[f64], &[f64]),

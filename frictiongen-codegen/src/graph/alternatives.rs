@@ -68,7 +68,8 @@ pub fn print(
     let mut printer = Printer::new(precision, taken);
     let common = common(alternatives);
     let ids: BTreeSet<Id> = common.iter().map(|(id, ..)| *id).collect();
-    // A shared operation gets a name only if the code of an alternative or an output uses it directly.
+    // An operation that all alternatives share gets a name only if an output, or an operation that is not shared, uses
+    // it directly.
     let mut border = BTreeSet::new();
     for Alternative { nodes, outputs } in alternatives {
         let rest = nodes.iter().filter(|(id, ..)| !ids.contains(id));

@@ -19,7 +19,8 @@ impl OperationCount {
             matches!(node, Some((_, Operation::Input(_), _)))
         };
         for (id, node, _) in &nodes {
-            // The compiler computes every operation that depends only on constants of the scene.
+            // The compiler computes every operation that depends only on constants of the scene. The count omits such
+            // an operation.
             if graph.value(*id).is_some() {
                 continue;
             }

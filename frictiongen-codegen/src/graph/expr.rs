@@ -349,9 +349,11 @@ impl<'g> Scalar for Expr<'g> {
 }
 
 /// Returns true if the emitted code contains this operation on constants of the scene, so that the compiler computes
-/// it in the scene's precision. If false, the emitted code contains only the result. The compiler's result must equal
-/// `value`, which is computed in double precision and rounded to the scene's precision. The function also returns
-/// false if the value of the operation allows further folding, or if compilers may round the operation differently.
+/// its result in the scene's precision. If false, the emitted code contains only the result as a number.
+///
+/// The compiler's result must equal `value`, which is computed in double precision and rounded to the scene's
+/// precision. The function also returns false if the result allows further folding, or if compilers may round the
+/// operation differently.
 fn stays(precision: Precision, op: Binary, operands: [f64; 2], value: f64) -> bool {
     let rounded = |value: f64| match precision {
         Precision::F64 => value,
@@ -366,8 +368,8 @@ fn stays(precision: Precision, op: Binary, operands: [f64; 2], value: f64) -> bo
         Binary::Div => a / b,
         _ => return false,
     };
-    // Double precision has more than twice as many digits as single precision. The second rounding therefore does no
-    // harm.
+    // Double precision has more than twice as many digits as single precision. Rounding twice therefore gives the same
+    // number as rounding once.
     let same = rounded(computed).to_bits() == rounded(value).to_bits();
     same && value.is_finite() && value != 0.0 && value.abs() != 1.0
 }

@@ -87,7 +87,8 @@ pub enum Operation {
     Less(Operand, Operand),
     /// The comparison a = 0 of an operand.
     IsZero(Operand),
-    /// The value `yes` if the condition is true, otherwise `no`. The fields are the condition, `yes` and `no`.
+    /// A choice between two values `yes` and `no`. The value is `yes` if the condition is true, otherwise `no`. The
+    /// fields are the condition, `yes` and `no`.
     Select(Id, Operand, Operand),
 }
 

@@ -63,7 +63,8 @@ impl Printer {
         }
     }
 
-    /// Binds each value that has a name or more than one use. Each output counts as `each` uses of its value.
+    /// Binds each value that has a name or more than one use to a `let` variable. Each output counts as `each` uses of
+    /// its value.
     pub(super) fn visit_all(&mut self, nodes: &[Recorded], outputs: &[Operand], each: usize) {
         let mut uses: BTreeMap<Id, usize> = BTreeMap::new();
         for (_, node, _) in nodes {

@@ -30,7 +30,8 @@ pub enum ProofAt {
 }
 
 impl ProofAt {
-    /// The proof in a macro: as requested with the feature `proof`, missing without it.
+    /// Proof of the tables in a macro. It is the requested proof with the feature `proof`, and missing without this
+    /// feature.
     pub const MACRO: Self = if cfg!(feature = "proof") {
         Self::Requested
     } else {
@@ -46,7 +47,7 @@ impl SizeLimits {
         proof: ProofAt::MACRO,
         joints: false,
     };
-    /// Limits for a macro expansion without a proof, for checks that discard the emitted code.
+    /// Limits for a macro expansion without a proof. A check that discards the emitted code uses them.
     pub const CHECK: Self = Self {
         proof: ProofAt::Never,
         joints: true,

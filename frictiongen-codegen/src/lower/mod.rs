@@ -215,7 +215,8 @@ fn lower(
     }
 }
 
-/// Reports a step or a damping for which rounding would spoil the emitted motion in time.
+/// Reports a declared step outside the range of a stepper. Also reports damping for which rounding would spoil a motion
+/// in time, unless the step is reported.
 fn check_motion_in_time(located: &Located<'_>, problems: &mut Problems) {
     let scene = &located.scene;
     if !problems.is_empty() {

@@ -35,8 +35,8 @@ pub(super) fn of_tokens(tokens: &TokenStream) -> String {
     format!("{head} {body}")
 }
 
-/// Returns the source text of a group. Returns `None` if the source text does not consist of the group's own tokens:
-/// the source text of tokens from another macro contains the parameters of that macro.
+/// Returns the source text of a group. Returns `None` if the source text does not consist of the group's own tokens.
+/// For tokens from another macro, the source text contains the parameters of that macro.
 fn source(group: &Group) -> Option<String> {
     let text = group.span().source_text()?;
     let read: TokenStream = text.parse().ok()?;

@@ -102,7 +102,7 @@ impl Formulas {
         !self.unbounded.is_empty() || stuck.is_some_and(|stuck| !stuck.resonances.is_empty())
     }
 
-    /// Returns the condition that r equals one of some resonances. Returns `None` if the list is empty.
+    /// Returns the condition that r equals a resonance of the list. Returns `None` if the list is empty.
     pub fn on(resonances: &[String]) -> Option<String> {
         let on = resonances.iter().map(|own| format!("is_at(r, {own})"));
         let on: Vec<String> = on.collect();

@@ -6,7 +6,7 @@ use frictiongen_kernel::Float;
 use frictiongen_model::modal::Modal;
 use frictiongen_model::scene::Precision;
 
-/// Allowed error of an answer beyond the error of the table, in rounding units.
+/// Allowed error of an answer in addition to the error of the table, in rounding units.
 const ROUNDINGS: f64 = 64.0;
 
 /// Returns the allowed error of an answer, and the known answers.

@@ -1,8 +1,8 @@
 //! Writes tables as code without dependencies: a Rust file, or C99.
 //!
 //! The Rust file and the C file perform the kernel's operations in the kernel's order, so that all results have the
-//! same bits. The only exception is the arc tangent of a phase. It is the function of the platform. In Rust without
-//! std, it is a function of the file itself.
+//! same bits. The only exception is the arc tangent of a phase. It is a function of the platform. In Rust without std,
+//! it is a function of the file itself.
 
 mod c;
 mod checksum;
@@ -188,7 +188,7 @@ fn about<S: Float>(source: &Source<'_, S>) -> Vec<String> {
 }
 
 /// Returns a sentence about the accuracy of the tables between the checked points. A command without `--prove` tries no
-/// proof. The sentence then names the commands that try one, because the macro may have proven the same numbers.
+/// proof. The sentence then names the commands that try a proof, because the macro may have proven the same numbers.
 fn told<S: Float>(tables: &Tables<S>, proof: &Proof) -> String {
     if proof.evidence != Evidence::Checked || proof.work != ProofWork(0) {
         return proof.told_in::<S>();
@@ -268,8 +268,8 @@ struct LoadWords {
     load: &'static str,
     /// Meaning of the symbol in `load`, as words for the comments of the file.
     load_means: &'static str,
-    /// Sentence on the stuck state beside a motion, for the comments of the file. It is empty if μ is 1,
-    /// because a stuck state and a sliding motion then never exist at the same β.
+    /// Sentence about a stuck state that exists at the same β as a motion, for the comments of the file. It is empty if
+    /// μ is 1, because a stuck state and a sliding motion then never exist at the same β.
     stuck_beside: &'static str,
 }
 
@@ -305,7 +305,7 @@ pub(crate) fn domain<S: Float>(scene: &Scene, tables: &Tables<S>) -> [(f64, f64)
     };
     let declared = scene.declared.range;
     let (least, most) = declared.map_or((0.0, largest), |range| range.beta);
-    // An infinite friction ratio is out of the domain.
+    // The domain excludes an infinite friction ratio, so the largest finite number replaces infinity.
     [
         (round(low), round(high)),
         (round(least), round(most.min(largest))),

@@ -66,8 +66,8 @@ impl UnitConstants {
     }
 }
 
-/// Returns the constants of an emitted file, in the order of their checksum: those of [`UnitConstants`], then the ends
-/// of the ranges of r and β.
+/// Returns the constants of an emitted file, in the order of their checksum. The constants of [`UnitConstants`] come
+/// first, then the bounds of the ranges of r and β.
 pub(super) fn unit_numbers<S: Float>(source: &Source<'_, S>) -> Vec<f64> {
     let mut all = UnitConstants::of::<S>(source.scene).numbers();
     let [r, beta] = domain(source.scene, source.tables);

@@ -3,39 +3,43 @@
 //! Some masses may be connected to the load through the contact alone. At the frequency at which these masses resonate
 //! while the contact is stuck, V and H vanish together. V is the response of the contact to the load, and H is its
 //! receptance (response to a contact force). The amplitude V/H of the contact force would then be a quotient of
-//! rounding errors. This module divides out the common zero. Let s = r², and let d = s − s₀ be the distance from the
-//! zero s₀. Then V = v₁d − v₂d² + v₃d³ − …, where v_n = Σ α/(λ − s)^{n+1}. The sum is over the modes. α = (φᵀw)(φᵀp) is
-//! the residue of a mode and λ its squared frequency ratio. H has a series of the same form.
+//! rounding errors. This module therefore divides V and H by their common zero.
+//!
+//! Let s = r², and let d = s − s₀ be the distance from the zero s₀. Then V = v₁d − v₂d² + v₃d³ − …, where v_n = Σ α/(λ
+//! − s)^{n+1}. The sum is over the modes. α = (φᵀw)(φᵀp) is the residue of a mode and λ its squared frequency ratio. H
+//! has a series of the same form.
 
 use crate::contact::sums::{Chain, ContactAt, ModeAt};
 use crate::number::scalar::Float;
 use crate::oscillator::mode::Mode;
 
-/// Factor in the test of a modal sum for zero. The sum counts as zero if its modulus is smaller than this factor times
-/// the rounding error of its largest term.
+/// Factor of the test that compares a modal sum with zero. The sum counts as zero if its modulus is smaller than this
+/// factor times the rounding error of its largest term.
 const ROUNDINGS: f64 = 64.0;
 
 /// Returns the largest relative distance from an absorber frequency at which the series is more accurate than the
-/// quotient V/H. At an absorber frequency, V (response to the load) and H (receptance) are both zero. The code uses
-/// three terms of the series. The relative error of the series is therefore about the third power of this distance. The
-/// relative error of the quotient is about one rounding unit divided by this distance.
+/// quotient V/H. At an absorber frequency, V (response to the load) and H (receptance) are both zero.
+///
+/// The code uses three terms of the series. The relative error of the series is therefore about the third power of the
+/// distance. The relative error of the quotient is about one rounding unit divided by the distance.
 fn near<S: Float>() -> S {
     S::constant(S::EPSILON).sqrt().sqrt()
 }
 
 impl<S: Float> Chain<S> {
-    /// Returns true if the chain is undamped and the receptance H of the contact is nearly zero, so that an absorber
-    /// frequency may be near. At an absorber frequency H and V (response to the load) are both zero. H is also zero at
-    /// resonances of the stuck chain where V is not zero. [`absorbed_force`](Self::absorbed_force) therefore also
-    /// tests V. `h` is the real part of H, multiplied by r² and by the scale E of [`ContactAt`].
+    /// Returns true if the chain is undamped and the receptance H of the contact is nearly zero. An absorber frequency
+    /// may then be near, at which H and V (the response to the load) are both zero.
+    ///
+    /// H is also zero at resonances of the stuck chain where V is not zero. [`absorbed_force`](Self::absorbed_force)
+    /// therefore also tests V. `h` is the real part of H, multiplied by r² and by the scale E of [`ContactAt`].
     #[inline]
     pub(crate) fn may_absorb(&self, h: S) -> bool {
         !self.damped && !(h.abs() > near::<S>() * self.inverse_mass)
     }
 
-    /// Returns the amplitude V/H of the contact force in the stuck state of an undamped chain, close to a frequency at
-    /// which V (the response to the load) and H (the receptance) are both zero. Returns `None` at all other
-    /// frequencies.
+    /// Returns the amplitude V/H of the contact force in the stuck state of an undamped chain, close to an absorber
+    /// frequency. V is the response to the load, and H the receptance. At an absorber frequency V and H are both zero.
+    /// Returns `None` at all other frequencies.
     #[must_use]
     pub fn absorbed_force(
         &self,
@@ -66,12 +70,13 @@ impl<S: Float> Chain<S> {
         if h.abs() > near * h_size || v.abs() > near * slope_size {
             return None;
         }
-        // Three iterations with the series of H give d, the distance from the zero of H.
+        // Three iterations with the series of the receptance H give d, the distance of r² from the zero of H.
         let mut d = h / h1;
         for _ in 0..3 {
             d = (h + h2 * d * d - h3 * d * d * d) / h1;
         }
-        // At an absorber frequency, V must vanish at the same distance d, except for rounding.
+        // At an absorber frequency, the response V to the load must vanish at the same distance d as the receptance H,
+        // except for rounding.
         let rest = v - d * (v1 - v2 * d + v3 * d * d);
         let noise = S::constant(ROUNDINGS * S::EPSILON) * (v_size + d.abs() * slope_size);
         let truncated = d * d * d * d * slope_size;
@@ -81,9 +86,9 @@ impl<S: Float> Chain<S> {
         Some((v1 - v2 * d + v3 * d * d) / (h1 - h2 * d + h3 * d * d))
     }
 
-    /// Returns the amplitude of a mass in the stuck state under a contact force of amplitude `force`.
-    /// [`absorbed_force`](Self::absorbed_force) computes this amplitude. Close to an absorber frequency the receptance
-    /// H is nearly zero. The formula therefore does not divide by H.
+    /// Returns the displacement amplitude of a mass in the stuck state, under a contact force of amplitude `force`.
+    /// [`absorbed_force`](Self::absorbed_force) computes `force`. Close to an absorber frequency the receptance H is
+    /// nearly zero. The formula therefore does not divide by H.
     #[must_use]
     pub fn stuck_under(
         &self,

@@ -12,16 +12,17 @@ use crate::oscillator::decay::Decay;
 use crate::oscillator::mode::Mode;
 
 /// Safety margin for a comparison of β with β_lim, in rounding units. If β is less than the computed β_lim by more than
-/// this margin, β is also less than the exact β_lim. The search contributes an error of up to four units. The formula
-/// of β_lim contributes the rest.
+/// this margin, β is also less than the exact β_lim. The search for β_lim contributes an error of up to four units. The
+/// formula of β_lim contributes the remaining error.
 const CLEAR: f64 = 32.0;
-/// Upper bound on the phase error of a mode that the rounding of r causes, as a fraction of a half turn. If a mode is
-/// so fast that its error is larger, two searches at the same r may differ. The code then does not use the search that
-/// only compares S with the largest value that β permits.
+/// Upper bound on the phase error of a mode that the rounding of r causes, as a fraction of a half turn. If the error
+/// of a fast mode is larger, two searches at the same r may differ. The code then does not use the search that only
+/// compares S with the largest value that β permits.
 const UNTURNED: f64 = 1e-4;
 
 /// Upper bound on the relative tolerance of a search for the velocity constraint S. If β_lim hardly depends on S, a
-/// larger tolerance would suffice for β_lim itself. But it would make the amplitude of the motion at β_lim inaccurate.
+/// larger tolerance would suffice for β_lim itself. But a larger tolerance would make the amplitude of the motion at
+/// β_lim inaccurate.
 const MOST_TOLERANCE: f64 = 1.0 / 4096.0;
 
 impl<S: Float> Chain<S> {
@@ -49,8 +50,8 @@ impl<S: Float> Chain<S> {
         waves: &[Wave<S, D>],
     ) -> Peak<S> {
         let start = self.start_constraint(contact);
-        // The code computes `above` = (μ − 1)m*E directly. As a difference of two sums it would lose digits. Close to a
-        // resonance the damping term H_c outweighs all other terms of the sums.
+        // The code computes `above` = (μ − 1)m*E directly. A difference of two sums would lose digits, because the
+        // damping term H_c outweighs all other terms of the sums close to a resonance.
         let above = (self.stiction - S::constant(1.0)) * self.inverse_mass * contact.scale;
         let mut peak = self.constraint_above(contact, at, waves, start, above);
         peak.value = if peak.places[0].is_some() {
@@ -61,9 +62,9 @@ impl<S: Float> Chain<S> {
         peak
     }
 
-    /// Returns true if the velocity constraint S equals its limit for τ → 0, so that no search is needed. For an
-    /// undamped chain this is the case if R ≥ 1/2 for every mode. R is the excitation frequency divided by the natural
-    /// frequency of the mode. `ratios` contains x = 1/R of the modes.
+    /// Returns true if the velocity constraint S equals its limit for τ → 0, so that no search is needed. In an
+    /// undamped chain, S equals this limit if R ≥ 1/2 for every mode. R is the excitation frequency divided by the
+    /// natural frequency of the mode. `ratios` contains x = 1/R of the modes.
     pub(crate) fn start_decides(&self, mut ratios: impl Iterator<Item = S>) -> bool {
         !self.damped && ratios.all(|x| x <= S::constant(2.0))
     }
@@ -98,7 +99,8 @@ impl<S: Float> Chain<S> {
             cosine: zero,
             sine: waves.iter().fold(zero, at_start),
         };
-        // β_lim depends on U² + S². If U is larger than S, fewer digits of S suffice.
+        // β_lim depends on U² + S², with the damping function U of the contact. If U is larger than S, fewer digits of
+        // S suffice.
         let ratio = contact.u / (start + above);
         let tolerance = S::constant(4.0 * S::RESOLUTION) * (S::constant(1.0) + ratio * ratio);
         search::largest(
@@ -132,7 +134,8 @@ impl<S: Float> Chain<S> {
             if mode.in_contact {
                 let wave: Wave<S, D> = constraint_wave(mode, at, contact, S::constant(1.0));
                 let two_zeta = mode.zeta + mode.zeta;
-                // For τ → 0, the constraint of a single mode has the limit 1 + g + 2ζRu.
+                // For τ → 0, the constraint of a single mode has the limit 1 + g + 2ζRu. u and g are the mode's damping
+                // functions, and R = 1/x.
                 let start = contact.scale + at.g + two_zeta * at.u * at.x;
                 let at = core::slice::from_ref(at);
                 let above = S::constant(0.0);
@@ -161,10 +164,11 @@ impl<S: Float> Chain<S> {
         let break_away = self.break_away(contact);
         let excitation = complex::modulus(contact.v, self.damped);
         let quadrature = beta * contact.u;
-        // The product of the difference and the sum may underflow. The product of their two square roots does not.
+        // The product (|V| − βU)(|V| + βU) may underflow. The product of the two square roots does not.
         let root = (excitation - quadrature).sqrt() * (excitation + quadrature).sqrt();
         let allowed = S::constant(1.0 - 1e-3) * root / beta;
-        // If U is much larger than S, `allowed` is mainly rounding error, and the cheaper search proves nothing.
+        // If the damping function U is much larger than S, `allowed` is mainly rounding error. The cheaper search then
+        // proves nothing.
         let beyond = beta * S::constant(1.0 + CLEAR * S::RESOLUTION);
         let clear = beyond < self.continuous_limit(contact, allowed);
         // For a very small r, the rounding of r shifts the phase of a mode noticeably, so that two searches would
@@ -214,8 +218,9 @@ impl<S: Float> Chain<S> {
             }
         };
         if !r.is_finite() {
-            // At r = ∞ the known limit of β_lim decides, because sums at a large r would round it differently. On a
-            // moving base this limit is infinite, and friction has no effect. The formulas then use β = 0.
+            // At r = ∞ the code compares β with the known limit of β_lim, because sums at a large r would round β_lim
+            // differently. On a moving base this limit is infinite, and friction has no effect. The formulas then use β
+            // = 0.
             if !(beta < at_infinity) {
                 return Err(refused());
             }
@@ -232,7 +237,7 @@ impl<S: Float> Chain<S> {
     }
 
     /// Returns an error if r is an undamped resonance of the chain with its contact stuck. `invisible` contains the
-    /// undamped resonances that the load drives and the contact does not.
+    /// undamped resonances that the load drives and on which the contact does not act.
     ///
     /// # Errors
     /// [`StuckResonance`].
@@ -250,7 +255,7 @@ impl<S: Float> Chain<S> {
     }
 }
 
-/// Writes the term of each mode in the velocity constraint to `waves`, the working space.
+/// Writes the term of each mode in the velocity constraint to the working space `waves`.
 fn fill<S: Float, D: Decay<S>>(
     contact: &ContactAt<S>,
     modes: &[Mode<S>],
@@ -265,11 +270,14 @@ fn fill<S: Float, D: Decay<S>>(
 }
 
 /// Returns the term of a mode in a difference of two functions of τ: the sum of the velocity constraint, minus
-/// `start`·sin τ. `start` is the limit of the constraint for τ → 0. The term is −m·(1 + g)·(sin τ − p) + m·u·((cos τ −
-/// p′) − 2ζx·sin τ), with m = (φᵀw)². p is the free displacement of the mode, and u and g are its damping functions.
-/// The function leaves out −2ζx·m·u·sin τ, which the caller adds for all modes together. Close to a resonance the two
-/// functions are nearly proportional. Their subtraction would leave mainly rounding error. The formula of the term
-/// contains no subtraction of nearly equal numbers.
+/// `start`·sin τ. `start` is the limit of the constraint for τ → 0.
+///
+/// The term is −m·(1 + g)·(sin τ − p) + m·u·((cos τ − p′) − 2ζx·sin τ), with m = (φᵀw)². p is the free displacement of
+/// the mode, and u and g are its damping functions. The function leaves out −2ζx·m·u·sin τ, which the caller adds for
+/// all modes together.
+///
+/// Close to a resonance the two functions are nearly proportional. Their subtraction would leave mainly rounding error.
+/// The formula of the term contains no subtraction of nearly equal numbers.
 fn constraint_wave<S: Float, D: Decay<S>>(
     mode: &Mode<S>,
     at: &ModeAt<S>,

@@ -1,15 +1,16 @@
 //! Modal sums V, U and H of the contact that leave out the terms of the dominant mode. The dominant mode outweighs all
 //! others.
 //!
-//! The contribution of a mode to the motion of a mass contains a difference of two products of the sums V, U and H. In
-//! this difference the mode's own terms cancel. Close to the mode's resonance its own terms outweigh all others, and
-//! their rounding errors would remain. For this *dominant* mode the code therefore uses sums over all other modes.
+//! The contribution of a mode to the motion of a mass contains a difference of two products of the sums V, U and H. V
+//! is the response of the contact to the load, U its damping function, and H its receptance. In this difference the
+//! mode's own terms cancel. Close to the mode's resonance its own terms outweigh all others, and their rounding errors
+//! would remain. For this *dominant* mode the code therefore uses sums over all other modes.
 //!
 //! All other modes use the full sums, so that their rounding errors are equal. The motion of a mass far from the
 //! contact is a small difference of modal terms. Equal rounding errors cancel in this difference.
 //!
-//! One dominant mode is enough. To prove this, let the first of two modes have the terms a in V and c in U, and the
-//! second the terms b in V and d in U. Let ac ≥ bd. The products ad and bc remain in the contribution of the second
+//! No second dominant mode is needed. To prove this, let the first of two modes have the terms a in V and c in U, and
+//! the second the terms b in V and d in U. Let ac ≥ bd. The products ad and bc remain in the contribution of the second
 //! mode. The larger of ad and bc is at least √(ac·bd) ≥ bd, and bd is the product that cancels.
 
 use crate::contact::quadrature::Quadratures;
@@ -38,7 +39,7 @@ impl<S: Scalar> ModalTerms<S> {
         }
     }
 
-    /// Gives the terms names in emitted code. The emitted code then has one local variable for each term.
+    /// Names the terms for emitted code. The emitted code then has one local variable for each term.
     fn named(self, partner: Partner) -> Self {
         const V: [(&str, &str); 2] = [
             ("others_v_re", "Re of V of the other modes"),
@@ -73,8 +74,8 @@ impl<S: Scalar> ModalTerms<S> {
     }
 }
 
-/// Selects the modal sum that is combined with V, the response to the load. The contribution of a mode to a motion
-/// contains V and the selected sum. In this contribution the mode's own terms cancel.
+/// Selects the modal sum that the code combines with V, the response of the contact to the load. The contribution of a
+/// mode to a motion contains products of V and the selected sum. In this contribution the mode's own terms cancel.
 #[derive(Clone, Copy)]
 pub(crate) enum Partner {
     /// The sum combined with V is the damping function U of the contact, for a continuous motion.
@@ -83,8 +84,8 @@ pub(crate) enum Partner {
     H,
 }
 
-/// Candidate for the dominant mode. Among the modes visited so far, the product of its terms in V and in U (or H) is
-/// the largest.
+/// Candidate for the dominant mode. Each mode has a term in V (response to the load), and a term in U (damping
+/// function) or H (receptance). Among the modes visited so far, the candidate has the largest product of its two terms.
 #[derive(Clone, Copy)]
 struct Heaviest<S> {
     weight: S,
@@ -110,7 +111,8 @@ impl<S: Scalar> Heaviest<S> {
 enum Which<S> {
     /// The chain has only one mode, which is dominant.
     Only,
-    /// The first of two modes is dominant. Each mode gets the terms of the other mode, in which nothing cancels.
+    /// The chain has two modes, and the first counts as dominant. Each mode gets the sums without its own terms, in
+    /// which nothing cancels.
     First,
     /// The mode with this index is dominant. The index −1 means that no mode is dominant.
     Numbered(S),
@@ -126,8 +128,8 @@ pub(crate) struct DominantSums<S> {
 }
 
 impl<S: Scalar> DominantSums<S> {
-    /// Adds the compliance of an elastic contact to the sums of H that leave out the term of a mode. The sums over all
-    /// modes already contain the compliance.
+    /// Adds the compliance of an elastic contact to the receptance H, in those sums that leave out the terms of a mode.
+    /// The sums over all modes already contain the compliance.
     pub fn with_compliance(mut self, compliance: S) -> Self {
         self.own.h.re = self.own.h.re + compliance;
         if matches!(self.which, Which::First) {
@@ -136,10 +138,12 @@ impl<S: Scalar> DominantSums<S> {
         self
     }
 
-    /// Returns two values of V, the response of the contact of a damped chain to the load. The first value determines
-    /// the phase of the dominant mode, and the second value the phases of all other modes. A mode is in phase with its
-    /// own term of V. The full V and V without this term therefore give the same phase. The function uses the smaller
-    /// of V and V without this term, because its phase is more accurate.
+    /// Returns two values of V, the response of the contact of a damped chain to the load. The code measures the phase
+    /// of the dominant mode against the first value, and the phases of all other modes against the second value.
+    ///
+    /// A mode is in phase with its own term of V. The full V and V without this term therefore give the same phase. For
+    /// the dominant mode, and for both modes of a chain of two, the function uses the smaller of these two numbers,
+    /// because its phase is more accurate. In longer chains, all other modes use the full V.
     pub fn turning(&self, contact: &ContactAt<S>) -> (Complex<S>, Complex<S>) {
         let size = |v| complex::size(v, true);
         let all = size(contact.v).named("v_size", "(|Re V| + |Im V|)·r²E", None);
@@ -292,8 +296,8 @@ impl<S: Scalar> Chain<S> {
             };
         };
         let own = without(sum, heaviest.static_residue).named(partner);
-        // The full sums are accurate enough if the product that cancels is at most as large as the products that
-        // remain.
+        // In a motion, the product of the dominant mode's own terms cancels. The full sums are accurate enough if this
+        // product is at most as large as the products that remain.
         let (v, other) = self.sizes(&heaviest.own, partner);
         let at_rest = match self.on_moving_base {
             Some(at_rest) => (at_rest - heaviest.static_residue).abs() * contact.scale,
@@ -317,7 +321,8 @@ impl<S: Scalar> Chain<S> {
         scale: S,
         index: usize,
     ) -> Heaviest<S> {
-        // On a moving base the sums contain v − 1, but only the terms with v cancel in the difference of products.
+        // On a moving base the sums contain v − 1, where v is the response of a mode. In the difference of products
+        // only the terms with v cancel.
         let v = if self.on_moving_base.is_some() {
             self.plus(own.v, complex::real(mode.static_residue * scale))
         } else {

@@ -1,5 +1,5 @@
 //! Limits β_lim and β*_lim of an undamped chain for a run-time `System`, without the search for the velocity constraint
-//! S. The code copies the constants of the modes once into packed arrays. These arrays serve every frequency.
+//! S. The code copies the constants of the modes once into packed arrays, and uses these arrays at every frequency.
 
 use crate::contact::regime::Limits;
 use crate::contact::sums::{Chain, ContactAt};
@@ -12,7 +12,8 @@ use crate::oscillator::mode::Mode;
 /// [`pairs`](crate::contact::pairs).
 const PAIRS: usize = 8;
 
-/// Constants of one mode, or of a pair of modes. The code computes the modal sums V, H and U of the contact from them.
+/// Constants of one mode, or of a pair of modes. The code computes the modal sums V, H and U of the contact from these
+/// constants.
 #[derive(Clone, Copy, Debug)]
 struct DrivenConstants<S> {
     resonance: S,
@@ -23,7 +24,7 @@ struct DrivenConstants<S> {
 }
 
 /// Two numbers of a mode at one frequency: x² − 1, where x = √λ/r = 1/R, and the damping function u. The code stores u
-/// multiplied by R² and by |x² − 1|. This u does not yet contain the scale E of the chain.
+/// multiplied by R² and by |x² − 1|. The stored u does not yet contain the scale E of the chain.
 type Own<S> = [S; 2];
 
 /// Terms of a mode in V (response to the load), H (receptance) and U (damping function) of the contact, in this order.
@@ -79,8 +80,9 @@ impl<S: Float> DrivenConstants<Lanes<S>> {
 }
 
 impl<S: Float> DrivenModes<S> {
-    /// Gathers the constants of the modes of a chain. Returns `None` if the chain is damped, and if the contact drives
-    /// no mode or more than 16. Returns `None` also for scalars that a processor does not compute in pairs.
+    /// Gathers the constants of those modes of a chain that the contact drives. Returns `None` if the chain is damped,
+    /// or if the contact drives no mode or more than 16. The result is also `None` if a processor does not compute this
+    /// scalar type in pairs.
     #[must_use]
     pub fn of(chain: &Chain<S>, modes: &[Mode<S>]) -> Option<Self> {
         let in_contact = modes.iter().filter(|mode| mode.in_contact);
@@ -197,9 +199,11 @@ fn of_two<S: Float>(modes: &DrivenConstants<Lanes<S>>, inverse_r: S, terms: &mut
 
 impl<S: Float> Chain<S> {
     /// Returns the limits β_lim and β*_lim of an undamped chain at a finite 1/r > 0, and the receptance H of the
-    /// contact. In β_lim, the break-away term takes the place of the velocity constraint S. β*_lim contains no
-    /// correction for masses that act as an absorber. H is multiplied by r² and by the scale E of [`ContactAt`]. If
-    /// `is_one` is true, β*_lim is exactly 1 ([`sliding_limit_is_one`](Self::sliding_limit_is_one)).
+    /// contact. H is multiplied by r² and by the scale E of [`ContactAt`].
+    ///
+    /// The formula of β_lim uses the break-away term instead of the velocity constraint S. β*_lim contains no
+    /// correction for masses that act as an absorber. If `is_one` is true, β*_lim is exactly 1
+    /// ([`sliding_limit_is_one`](Self::sliding_limit_is_one)).
     #[inline]
     pub fn limits_of_driven(
         &self,

@@ -1,4 +1,4 @@
-//! Responses to the load: of one mode, and of the contact.
+//! Response of one mode to the load, and response of the contact to the load.
 
 use crate::contact::quadrature::Quadrature;
 use crate::contact::sums::{Chain, ModeAt};
@@ -32,10 +32,12 @@ impl<S: Scalar> Mode<S> {
 }
 
 impl<S: Scalar> Chain<S> {
-    /// Returns the term of a mode in V, the response of the contact to the load. On a moving base V is relative to the
-    /// base. The function then uses v − 1 = (1 − 2iζx)/(x² − 1 + 2iζx) in place of the response v of the mode. This
-    /// avoids a difference of nearly equal numbers. If damping acts relative to the base, the motion of the base alone
-    /// causes no damping force. In this case `wall` replaces the static residue in the imaginary part.
+    /// Returns the term of a mode in V, the response of the contact to the load.
+    ///
+    /// On a moving base V is relative to the base. The function then replaces the response v of the mode by v − 1 = (1
+    /// − 2iζx)/(x² − 1 + 2iζx). This formula avoids a difference of nearly equal numbers. If damping acts relative to
+    /// the base, the motion of the base alone causes no damping force. In this case `wall` replaces the static residue
+    /// in the imaginary part.
     #[inline]
     pub(crate) fn load_term(
         &self,

@@ -13,7 +13,8 @@ use crate::number::lanes::Lanes;
 use crate::number::scalar::{Float, Scalar};
 use crate::oscillator::mode::{Kind, Mode};
 
-/// Kind of damping that all modes have, as a type parameter. A loop over the modes then does not check the kind.
+/// Kind of damping that all modes have, as a type parameter. A loop over the modes then does not test the kind of each
+/// mode.
 pub(super) trait Uniform {
     const KIND: Kind;
     const DAMPED: bool;
@@ -82,7 +83,7 @@ impl<S: Float> Chain<S> {
     }
 
     /// Computes the modal sums of the contact, one mode after the other. Modes with different kinds of damping need
-    /// this form. It is also used in programs optimised for size, and in unoptimised programs such as a macro.
+    /// this form. Programs optimised for size and unoptimised programs (such as a macro) also use this form.
     pub fn in_turn<const WITH_G: bool>(
         &self,
         modes: &[Mode<S>],
@@ -93,7 +94,7 @@ impl<S: Float> Chain<S> {
     }
 
     /// Computes the modal sums of the contact, one mode after the other, for modes with loads in quadrature (90° out of
-    /// phase). If there are no loads in quadrature, [`in_turn`](Self::in_turn) gives the same sums.
+    /// phase). Without loads in quadrature, [`in_turn`](Self::in_turn) returns the same sums.
     pub fn loaded_in_turn<const WITH_G: bool>(
         &self,
         (modes, quadratures): (&[Mode<S>], impl Quadratures<S>),
@@ -171,7 +172,7 @@ impl<S: Float> Chain<S> {
 }
 
 /// Returns the scale E of the modal sums: the smallest |x² − 1| + 2ζx among the modes that the contact drives. The
-/// order of the modes does not matter, because `Float` scalars carry no derivatives.
+/// order of the modes does not matter, because `Float` scalars contain no derivatives.
 #[inline(always)]
 fn smallest<S: Float, U: Uniform>(modes: &[Mode<S>], inverse_r: S) -> S {
     let infinite = S::constant(f64::INFINITY);
@@ -227,7 +228,8 @@ fn of_two<S: Float, U: Uniform, const WITH_G: bool>(
     let response = mode.functions_of(U::KIND, Lanes::all(inverse_r), WITH_G, 0);
     let at = chain.scaled(&response, scale, false, 0);
     let found = chain.term(scale, (&mode, None), &response, &at, false, WITH_G);
-    // The code does not write two kinds of numbers: those that stay 0 without damping, and those that no caller uses.
+    // The code does not write the numbers that stay 0 without damping. It also does not write the numbers that no
+    // caller uses.
     terms.v.re = found.v.re;
     terms.h.re = found.h.re;
     terms.u = found.u;

@@ -11,8 +11,8 @@ pub struct Quadrature<S> {
     /// 2ζλΓ: the imaginary part of the load on the mode, multiplied by x = √λ/r. ζ is the damping ratio, λ the squared
     /// frequency ratio, and Γ = φᵀΓ1 the participation factor of the mode.
     pub load: S,
-    /// Static residue of the mode, minus (φᵀw)Γ with the participation factor Γ of the mode. If only the base supports
-    /// the chain, each static displacement equals the displacement of the base. This difference is then 0.
+    /// Static residue of the mode, minus (φᵀw)Γ with the participation factor Γ of the mode. `wall` is 0 if only the
+    /// base supports the chain, because each static displacement then equals the displacement of the base.
     pub wall: S,
 }
 
@@ -33,8 +33,8 @@ impl<S> Quadratures<S> for InPhase {
     }
 }
 
-/// List of [`Quadrature`] values, one for each mode. Each entry contains `load` and `wall`, in this order. An empty
-/// list means that no mode has a load in quadrature.
+/// List of [`Quadrature`] values, one for each mode. Each list entry contains `load` and `wall`, in this order. An
+/// empty list means that no mode has a load in quadrature.
 impl<S: Copy> Quadratures<S> for &[[S; 2]] {
     #[inline]
     fn of(self, mode: usize) -> Option<Quadrature<S>> {

@@ -3,7 +3,7 @@
 use crate::errors::{Given, OutOfDomain, Regime, Slice};
 use crate::number::scalar::{Float, Scalar};
 
-/// Checks a frequency ratio r and returns it. NaN and negative numbers are errors, 0 and ∞ are allowed.
+/// Checks a frequency ratio r and returns it. NaN and negative numbers are errors. The numbers 0 and ∞ are allowed.
 #[inline]
 pub fn check_ratio<S: Float>(r: S) -> Result<S, OutOfDomain> {
     if r >= S::constant(0.0) {
@@ -14,7 +14,7 @@ pub fn check_ratio<S: Float>(r: S) -> Result<S, OutOfDomain> {
 }
 
 /// Largest factor by which a resonance √λ may differ from 1 without an effect on the range of r. A resonance that
-/// differs more reduces the range.
+/// differs from 1 by a larger factor reduces the range.
 const ROOM: f64 = 1024.0;
 
 /// Returns the smallest and the largest 1/r at which the code evaluates the formulas of a chain. `resonances` contains
@@ -99,9 +99,9 @@ impl<S: Float> Limits<S> {
 /// length. The closure `limits` computes the limits at one frequency ratio.
 ///
 /// # Errors
-/// [`OutOfDomain`] if the length of a result slice differs from the length of the slice of frequency ratios. Both
-/// result slices are then unchanged. At the first r for which `limits` fails, the function stops and returns the same
-/// error. The result slices then contain the limits for all earlier frequency ratios.
+/// [`OutOfDomain`] if the length of a result slice differs from the length of the slice of frequency ratios. The
+/// function then changes no result slice. At the first r for which `limits` fails, the function stops and returns the
+/// same error. The result slices then contain the limits for all earlier frequency ratios.
 #[inline]
 pub fn limits_into<S: Float>(
     rs: &[S],

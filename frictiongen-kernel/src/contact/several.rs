@@ -18,14 +18,15 @@ pub(crate) const SIDE_BY_SIDE: usize = if cfg!(target_feature = "avx512f") {
     4
 };
 
-/// Limits β_lim and β*_lim at several frequencies, from formulas without a search. In β_lim, the break-away term takes
-/// the place of the velocity constraint S. β*_lim contains no correction for masses that act as an absorber.
+/// Limits β_lim and β*_lim at several frequencies, from formulas without a search. The formula of β_lim uses the
+/// break-away term instead of the velocity constraint S. β*_lim contains no correction for masses that act as an
+/// absorber.
 #[derive(Debug)]
 pub(crate) struct Several<S> {
     pub continuous: [S; SIDE_BY_SIDE],
     pub sliding: [S; SIDE_BY_SIDE],
-    /// Real part of the receptance H of the contact, multiplied by r² and by the scale E of [`ContactAt`]. A small `h`
-    /// tells the caller that masses may act as an absorber.
+    /// Real part of the receptance H of the contact, multiplied by r² and by the scale E of [`ContactAt`]. If `h` is
+    /// small, masses may act as an absorber.
     pub h: [S; SIDE_BY_SIDE],
 }
 
@@ -85,8 +86,8 @@ impl<S: Float> Chain<S> {
         let least = touched().fold(Lanes::constant(f64::INFINITY), |least, mode| {
             least.min(mode.size_but_zero(U::KIND, inverse_r))
         });
-        // If x² − 1 of a mode is exactly zero, the code replaces it once, in the smallest |x² − 1|, as in the sums over
-        // pairs of modes.
+        // The scale E must not be 0. If x² − 1 of a mode is exactly zero, the code therefore replaces it by a small
+        // number. The code makes this replacement once, in the smallest |x² − 1|, as in the sums over pairs of modes.
         let scale = if U::DAMPED {
             least
         } else {

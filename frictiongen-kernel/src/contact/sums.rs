@@ -1,4 +1,4 @@
-//! Modal sums of the contact at one frequency, multiplied by a scale factor. The factor keeps the sums finite on a
+//! Modal sums of the contact at one frequency, multiplied by a scale factor. The factor keeps the sums finite at a
 //! resonance.
 
 use crate::contact::quadrature::{InPhase, Quadrature, Quadratures};
@@ -25,7 +25,8 @@ pub struct Chain<S> {
 pub struct ModeAt<S> {
     /// Natural frequency of the mode divided by the excitation frequency, x = √λ/r = 1/R.
     pub x: S,
-    /// Response of the mode to a harmonic force, multiplied by the scale E of the chain: E/(x² − 1 + 2iζx) = E·v/x².
+    /// Response of the mode to a harmonic force, multiplied by the scale E of the chain. The value is E/(x² − 1 + 2iζx)
+    /// = E·v/x², with v = x²/(x² − 1 + 2iζx).
     pub response: Complex<S>,
     /// Half-period damping function u (7.11), multiplied by the scale E of the chain and divided by x².
     pub u: S,
@@ -47,8 +48,8 @@ impl<S: Scalar> ModeAt<S> {
     }
 }
 
-/// Modal sums of the contact at one frequency. Each sum is the thesis's sum of the same name, multiplied by r², so that
-/// it stays finite as r → ∞, and by the scale E, so that it stays finite on a resonance.
+/// Modal sums of the contact at one frequency. Each sum is the thesis's sum of the same name, multiplied by r² and by
+/// the scale E. The factor r² keeps the sum finite for r → ∞, and the scale E keeps it finite at a resonance.
 #[derive(Clone, Copy, Debug)]
 pub struct ContactAt<S> {
     /// Scale E: the smallest |x² − 1 + 2iζx| of the modes that the contact drives, with |Re| + |Im| as the modulus.
@@ -56,11 +57,11 @@ pub struct ContactAt<S> {
     /// Response V of the relative displacement to the excitation, without friction. V is multiplied by r² and by the
     /// scale E.
     pub v: Complex<S>,
-    /// Damping function U of the contact, multiplied by r² and by the scale E. A square wave of friction force causes a
-    /// response z̄, and U is the slope of this response at the reversal.
+    /// Damping function U of the contact, multiplied by r² and by the scale E. U is the velocity dz̄/dτ at the reversal
+    /// of the response z̄ to a square wave of friction force.
     pub u: S,
-    /// Damping function G of the contact, multiplied by r² and by the scale E. A square wave of friction force causes a
-    /// response z̄, and G is this response at the reversal.
+    /// Damping function G of the contact, multiplied by r² and by the scale E. G is the value at the reversal of the
+    /// response z̄ to a square wave of friction force.
     pub g: S,
     /// H_c, the contribution of damping to the acceleration of the contact at a reversal. H_c is multiplied by r² and
     /// by the scale E.
@@ -111,8 +112,8 @@ impl<S: Scalar> Chain<S> {
         Self::scale(modes.iter().map(|mode| (mode, mode.size(inverse_r))))
     }
 
-    /// Multiplies the response and damping functions of a mode by the scale E of the chain. E is the smallest |x² − 1|
-    /// + 2ζx among the modes that the contact drives. The caller has computed E in a first pass over the modes.
+    /// Multiplies the response and damping functions of a mode by the scale E of the chain. The caller has computed E
+    /// in a first pass over the modes. E is the smallest |x² − 1| + 2ζx among the modes that the contact drives.
     #[inline]
     pub fn at_scale(&self, mode: &ModeResponse<S>, scale: S) -> ModeAt<S> {
         self.scaled(mode, scale, false, 0)
@@ -211,7 +212,7 @@ impl<S: Scalar> Chain<S> {
     }
 
     /// Computes the modal sums V, H, U, G and H_c of the contact for modes with loads in quadrature (90° out of phase).
-    /// If there are no loads in quadrature, [`contact_of`](Self::contact_of) gives the same sums.
+    /// Without loads in quadrature, [`contact_of`](Self::contact_of) returns the same sums.
     #[inline]
     pub fn contact_loaded(
         &self,
@@ -234,8 +235,8 @@ impl<S: Scalar> Chain<S> {
         self.completed(&sum, inverse_r)
     }
 
-    /// Returns the terms of the first mode in the modal sums V, H, U and H_c of the contact, and in G if `with_g` is
-    /// true. Call this function only for a scene with several modes.
+    /// Returns the terms of the first mode in the modal sums V, H, U and H_c of the contact. If `with_g` is true, the
+    /// result also contains the term in G. Call this function only for a scene with several modes.
     #[inline(always)]
     pub fn begun_by(
         &self,

@@ -1,8 +1,9 @@
 //! Names of local variables in emitted code.
 //!
-//! In Rust, the pattern of `let r = …` refers to a constant `r` if one is in scope, and then does not compile. A user
-//! may have a constant with the name of a local variable of emitted code. Emitted code therefore imports the functions
-//! of this module. The functions hide the user's constants, and the pattern may hide a function.
+//! In Rust, the pattern of `let r = …` refers to a constant `r` if a constant of this name is in scope. The statement
+//! then does not compile. A user may have a constant with the name of a local variable of emitted code. Emitted code
+//! therefore imports the functions of this module. The functions hide the user's constants, and a pattern may hide a
+//! function.
 
 macro_rules! locals {
     ($($name:ident)*) => {

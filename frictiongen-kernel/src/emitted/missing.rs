@@ -14,8 +14,8 @@
 pub trait AddLimitsToProvide {
     /// Result type of a method that requires this trait. No type implements the trait, so the type is never used.
     type Answer;
-    /// Stands for the body of a method that requires this trait. It is never called, because no type implements the
-    /// trait.
+    /// Stands for the body of a method that requires this trait. The function is never called, because no type
+    /// implements the trait.
     fn answer() -> Self::Answer;
 }
 
@@ -28,8 +28,8 @@ pub trait AddLimitsToProvide {
 pub trait AddMotionToProvide {
     /// Result type of a method that requires this trait. No type implements the trait, so the type is never used.
     type Answer;
-    /// Stands for the body of a method that requires this trait. It is never called, because no type implements the
-    /// trait.
+    /// Stands for the body of a method that requires this trait. The function is never called, because no type
+    /// implements the trait.
     fn answer() -> Self::Answer;
 }
 
@@ -42,8 +42,8 @@ pub trait AddMotionToProvide {
 pub trait AddOrbitToProvide {
     /// Result type of a method that requires this trait. No type implements the trait, so the type is never used.
     type Answer;
-    /// Stands for the body of a method that requires this trait. It is never called, because no type implements the
-    /// trait.
+    /// Stands for the body of a method that requires this trait. The function is never called, because no type
+    /// implements the trait.
     fn answer() -> Self::Answer;
 }
 
@@ -56,8 +56,8 @@ pub trait AddOrbitToProvide {
 pub trait AddSelfCheckToProvide {
     /// Result type of a method that requires this trait. No type implements the trait, so the type is never used.
     type Answer;
-    /// Stands for the body of a method that requires this trait. It is never called, because no type implements the
-    /// trait.
+    /// Stands for the body of a method that requires this trait. The function is never called, because no type
+    /// implements the trait.
     fn answer() -> Self::Answer;
 }
 
@@ -70,8 +70,8 @@ pub trait AddSelfCheckToProvide {
 pub trait AddSimulationToProvide {
     /// Result type of a method that requires this trait. No type implements the trait, so the type is never used.
     type Answer;
-    /// Stands for the body of a method that requires this trait. It is never called, because no type implements the
-    /// trait.
+    /// Stands for the body of a method that requires this trait. The function is never called, because no type
+    /// implements the trait.
     fn answer() -> Self::Answer;
 }
 
@@ -84,8 +84,8 @@ pub trait AddSimulationToProvide {
 pub trait AddStepperToProvide {
     /// Result type of a method that requires this trait. No type implements the trait, so the type is never used.
     type Answer;
-    /// Stands for the body of a method that requires this trait. It is never called, because no type implements the
-    /// trait.
+    /// Stands for the body of a method that requires this trait. The function is never called, because no type
+    /// implements the trait.
     fn answer() -> Self::Answer;
 }
 
@@ -98,8 +98,8 @@ pub trait AddStepperToProvide {
 pub trait AddStuckToProvide {
     /// Result type of a method that requires this trait. No type implements the trait, so the type is never used.
     type Answer;
-    /// Stands for the body of a method that requires this trait. It is never called, because no type implements the
-    /// trait.
+    /// Stands for the body of a method that requires this trait. The function is never called, because no type
+    /// implements the trait.
     fn answer() -> Self::Answer;
 }
 
@@ -112,14 +112,15 @@ pub trait AddStuckToProvide {
 pub trait AddMassToMotion {
     /// Result type of a method that requires this trait. No type implements the trait, so the type is never used.
     type Answer;
-    /// Stands for the body of a method that requires this trait. It is never called, because no type implements the
-    /// trait.
+    /// Stands for the body of a method that requires this trait. The function is never called, because no type
+    /// implements the trait.
     fn answer() -> Self::Answer;
 }
 
 /// Writes a placeholder for each method that a scene does not provide. A call to a placeholder does not compile,
 /// because the placeholder requires a trait of this module that no type implements. If the method has a number as its
-/// argument, the compiler prints the message of the trait. For other methods it prints only the name of the trait.
+/// argument, the compiler prints the message of the trait. For other methods the compiler prints only the name of the
+/// trait.
 #[doc(hidden)]
 #[macro_export]
 macro_rules! not_provided {

@@ -5,8 +5,8 @@ pub mod locals;
 pub mod missing;
 mod shapes;
 
-// A constant of the user may have the name of a local variable in emitted code. The functions of `locals` hide a
-// constant of this name.
+// A constant of the user may have the name of a local variable in emitted code. The functions of `locals` hide such a
+// constant.
 pub use crate::Complex;
 pub use crate::Scalar;
 pub use crate::contact::regime::Limits;
@@ -40,9 +40,11 @@ pub use locals::*;
 pub use shapes::transposed;
 
 /// Writes those items of the trait `Scene` that are the same in every emitted scene. The scene must have the constants
-/// `NUMBERS` and `MODES` and the function `functions`. The frequency stage computes the functions of all modes and of
-/// the contact at one frequency ratio r. A scene with its own frequency stage (`in passes`) needs no `functions`. In a
-/// damped scene, a constant parameter of `functions` selects whether the function computes G.
+/// `NUMBERS` and `MODES` and the function `functions`.
+///
+/// The frequency stage computes the functions of all modes and of the contact at one frequency ratio r. A scene with
+/// its own frequency stage (`in passes`) needs no `functions`. In a damped scene, a constant parameter of `functions`
+/// selects whether the function computes the modal sum G.
 #[doc(hidden)]
 #[macro_export]
 macro_rules! scene_items {

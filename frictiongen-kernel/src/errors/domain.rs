@@ -15,14 +15,15 @@ use core::fmt;
 pub enum OutOfDomain {
     /// The frequency ratio r of a steady response is outside its domain.
     FrequencyRatio(Given),
-    /// The frequency ratio r of a motion in time is outside its domain. Its reciprocal must also be finite.
+    /// The frequency ratio r of a motion in time is outside its domain. r must be positive, and not too close to 0 or
+    /// ∞.
     FrequencyRatioInTime(Given),
     /// The friction ratio β is outside its domain.
     FrictionRatio(Given),
     /// The frequency ratio or friction ratio is outside the range for which the scene's tables were made.
     OutsideTables(Ratio),
     /// The frequency ratio or friction ratio differs from that of the orbit (steady state). An orbit has derivatives
-    /// only at its own ratios.
+    /// only at the ratios for which it was computed.
     OtherPoint(Ratio),
     /// The initial state of the masses (displacements and velocities) is invalid.
     State,
@@ -34,7 +35,7 @@ pub enum OutOfDomain {
     Duration(Given),
     /// A slice of numbers that the caller passes has a wrong length.
     Length(Slice),
-    /// The range of frequency ratios is invalid. Its upper bound must exceed its lower bound.
+    /// The range of frequency ratios is invalid. The upper bound of the range must exceed the lower bound.
     Range,
     /// The number of intervals into which a search divides its range is 0.
     Intervals,
@@ -48,32 +49,32 @@ pub enum OutOfDomain {
     Forces,
     /// The displacement or velocity of the base in one step of a stepper is outside its domain.
     BaseMotion(Given),
-    /// The input contains a base motion, but the base of the scene rests.
+    /// The input contains a base motion, but the base of the scene does not move.
     BaseAtRest,
     /// The kinetic friction force F in one step of a stepper is outside its domain.
     Friction(Given),
     /// The stiction μ, the ratio of the static to the kinetic friction force, is outside its domain.
     Stiction(Given),
-    /// After the first step of a stepper, the caller gave an input that the stepper accepts only before the first step,
-    /// such as an initial state.
+    /// The caller gave an input after the first step of a stepper. The stepper accepts this input, such as an initial
+    /// state, only before the first step.
     Begun,
-    /// The saved state comes from a stepper with another scene or another time step dt.
+    /// The saved state comes from a stepper with another scene, another time step dt or another number type.
     Saved,
     /// The image (bytes) of a stepper's state has a wrong length or checksum.
     ImageDamaged,
     /// Another version of this library wrote the image (bytes) of a stepper's state.
     ImageVersion,
-    /// The work of the load on the chain since the start is so large that it may overflow the number type after one
-    /// more step.
+    /// The work of the load on the chain since the start is very large. One more step might make the work overflow the
+    /// number type.
     Work,
-    /// In a scene whose kinetic friction depends on the speed, the amplitude of a simulation's load is outside its
-    /// domain.
+    /// The amplitude of the load in a simulation is outside its domain. A simulation needs this amplitude if the
+    /// kinetic friction of the scene depends on the speed.
     LoadAmplitude(Given),
     /// The slope of a speed-dependent friction law is too steep for a simulation.
     Steepness,
     /// The slope of a speed-dependent friction law is too steep for one step of a stepper.
     StepSteepness,
-    /// The motion of a scene with several contacts exceeds a bound of the solver. The field gives the reason.
+    /// The solver of scenes with several contacts does not continue the motion. The field gives the reason.
     Motion(Halt),
     /// The scene does not support the request. The field gives the reason.
     Unsupported(Unsupported),
@@ -96,23 +97,23 @@ pub enum Given {
     Infinite,
 }
 
-/// One of the two ratios of an operating point.
+/// The frequency ratio or the friction ratio of an operating point.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub enum Ratio {
     /// The frequency ratio r.
     Frequency,
-    /// The friction ratio β is outside its domain.
+    /// The friction ratio β.
     Friction,
 }
 
-/// A slice of a wrong length, which the caller passed for results or as working storage.
+/// A slice with a wrong length, which the caller passed for results or as working storage.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub enum Slice {
-    /// The slice for the limits of continuous motion β_lim, one for each frequency ratio.
+    /// Slice for the limits of continuous motion β_lim, one for each frequency ratio.
     Continuous,
     /// Slice for the limits of sliding β*_lim, one for each frequency ratio.
     Sliding,
@@ -133,7 +134,7 @@ pub enum Slice {
 #[non_exhaustive]
 pub enum Unsupported {
     /// The method computes no motion in time for a scene with many modes near critical damping. In this number type,
-    /// rounding mixes the modes of the sliding chain with those of the stuck chain.
+    /// rounding errors would mix the modes of the sliding chain with those of the stuck chain.
     CriticalDamping,
     /// The method has no result for a scene whose kinetic friction depends on the sliding speed.
     FrictionLaw,
@@ -225,8 +226,9 @@ impl fmt::Display for Unsupported {
 }
 
 impl OutOfDomain {
-    /// Returns three texts about a number outside its domain: the name of the argument, the kind of the given number,
-    /// and the condition for the argument. Returns `None` if the error is not about a single number.
+    /// Returns three texts for the message about a number outside its domain. The texts are the name of the argument,
+    /// the kind of the given number, and the condition for the argument. Returns `None` if the error is not about a
+    /// single number.
     fn number(self) -> Option<(&'static str, Given, &'static str)> {
         const RATIO: &str = "the frequency ratio r";
         Some(match self {

@@ -1,4 +1,4 @@
-//! Reasons why a motion of several contacts ends.
+//! Reasons why a solver of scenes with several contacts does not continue a motion.
 
 use core::fmt;
 
@@ -7,17 +7,17 @@ use core::fmt;
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub enum Halt {
-    /// The caller gave a friction force that the contact cannot have. It is negative or not finite, or it changes with
-    /// time at an elastic contact.
+    /// The caller gave a friction force that the contact cannot have. The friction force is negative or not finite, or
+    /// it changes with time at an elastic contact.
     Level,
-    /// The load that the caller gave is not finite, or the load does not exist.
+    /// The load that the caller gave is not finite, or no load has the given index.
     Load,
-    /// At one instant, the solver would try more patterns of sticking contacts than
-    /// [`MAX_PATTERNS`](crate::joints::MAX_PATTERNS). A pattern says which contacts stick.
+    /// At one instant, the solver would try more than [`MAX_PATTERNS`](crate::joints::MAX_PATTERNS) patterns. A pattern
+    /// says which contacts stick.
     Patterns,
-    /// The motion has more events than the solver follows.
+    /// The motion has more events (such as stops and reversals of a contact) than the solver permits.
     Events,
-    /// The motion needs more stretches than the solver follows. A stretch is a time interval in which the solver uses
+    /// The motion needs more stretches than the solver permits. A stretch is a time interval in which the solver uses
     /// one power series.
     Stretches,
     /// The solver finds one event after the other without any time between them.

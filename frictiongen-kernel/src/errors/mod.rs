@@ -8,17 +8,17 @@ pub use halt::Halt;
 
 use core::fmt;
 
-/// Regime of the steady state: the way in which the contact moves in it.
+/// Regime of the steady state: continuous motion, stick-slip, stuck or bistable.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[non_exhaustive]
 pub enum Regime {
-    /// Continuous motion: β < β_lim and β < β*_lim. The contact slides all the time, as the closed form describes. No
-    /// stuck state exists. With μ = 1 the continuous motion is the only steady state. With μ > 1 stick-slip states may
-    /// also exist.
+    /// Continuous motion: β < β_lim and β < β*_lim. The contact slides all the time, and the closed form gives its
+    /// motion. No stuck state exists. With μ = 1 the continuous motion is the only steady state. With μ > 1 stick-slip
+    /// states may also exist.
     Continuous,
-    /// Stick-slip: β_lim ≤ β < β*_lim. The contact alternately sticks and slides. Neither a motion that slides all the
-    /// time nor a stuck state exists.
+    /// Stick-slip: β_lim ≤ β < β*_lim. The contact alternately sticks and slides. No motion slides all the time, and no
+    /// stuck state exists.
     StickSlip,
     /// Stuck: β ≥ β_lim and β ≥ β*_lim. A stuck state exists. With μ = 1 the motion from rest always ends in a stuck
     /// state. With μ > 1 the motion from rest may end in stick-slip instead.
@@ -50,7 +50,7 @@ pub enum NotContinuous {
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct StuckResonance;
 
-/// Reason why the search for a steady state returns none.
+/// Reason why the search for a steady state returns no steady state.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[non_exhaustive]
@@ -61,8 +61,9 @@ pub enum NoOrbit {
     TooManyEvents,
     /// The excitation is on an undamped resonance, with too little friction to bound the amplitude.
     Unbounded,
-    /// The load drives a mode, but neither damping nor the contact dissipates energy of this mode. Its free vibration
-    /// never decays. The number is the index of the mode, counted from 0 in ascending order of natural frequency.
+    /// The load drives a mode, but neither damping nor the contact dissipates energy of this mode. The free vibration
+    /// of the mode never decays. The number is the index of the mode, counted from 0 in ascending order of natural
+    /// frequency.
     Undamped(usize),
     /// Every steady state that the search found is unstable, and the motion in time did not settle on another steady
     /// state.
@@ -83,7 +84,7 @@ pub enum Error {
     NotContinuous(NotContinuous),
     /// The stuck chain is excited on an undamped resonance: see [`StuckResonance`].
     StuckResonance(StuckResonance),
-    /// The search for a steady state returns none. The field gives the reason: see [`NoOrbit`].
+    /// The search for a steady state returns no steady state. The field gives the reason: see [`NoOrbit`].
     NoOrbit(NoOrbit),
 }
 

@@ -13,13 +13,13 @@ use crate::{Float, Scalar};
 const SOON: usize = 5;
 /// Largest number of searches for the steady state of a chain with μ = 1.
 const SEARCHES: usize = 4;
-/// Largest number of waits after a search. The waits end when no contact can slide any more that sticks in the steady
-/// state.
+/// Largest number of waits after a search. In a wait the motion runs for `WAIT` cycles. The waits end when the contacts
+/// that stick in the steady state can no longer slide.
 const WAITS: usize = 32;
 /// Number of cycles of the load in each wait.
 const WAIT: usize = 4;
-/// Number of successive waits in which no slider moves, after which the search starts again with the present positions
-/// of the sliders.
+/// Number of successive waits without a movement of a slider after which the search starts again. The search then uses
+/// the present positions of the sliders.
 const CALM: usize = 2;
 
 impl<S: Float, Z: Size> Search<S, Z> {
@@ -28,8 +28,9 @@ impl<S: Float, Z: Size> Search<S, Z> {
     ///
     /// If all contacts have μ = 1 and a constant kinetic friction, the energy of the difference between two motions
     /// under the same loads never grows. A steady state that attracts neighbouring motions therefore attracts every
-    /// motion. The search then needs no test of the motion from rest. If the energy of the present difference is too
-    /// small to make an elastic contact slide, the contact keeps the position of its slider.
+    /// motion. The search then needs no test of the motion from rest. If the energy of the difference between the
+    /// motion and the steady state is too small to make an elastic contact slide, the contact keeps the position of its
+    /// slider.
     ///
     /// # Errors
     ///
@@ -55,7 +56,7 @@ impl<S: Float, Z: Size> Search<S, Z> {
             };
             let most = one - self.tolerances.attracts;
             let attracts = found.multipliers().iter().all(|m| modulus(m) < most);
-            // The energy gives no bound on the force that holds a rigid contact.
+            // The energy of the difference between two motions gives no bound on the force of a sticking rigid contact.
             let is_rigid = marginal(trial.model(), &found).any(|(_, contact)| contact.is_rigid());
             if found.neutral > 0 || !attracts || is_rigid {
                 return Ok(None);
@@ -93,8 +94,8 @@ impl<S: Float, Z: Size> Search<S, Z> {
         contacts.any(|(contact, moves)| *moves && contact.slip < least)
     }
 
-    /// Advances the motion until no contact can slide any more that sticks in the steady state. Returns false if a
-    /// contact of this kind has slid, or if the search must start again for another reason.
+    /// Advances the motion until the contacts that stick in the steady state can no longer slide. Returns false if one
+    /// of these contacts has slid, or if the search must start again for another reason.
     fn waits(&self, motion: &mut Motion<S, Z>, steady: &Steady<S, Z>) -> Result<bool, Halt> {
         let mut belongs = !self.grazes(steady);
         let mut calm = 0;
@@ -116,8 +117,8 @@ impl<S: Float, Z: Size> Search<S, Z> {
 }
 
 /// Returns true if no contact that sticks in a periodic motion can slide while a given motion approaches the periodic
-/// motion. Both motions are at a maximum of the load. The energy of their difference never grows. It therefore gives a
-/// bound on the difference of the forces in each elastic contact.
+/// motion. Both motions are at a maximum of the load. The energy of the difference between the two motions never grows.
+/// The energy therefore gives a bound on the difference of the forces in each elastic contact.
 fn keeps_its_sliders<S: Float, Z: Size>(motion: &Motion<S, Z>, steady: &Steady<S, Z>) -> bool {
     let (half, two) = (S::constant(0.5), S::constant(2.0));
     let model = motion.model();
@@ -151,7 +152,7 @@ fn keeps_its_sliders<S: Float, Z: Size>(motion: &Motion<S, Z>, steady: &Steady<S
 }
 
 /// Compares the sliders of all contacts that stick in a periodic motion. Returns true if each slider has the same
-/// position in the given motion and in another state. Both are at a maximum of the load.
+/// position in the given motion and in another state. The motion and the state are at a maximum of the load.
 fn same_sliders<S: Float, Z: Size>(
     motion: &Motion<S, Z>,
     steady: &Steady<S, Z>,

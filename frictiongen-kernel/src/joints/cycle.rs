@@ -15,7 +15,8 @@ use crate::{Float, Scalar};
 pub struct ContactCycle<S> {
     /// Number of transitions of the contact from sliding to sticking.
     pub stops: usize,
-    /// Number of transitions of the contact from sliding in one direction to sliding in the other, without a stop.
+    /// Number of transitions of the contact from sliding in one direction to sliding in the opposite direction, without
+    /// a stop.
     pub reversals: usize,
     /// Fraction of the period during which the contact sticks.
     pub stuck_fraction: S,
@@ -45,13 +46,14 @@ impl<S: Float> ContactCycle<S> {
     }
 
     /// Returns true if the contact has slid farther than rounding errors can cause. A contact may reach its friction
-    /// force once in every cycle without sliding. Rounding errors then decide whether it slides by some 1e-16 of its
-    /// displacement.
+    /// force once in every cycle without sliding. Rounding errors then decide whether the contact slides by some 1e-16
+    /// of its displacement.
     fn has_slid(&self) -> bool {
         self.slip > least_slip(self.displacement)
     }
 
-    /// If rounding errors alone cause the slip of a contact, replaces its results by those of a contact that sticks.
+    /// Replaces the results by those of a contact that sticks. The caller uses this function if rounding errors alone
+    /// cause the slip of the contact.
     fn forget_slip(&mut self) {
         let zero = S::constant(0.0);
         (self.stops, self.reversals) = (0, 0);
@@ -75,10 +77,11 @@ impl<S: Float> ContactCycle<S> {
 /// Amplitudes of the masses, and results of each contact, in one period.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Cycle<S: Float, Z: Size> {
-    /// Amplitude of each mass: its largest |x| in the period.
+    /// Amplitude of each mass: the largest absolute displacement |x| of the mass in the period.
     pub amplitudes: Z::Masses<S>,
     /// Centred amplitude of each mass: half the distance between its smallest and its largest displacement in the
-    /// period. If no spring holds a mass, the code first subtracts the mean velocity of the mass.
+    /// period. If a part of the chain can move without a force, the code first subtracts the mean velocity of each
+    /// mass.
     pub centred: Z::Masses<S>,
     /// Results of each contact, in the order of the description.
     pub contacts: Z::Contacts<ContactCycle<S>>,
@@ -229,7 +232,7 @@ impl<S: Float, Z: Size> Observe<S, Z> for Watch<S, Z> {
 
 impl<S: Float, Z: Size> Series<S, Z> {
     /// Returns the work of the contact `j` between its nodes `plus` and `minus`, up to a fraction of the time interval.
-    /// While a rigid contact slides, this is the energy that its friction dissipates.
+    /// While a rigid contact slides, the work is the energy that its friction dissipates.
     pub fn work(&self, j: usize, (plus, minus): (usize, usize), fraction: S) -> S {
         let speed = self.speed_terms(plus, minus);
         work(&self.force_terms(j), &speed, self.length, fraction)

@@ -32,7 +32,7 @@ pub struct Decision<'a, S: Float, Z: Size> {
     pub model: &'a Model<S, Z>,
     /// Sum of the forces on each node, without the forces of the contacts in `asked`.
     pub forces: Z::Nodes<S>,
-    /// Sum of the absolute values of all forces in `forces`. The rounding error of a force is proportional to it.
+    /// Sum of the absolute values of all forces in `forces`. The rounding error of a force is proportional to this sum.
     pub size: S,
     /// Acceleration of the base at this instant.
     pub base: S,
@@ -121,8 +121,9 @@ impl<S: Float, Z: Size> Decision<'_, S, Z> {
         Err(Halt::Stalled)
     }
 
-    /// Gives each contact in `asked` a label. The label is the index of the first contact that acts on it, directly or
-    /// through other contacts. Two contacts act on each other if they share a mass.
+    /// Gives each contact in `asked` a label. Contacts have the same label if they act on each other, directly or
+    /// through other contacts in `asked`. The label is the smallest index of these contacts. Two contacts act on each
+    /// other directly if they share a mass.
     fn labels(&self) -> Z::Contacts<usize> {
         let wall = self.model.wall();
         let meets = |a: &Contact<S>, b: &Contact<S>| {

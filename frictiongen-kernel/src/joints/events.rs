@@ -41,9 +41,9 @@ impl<S: Float, Z: Size> Motion<S, Z> {
                 }
                 (Some(_), false) => {
                     self.state.set_phase(j, STUCK);
-                    // The force is at its limit, and its rate is zero. If the velocity already has the opposite sign,
-                    // the force will fall. The code then uses the sign of the rate, even if the rate is only a rounding
-                    // error.
+                    // The contact has just stopped, so that its force is at the limit, and the rate of the force is 0.
+                    // If the computed velocity already has the opposite sign, the force will fall. The code then uses
+                    // the sign of the computed rate, even if this rate is only a rounding error.
                     let turns = sign::<S>(side) * contact.across(v.as_ref());
                     let rate_is_zero = turns >= S::constant(0.0);
                     let zeros = if rate_is_zero { 2 } else { 1 };

@@ -15,9 +15,9 @@ use super::wave::Wave;
 use crate::motion::{KineticLine, line, line_at};
 use crate::{Float, Scalar};
 
-/// Distance beyond the end of a line at which a contact leaves it, in rounding units of the velocities. Both lines have
-/// the same force at their common point. The distance exceeds the rounding error of a velocity, so that a contact does
-/// not return to the line that it has just left.
+/// Distance beyond the end of a line of the friction law at which a contact leaves the line, in rounding units of the
+/// velocities. Two adjacent lines have the same force at their common point. The distance exceeds the rounding error of
+/// a velocity, so that a contact does not return to the line that it has just left.
 const BEYOND: f64 = 64.0;
 
 impl<S: Float, Z: Size> Model<S, Z> {
@@ -26,8 +26,8 @@ impl<S: Float, Z: Size> Model<S, Z> {
         contact.is_rigid() && !self.law.as_ref().is_empty()
     }
 
-    /// Returns true if no difference between two motions under the same loads can gain energy. Its energy cannot grow
-    /// if static and kinetic friction are equal, and if the kinetic friction does not depend on the speed.
+    /// Returns true if the energy of the difference between two motions under the same loads cannot grow. The energy
+    /// cannot grow if static and kinetic friction are equal, and if the kinetic friction does not depend on the speed.
     pub(super) fn is_contraction(&self) -> bool {
         let one = S::constant(1.0);
         let mut contacts = self.contacts().iter();
@@ -54,8 +54,8 @@ impl<S: Float, Z: Size> Model<S, Z> {
     }
 
     /// Returns one coefficient in the power series of a sliding contact's force, on a line of the friction law. `side`
-    /// is the direction of sliding, and `time` is the start of the time interval and its length. `speeds` has the
-    /// coefficients of the relative velocity up to this order.
+    /// is the direction of sliding. `time` contains the start of the time interval and its length. `speeds` has the
+    /// coefficients of the relative velocity, and `order` is the index of the coefficient.
     pub(super) fn force_term(
         &self,
         contact: &Contact<S>,
@@ -71,7 +71,7 @@ impl<S: Float, Z: Size> Model<S, Z> {
         sign::<S>(side) * line.level * at(&level, order) + line.slope * product
     }
 
-    /// Returns the rate at which the slope of the friction law can change the motion of a sliding contact.
+    /// Returns the rate, in 1/time, at which the slope of the friction law can change the motion of a sliding contact.
     fn steepness(&self, contact: &Contact<S>, velocity: S, time: S) -> S {
         let zero = S::constant(0.0);
         let masses = self.masses();
@@ -82,7 +82,7 @@ impl<S: Float, Z: Size> Model<S, Z> {
     }
 }
 
-/// Returns an upper bound on a level in a time interval.
+/// Returns an upper bound on the absolute value of a level (kinetic friction force) in a time interval.
 fn largest<S: Float>(level: &Wave<S>, time: S, length: S) -> S {
     let line = level.constant + level.slope * time;
     line.abs() + level.slope.abs() * length + level.amplitude.abs()
@@ -103,7 +103,7 @@ impl<S: Float, Z: Size> Motion<S, Z> {
         angle / rates.fold(angle / self.model.stretch, |sum, rate| sum + rate)
     }
 
-    /// Returns the fraction of a time interval after which a contact leaves its line of the friction law.
+    /// Returns the fraction of a time interval after which the first contact leaves its line of the friction law.
     pub(super) fn line_end(&self, series: &Series<S, Z>) -> Option<S> {
         let ends = self.sliding().filter_map(|(contact, side)| {
             let ends = (contact.plus, contact.minus);

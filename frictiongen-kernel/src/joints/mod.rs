@@ -1,11 +1,11 @@
-//! Chains with several rigid and elastic contacts, with dashpots, and with masses that no spring holds.
+//! Chains with several rigid and elastic contacts, with dashpots, and with masses that no spring supports.
 //!
 //! All quantities have the units of the description. A contact of the nodes `plus - minus` has the relative
 //! displacement z: the displacement of the node `plus` minus that of the node `minus`. A positive force f of the
 //! contact acts on the node `plus` in the negative direction.
 //!
-//! * A rigid contact with ż = 0 sticks while |f| is at most μF. While it slides, f = F sgn ż. Under Stribeck's law,
-//!   f = F φ(|ż|) sgn ż, where φ consists of straight lines.
+//! * A rigid contact with ż = 0 sticks while |f| is at most μF, where F is its kinetic friction force. While it slides,
+//!   f = F sgn ż. Under Stribeck's law, f = F φ(|ż|) sgn ż, where φ consists of straight lines.
 //! * An elastic contact (Jenkins element) is a spring in series with a slider. The force f is that of the spring until
 //!   |f| reaches μF. Then |f| is F, until ż = 0.
 //! * The *level* of a contact is its kinetic friction force F. A contact with the level 0 has no force.

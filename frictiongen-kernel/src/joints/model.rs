@@ -19,7 +19,7 @@ pub struct Contact<S> {
     /// Second node of the contact. Its displacement x_minus has a negative sign in the relative displacement z = x_plus
     /// − x_minus.
     pub minus: usize,
-    /// Kinetic friction force of the contact as a function of time. The code calls it the level.
+    /// Kinetic friction force of the contact as a function of time. The code calls this force the level.
     pub level: Wave<S>,
     /// Ratio μ of the static friction force to the kinetic friction force.
     pub stiction: S,
@@ -54,8 +54,8 @@ impl<S: Float> Contact<S> {
         add(nodes, self.minus, force);
     }
 
-    /// Returns true if the contact can have the kinetic friction force `level`. Any contact can have a constant that is
-    /// not negative. Only a rigid contact can have a function that changes with time.
+    /// Returns true if the contact can have the kinetic friction force `level`. Every contact can have a constant force
+    /// of at least 0. Only a rigid contact can have a force that changes with time.
     #[must_use]
     pub fn fits(&self, level: &Wave<S>) -> bool {
         let varies = !level.amplitude.is_zero() || !level.slope.is_zero();
@@ -68,8 +68,8 @@ impl<S: Float> Contact<S> {
     }
 }
 
-/// A chain with several contacts. Its numbers and its nodes are valid. The nodes are the masses, the wall and the base,
-/// in this order.
+/// A chain with several contacts. Its numbers and its node indices are valid. The nodes are the masses, the wall and
+/// the base, in this order.
 #[derive(Clone, Debug)]
 pub struct Model<S: Float, Z: Size> {
     /// Numbers of masses, contacts and loads in the chain. They determine the lengths of all arrays.
@@ -80,7 +80,7 @@ pub struct Model<S: Float, Z: Size> {
     pub springs: Z::Constants<Link<S>>,
     /// Dashpots of the chain, each with its two nodes and its damping coefficient.
     pub dashpots: Z::Constants<Link<S>>,
-    /// Matrix of modal or Rayleigh damping, row after row. It is empty if the chain has no damping of this kind.
+    /// Matrix of modal or Rayleigh damping, row after row. It is empty if the chain has neither kind of damping.
     pub damping: Z::Constants<S>,
     /// True if the damping matrix acts on velocities relative to the base. False if it acts on absolute velocities.
     pub damping_from_base: bool,
@@ -130,8 +130,9 @@ impl<S: Float, Z: Size> Model<S, Z> {
     }
 
     /// Returns one coefficient of the power series of the force on each node, without the contact forces. The arguments
-    /// are the coefficients of the displacements and the velocities. The function `load` returns the coefficient of
-    /// each load. If `size` is given, this function adds the absolute values of all terms to it.
+    /// `x` and `v` are the coefficients of the displacements and the velocities. The function `load` returns the
+    /// coefficient of each load. If `size` is given, the absolute value of each term is added to `size` at the node of
+    /// the term.
     pub fn forces(
         &self,
         x: &[S],
@@ -191,7 +192,8 @@ impl<S: Float, Z: Size> Model<S, Z> {
         load.map_or(S::constant(0.0), |(_, wave)| wave.value(time, 0))
     }
 
-    /// Replaces a load by another function of time. Returns the jump of the load's value at the instant `time`.
+    /// Replaces a load by another function of time. Returns the jump of the load's value at the instant `time`, or
+    /// `None` for an invalid index.
     pub(super) fn change_load(&mut self, load: usize, to: Wave<S>, time: S) -> Option<S> {
         let (_, wave) = self.loads.as_mut().get_mut(load)?;
         let jump = to.value(time, 0) - wave.value(time, 0);
@@ -208,8 +210,9 @@ impl<S: Float, Z: Size> Model<S, Z> {
     }
 
     /// Sets the longest time interval of a power series to a/s. s is an upper bound on the rates of the motion, and a
-    /// is an angle of 1.5 rad (1 rad in `f32`). Gershgorin's theorem gives upper bounds on M⁻¹K and M⁻¹C. In K, elastic
-    /// contacts are springs. A rate s satisfies s² ≤ ‖M⁻¹C‖s + ‖M⁻¹K‖.
+    /// is an angle of 1.5 rad (1 rad in `f32`). M, K and C are the mass, stiffness and damping matrices. Gershgorin's
+    /// theorem gives upper bounds on the norms of M⁻¹K and M⁻¹C. In K, elastic contacts are springs. A rate s satisfies
+    /// s² ≤ ‖M⁻¹C‖s + ‖M⁻¹K‖.
     pub fn set_stretch(&mut self) {
         let mut stiff = self.size.nodes(S::constant(0.0));
         let mut slow = self.size.nodes(S::constant(0.0));
@@ -245,7 +248,8 @@ impl<S: Float, Z: Size> Model<S, Z> {
         rates.fold(S::constant(0.0), crate::Scalar::max)
     }
 
-    /// Adds a spring or a dashpot to the sums of Gershgorin's theorem for its two nodes.
+    /// Adds a spring's stiffness, or a dashpot's coefficient, to the row sums of Gershgorin's theorem for its two
+    /// nodes.
     fn circle(&self, circles: &mut [S], (plus, minus, value): Link<S>) {
         let both = plus.max(minus) < self.wall();
         let value = if both {

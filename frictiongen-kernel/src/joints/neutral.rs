@@ -4,9 +4,9 @@ use super::model::Model;
 use super::size::Size;
 use crate::Float;
 
-/// Returns the number of independent motions that change no force. Motions of this kind are displacements of parts that
-/// neither a spring nor a contact holds in position. Constant velocities of parts without any connection to a support
-/// are also motions of this kind.
+/// Returns the number of independent motions that change no force. Such a motion is a displacement of a part of the
+/// chain that neither a spring nor a contact keeps in position. A constant velocity of a part without any connection to
+/// a support is also such a motion.
 pub(super) fn neutral<S: Float, Z: Size>(
     model: &Model<S, Z>,
     keeps: impl Fn(usize) -> bool,
@@ -51,7 +51,7 @@ fn roots<S: Float, Z: Size>(model: &Model<S, Z>, parts: &[usize]) -> impl Iterat
     (0..model.wall()).filter(move |root| parts.contains(root))
 }
 
-/// Returns true if the damping matrix resists a common motion of all nodes of a part.
+/// Returns true if the damping matrix acts on a common motion of all nodes of a part of the chain.
 fn is_damped<S: Float, Z: Size>(model: &Model<S, Z>, parts: &[usize], root: usize) -> bool {
     let belongs = |node: usize| parts.get(node) == Some(&root);
     let small = S::constant(if S::EPSILON < 1e-10 { 1e-9 } else { 1e-4 });

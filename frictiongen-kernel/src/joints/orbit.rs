@@ -1,8 +1,8 @@
 //! Steady states of a chain with several contacts at one frequency, and its stuck state. All results are
 //! non-dimensional groups.
 //!
-//! Displacements are divided by P/k₁ (by Y for base motion). Forces are divided by P (by k₁Y), and energies by P²/k₁
-//! (by k₁Y²).
+//! Displacements are divided by P/k₁ (by Y for base motion, where Y is the amplitude of the base). Forces are divided
+//! by P (by k₁Y), and energies by P²/k₁ (by k₁Y²).
 
 use super::cycle::ContactCycle;
 use super::model::Model;
@@ -18,8 +18,8 @@ use crate::{Float, Scalar};
 /// A chain with several contacts at one frequency.
 #[derive(Clone, Debug)]
 pub struct At<S: Float, Z: Size> {
-    /// Constants of the chain. The level (kinetic friction force) of each contact is its fraction of the common
-    /// friction.
+    /// Constants of the chain. The level (kinetic friction force) of each contact is the contact's fraction of the
+    /// common friction force.
     model: Model<S, Z>,
     reference: Reference<S>,
     r: S,
@@ -28,7 +28,7 @@ pub struct At<S: Float, Z: Size> {
 
 impl<S: Float, Z: Size> At<S, Z> {
     /// Evaluates a chain at the frequency ratio r. In `model`, the level (kinetic friction force) of each contact is
-    /// its fraction of the common friction. `contacts` contains the names of the contacts.
+    /// the contact's fraction of the common friction force. `contacts` contains the names of the contacts.
     ///
     /// # Errors
     ///
@@ -53,8 +53,8 @@ impl<S: Float, Z: Size> At<S, Z> {
         self.r
     }
 
-    /// Returns the state in which no contact slides, from a closed form. No earlier motion has left a force in a
-    /// contact.
+    /// Returns the state in which no contact slides, from a closed form. In this state no contact has a constant force
+    /// from an earlier motion.
     ///
     /// # Errors
     ///
@@ -76,8 +76,8 @@ impl<S: Float, Z: Size> At<S, Z> {
     ///
     /// # Errors
     ///
-    /// [`NoOrbit::OutOfDomain`] if β is negative or not finite, or if the given state is not finite. The same error,
-    /// with its cause, if the motion exceeds a bound. [`NoOrbit::Unsettled`] if the motion does not settle.
+    /// [`NoOrbit::OutOfDomain`] if β is negative or not finite, if the given state is not finite, or, with its cause,
+    /// if the motion exceeds a bound. [`NoOrbit::Unsettled`] if the motion does not settle.
     pub fn orbit(&self, beta: S, state: Option<Start<'_, S>>) -> Result<Orbit<S, Z>, NoOrbit> {
         let model = self.model.clone();
         let start = self.reference.start(model, (self.r, beta), state);
@@ -122,7 +122,8 @@ impl<S: Float, Z: Size> Steady<S, Z> {
         };
         let end = motion.state();
         let speeds = opposite(self.state.v.as_ref(), end.v.as_ref(), size * omega);
-        // If nothing holds the chain, its position is arbitrary, and the code does not compare it.
+        // If a part of the chain can move without a force, its position is arbitrary, and the code does not compare
+        // positions.
         let places = self.neutral > 0 || opposite(self.state.x.as_ref(), end.x.as_ref(), size);
         Ok(speeds && places)
     }
@@ -137,21 +138,22 @@ pub struct StuckState<S: Float, Z: Size> {
 }
 
 impl<S: Float, Z: Size> StuckState<S, Z> {
-    /// Returns X, the complex amplitude of a mass. The motion of the mass is x̄ = Re X exp(iτ), in units of P/k₁ (of Y
-    /// for base motion).
+    /// Returns X, the complex amplitude of a mass. The motion of the mass is x̄ = Re X exp(iτ), in units of P/k₁ (of
+    /// the base amplitude Y for base motion).
     pub fn mass(&self, mass: usize) -> Complex<S> {
         let zero = S::constant(0.0);
         let found = self.response.displacements.as_ref().get(mass).copied();
         found.unwrap_or(Complex::new(zero, zero))
     }
 
-    /// Returns the amplitude of the force in a contact, in units of P (of k₁Y for base motion).
+    /// Returns the amplitude of the force in a contact, in units of P (of k₁Y for a base amplitude Y).
     pub fn contact(&self, contact: usize) -> S {
         at(self.response.forces.as_ref(), contact) / self.stiffness
     }
 
     /// Returns β*_lim, the smallest common friction ratio at which no contact slides. It is the largest value of
-    /// |f|/(μ·share) of all contacts. f is the force of a contact, and `share` its fraction of the common friction.
+    /// |f|/(μ·share) of all contacts. |f| is the force amplitude of a contact, in units of P (of k₁Y for base motion).
+    /// `share` is the contact's fraction of the common friction force.
     pub fn limit(&self) -> S {
         let limit = self.response.limit;
         limit.map_or(S::constant(0.0), |(limit, _)| limit)
@@ -181,13 +183,14 @@ impl<S: Float, Z: Size> Orbit<S, Z> {
     }
 
     /// Returns the Floquet multipliers of a period, in the order of decreasing absolute value. The list does not
-    /// contain the multipliers 1 of marginal directions.
+    /// contain the multipliers 1 of marginal directions (directions in which a deviation from the steady state does not
+    /// decay).
     pub fn multipliers(&self) -> &[Complex<S>] {
         self.steady.multipliers()
     }
 
     /// Returns true if every small deviation from the steady state decays, except along marginal directions. A
-    /// deviation along a marginal direction stays constant.
+    /// deviation along a marginal direction does not decay.
     pub fn is_stable(&self) -> bool {
         self.steady.is_stable()
     }
@@ -203,8 +206,8 @@ impl<S: Float, Z: Size> Orbit<S, Z> {
         self.steady.neutral > 0 || self.steady.marginal.as_ref().contains(&true)
     }
 
-    /// Returns the number of marginal directions that belong to parts without a path of springs to a support. These
-    /// directions are displacements and constant velocities of these parts.
+    /// Returns the number of marginal directions that belong to parts of the chain without a path of springs to a
+    /// support. These directions are displacements and constant velocities of the parts.
     pub fn free_directions(&self) -> usize {
         self.steady.neutral
     }
@@ -261,14 +264,15 @@ pub struct MassOrbit<S> {
 }
 
 impl<S: Float> MassOrbit<S> {
-    /// Returns the amplitude of the mass: its largest |x̄| in the period, in units of P/k₁ (of Y for base motion). If a
-    /// part of the chain has no path of springs to a support, the result is the centred amplitude (max x̄ − min x̄)/2
-    /// about the mean motion.
+    /// Returns the amplitude of the mass: its largest |x̄| in the period, in units of P/k₁ (of the base amplitude Y for
+    /// base motion). If a part of the chain has no path of springs to a support, the result is the centred amplitude
+    /// (max x̄ − min x̄)/2 about the mean motion.
     pub fn amplitude(&self) -> S {
         self.amplitude
     }
 
-    /// Returns the centred amplitude (max x̄ − min x̄)/2 of the mass, in units of P/k₁ (of Y for base motion).
+    /// Returns the centred amplitude (max x̄ − min x̄)/2 of the mass, in units of P/k₁ (of the base amplitude Y for
+    /// base motion).
     pub fn centred_amplitude(&self) -> S {
         self.centred
     }
@@ -306,22 +310,25 @@ impl<S: Float> ContactOrbit<S> {
         self.cycle.stuck_fraction
     }
 
-    /// Returns the distance that the contact's slider travels in a period, added over both directions.
+    /// Returns the distance that the contact's slider travels in a period, added over both directions. The unit is P/k₁
+    /// (the base amplitude Y for base motion).
     pub fn slip(&self) -> S {
         self.cycle.slip
     }
 
-    /// Returns the largest absolute relative displacement of the contact's two sides in a period.
+    /// Returns the largest absolute relative displacement of the contact's two sides in a period, in units of P/k₁ (of
+    /// the base amplitude Y for base motion).
     pub fn displacement(&self) -> S {
         self.cycle.displacement
     }
 
-    /// Returns the largest absolute force of the contact in a period.
+    /// Returns the largest absolute force of the contact in a period, in units of P (of k₁Y for a base amplitude Y).
     pub fn force(&self) -> S {
         self.cycle.force / self.unit
     }
 
-    /// Returns the energy that friction dissipates in the contact in a period.
+    /// Returns the energy that friction dissipates in the contact in a period, in units of P²/k₁ (of k₁Y² for a base
+    /// amplitude Y).
     pub fn energy(&self) -> S {
         self.cycle.energy / self.unit
     }

@@ -2,18 +2,18 @@
 
 use crate::Float;
 
-/// Number of coefficients of a power series in `f64`. In a time interval of 1.5 rad, the first neglected term is below
-/// 1.5²²/22! = 7e-18 of the first term.
+/// Number of coefficients of a power series in `f64`. In a time interval of 1.5 rad of the fastest oscillation, the
+/// first neglected term is below 1.5²²/22! = 7e-18 of the first term.
 pub const TERMS: usize = 22;
 
 /// Returns the number of coefficients that a power series needs in this number type. In `f32`, the first neglected term
-/// in a time interval of 1 rad is below 1/12! = 2e-9 of the first term.
+/// in a time interval of 1 rad of the fastest oscillation is below 1/12! = 2e-9 of the first term.
 pub(super) fn terms_of<S: Float>() -> usize {
     if S::EPSILON < 1e-10 { TERMS } else { 12 }
 }
 
-/// Returns the largest length of the time interval of one power series, in rad of an upper bound on the fastest
-/// frequency.
+/// Returns the largest phase advance, in rad, in the time interval of one power series. The phase is that of an
+/// oscillation at an upper bound on the fastest frequency.
 pub(super) fn angle_of<S: Float>() -> f64 {
     if S::EPSILON < 1e-10 { 1.5 } else { 1.0 }
 }

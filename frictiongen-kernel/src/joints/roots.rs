@@ -8,8 +8,9 @@ fn halvings<S: Float>() -> u32 {
     if S::EPSILON < 1e-10 { 52 } else { 23 }
 }
 
-/// Returns the first point τ in [0, 1] after which the polynomial is negative. Because of the event at the start, the
-/// first `zeros` coefficients are exactly 0. The function therefore ignores their rounding errors.
+/// Returns the first point τ in [0, 1] after which the polynomial is negative. The first `zeros` coefficients are
+/// exactly 0, because an event occurs at the point 0. The function therefore ignores the rounding errors of these
+/// coefficients.
 pub fn first_negative<S: Float>(terms: &Poly<S>, zeros: usize) -> Option<S> {
     let zero = S::constant(0.0);
     let terms = terms.get(zeros..terms_of::<S>())?;
@@ -60,7 +61,8 @@ fn stays_positive<S: Float>(terms: &[S]) -> bool {
     let falls = high
         .iter()
         .fold(zero, |falls, term| falls + crate::Scalar::min(*term, zero));
-    // Each term divided by its binomial coefficient. A loop over a list of them would convert `f64` at run time.
+    // Divides each term by its binomial coefficient. A loop over an array of these coefficients would convert `f64` at
+    // run time.
     let (five, ten) = (S::constant(5.0), S::constant(10.0));
     let [a, b, c, d, e, f] = *low;
     let mut values = [a, b / five, c / ten, d / ten, e / five, f];
@@ -71,20 +73,21 @@ fn stays_positive<S: Float>(terms: &[S]) -> bool {
             before = *value;
         }
     }
-    // The margin is far larger than rounding errors.
+    // The margin, 1e-3 times the first coefficient `a`, is far larger than rounding errors.
     let least = S::constant(1e-3) * a - falls;
     values.iter().all(|value| *value > least)
 }
 
 /// Bisects the interval [0, 1] until each subinterval has at most one root of the polynomial. The polynomial is in
 /// Bernstein form. A subinterval extends from index/2^depth to (index + 1)/2^depth. When the search returns to a
-/// subinterval, the code computes its Bernstein form again from the form on [0, 1], so that it needs no stack.
+/// subinterval, the code computes its Bernstein form again from the form on [0, 1]. The search therefore needs no
+/// stack.
 fn search<S: Float>(terms: &[S]) -> Option<S> {
     let half = S::constant(0.5);
     let whole = Form::new(terms);
     let (mut form, mut depth, mut index, mut width) = (whole, 0_u32, 0_u64, S::constant(1.0));
-    // The start index·width of the subinterval, which is exact. A conversion of the index would link functions of double
-    // precision to an image in single precision.
+    // `low` is the start of the subinterval, index·width, without a rounding error. A conversion of the index would
+    // link functions of double precision to an image in single precision.
     let mut low = S::constant(0.0);
     loop {
         if !form.is_positive() {
@@ -231,7 +234,7 @@ fn bisect<S: Float>(terms: &[S], mut low: S, mut high: S) -> S {
         middle = next;
         let near = S::constant(8.0 * S::EPSILON);
         if moved <= S::constant(4.0) * near {
-            // The distance of the root from this point is within rounding errors.
+            // The distance of the root from the point `middle` is within rounding errors.
             let (below, above) = (middle - near, middle + near);
             if below > low && value(terms, below) > S::constant(0.0) {
                 low = below;

@@ -23,7 +23,8 @@ pub trait Observe<S: Float, Z: Size> {
     /// the contacts have the phases in `state`.
     fn stretch(&mut self, series: &Series<S, Z>, end: S, state: &State<S, Z>);
 
-    /// Receives the phases of all contacts (sticking or sliding) before and after an event. The default ignores them.
+    /// Receives the phases of all contacts (sticking or sliding) before and after an event. The default method ignores
+    /// the event.
     fn event(&mut self, _time: S, _before: &Z::Contacts<i8>, _after: &Z::Contacts<i8>) {}
 }
 
@@ -32,7 +33,7 @@ impl<S: Float, Z: Size> Observe<S, Z> for () {
     fn stretch(&mut self, _: &Series<S, Z>, _: S, _: &State<S, Z>) {}
 }
 
-/// Largest amounts of work in one call.
+/// Bounds on the work in one call: the numbers of events and of stretches (time intervals of one power series).
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Bounds {
     /// Largest number of events in one call.
@@ -84,12 +85,12 @@ impl<S: Float, Z: Size> Motion<S, Z> {
         &self.state
     }
 
-    /// Returns the constants of the chain, with its numbered nodes.
+    /// Returns the constants and the nodes of the chain.
     pub fn model(&self) -> &Model<S, Z> {
         &self.model
     }
 
-    /// Returns the present relative velocity of a contact, and then its relative displacement.
+    /// Returns the present relative velocity and the present relative displacement of a contact, in this order.
     pub fn relative(&self, contact: usize) -> (S, S) {
         let (x, v) = self.nodes();
         let Some(c) = self.model.contact(contact) else {
@@ -289,7 +290,8 @@ impl<S: Float, Z: Size> Motion<S, Z> {
                 first = crate::Scalar::min(first, at);
             }
         }
-        // A contact that leaves its line of the friction law ends the stretch, but is no event.
+        // The stretch (time interval of one power series) ends where a contact leaves its line of the friction law. The
+        // end of a line is no event.
         let line_end = self.line_end(&series).filter(|end| *end < first);
         let first = line_end.map_or(first, |_| S::constant(2.0));
         let end = line_end.unwrap_or(first);

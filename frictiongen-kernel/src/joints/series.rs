@@ -188,7 +188,7 @@ fn difference<S: Float>(nodes: &[Poly<S>], plus: usize, minus: usize) -> Poly<S>
     difference
 }
 
-/// Stores the coefficients of one order for all nodes.
+/// Stores the coefficient of the given order in the power series of each node.
 fn keep<S: Float>(series: &mut [Poly<S>], order: usize, values: &[S]) {
     for (terms, value) in series.iter_mut().zip(values) {
         set(terms, order, *value);

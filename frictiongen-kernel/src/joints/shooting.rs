@@ -20,10 +20,10 @@ use crate::number::matrix::SquareMatrix;
 const STEPS: usize = 24;
 /// Largest number of Newton steps in one attempt if the derivatives are finite differences.
 const DIFFERENCES: usize = 12;
-/// Largest residual after a Newton step at which the next step uses the same derivatives, divided by the residual
-/// before the step.
+/// Largest ratio of the residual after a Newton step to the residual before the step at which the next step uses the
+/// same derivatives.
 const SLOW: f64 = 1e-2;
-/// Residual above which the next Newton step computes the derivatives together with the motion.
+/// Non-dimensional residual above which the next Newton step computes the derivatives together with the motion.
 const FAR: f64 = 1e-4;
 
 impl<S: Float, Z: Size> Search<S, Z> {
@@ -156,8 +156,8 @@ impl<S: Float, Z: Size> Search<S, Z> {
         }
         let moving = self.moving.as_ref();
         let neutral = neutral(model, |j| moving.get(j) == Some(&false));
-        // The position and the velocity of a part without a support give a double multiplier 1. The finite differences
-        // split it into two multipliers close to 1.
+        // A part of the chain without a support gives a double multiplier 1, for its position and its velocity. The
+        // finite differences split the double multiplier into two multipliers close to 1.
         let all = multipliers.as_mut();
         sort_by(all, from_one);
         let split = self.tolerances.split;

@@ -22,8 +22,8 @@ pub(super) struct Shot<S: Float, Z: Size> {
 
 impl<S: Float, Z: Size> Search<S, Z> {
     /// Returns the duration of a shot. Half a cycle is enough under two conditions. The first is that the equations
-    /// half a cycle later are the same equations with all signs changed. The second is that all contacts have μ = 1.
-    /// Then only one steady state exists, and it has this symmetry.
+    /// half a cycle later are the same equations with all signs changed. The second is that all contacts are elastic
+    /// with μ = 1. Then only one steady state exists, and it has this symmetry.
     pub(super) fn span(&self, motion: &Motion<S, Z>, period: usize) -> Span {
         let model = motion.model();
         let mut loads = model.loads.as_ref().iter();
@@ -37,8 +37,8 @@ impl<S: Float, Z: Size> Search<S, Z> {
         }
     }
 
-    /// Returns true if the slider of every contact that does not slide is at 0. If a slider is at another position, the
-    /// motion does not repeat with the opposite sign.
+    /// Returns true if the slider of every contact that does not slide is at the position 0. If a slider is at another
+    /// position, the motion does not repeat with the opposite sign.
     pub(super) fn is_centred(&self, motion: &Motion<S, Z>) -> bool {
         let contacts = motion.model().contacts().iter().enumerate();
         let mut still = contacts.filter(|(j, _)| !self.unknowns().moves(*j));
@@ -55,8 +55,8 @@ impl<S: Float, Z: Size> Search<S, Z> {
         })
     }
 
-    /// Follows the motion from a state through one shot. If `derives` is true, also computes the derivatives, if the
-    /// code can compute them together with the motion.
+    /// Advances the motion from a state to the end of one shot. If `derives` is true and all contacts are elastic with
+    /// μ = 1, the function also computes the derivatives.
     pub(super) fn shoot(
         &self,
         start: &Motion<S, Z>,

@@ -40,7 +40,7 @@ impl<S: Float> Reference<S> {
     }
 
     /// Sets the load and the friction forces of a chain. Before the call, the level (kinetic friction force) of each
-    /// contact in `model` is its fraction of the common friction.
+    /// contact in `model` is the contact's fraction of the common friction force.
     pub(super) fn load<Z: Size>(&self, model: &mut Model<S, Z>, omega: S, beta: S) {
         if self.on_base {
             model.base = Wave::harmonic(S::constant(1.0), omega).into();
@@ -53,7 +53,8 @@ impl<S: Float> Reference<S> {
         model.set_stretch();
     }
 
-    /// Divides the speeds of the friction law by the unit of displacement: P/k₁, or Y for base motion.
+    /// Divides the speeds of the friction law by the unit of displacement. The unit is P/k₁, or for base motion the
+    /// amplitude Y of the base.
     fn scale_law<Z: Size>(&self, model: &mut Model<S, Z>, amplitude: S) -> Result<(), OutOfDomain> {
         let length = if self.on_base {
             amplitude
@@ -110,8 +111,8 @@ impl<S: Float> Reference<S> {
 }
 
 /// Motion of a chain with several contacts as a function of time, in non-dimensional groups. Displacements are divided
-/// by P/k₁ (by Y for base motion). Velocities are derivatives with respect to τ = ωt. Forces are divided by P (by k₁Y
-/// for base motion).
+/// by P/k₁, or for base motion by the amplitude Y of the base. Velocities are derivatives with respect to τ = ωt.
+/// Forces are divided by P (by k₁Y for base motion).
 #[derive(Clone, Debug)]
 pub struct Simulation<S: Float, Z: Size> {
     motion: Motion<S, Z>,
@@ -124,8 +125,8 @@ pub struct Simulation<S: Float, Z: Size> {
 pub(super) type Start<'s, S> = (&'s [S], &'s [S]);
 
 impl<S: Float, Z: Size> Simulation<S, Z> {
-    /// Starts a motion at a maximum of the load, from rest or from a given state. In `model`, the friction force of
-    /// each contact is its fraction of the common friction force.
+    /// Starts a motion at a maximum of the load, from rest or from a given state. In `model`, the level (kinetic
+    /// friction force) of each contact is the contact's fraction of the common friction force.
     ///
     /// # Errors
     ///
@@ -150,8 +151,8 @@ impl<S: Float, Z: Size> Simulation<S, Z> {
     ///
     /// # Errors
     ///
-    /// The errors of [`new`](Self::new). [`OutOfDomain::LoadAmplitude`] if the amplitude is not positive and finite, or if
-    /// it makes two speeds of the law equal.
+    /// The errors of [`new`](Self::new). [`OutOfDomain::LoadAmplitude`] if the amplitude is not positive and finite, or
+    /// if two speeds of the law are equal after the division by the unit of displacement.
     pub fn under(
         mut model: Model<S, Z>,
         reference: Reference<S>,

@@ -1,4 +1,4 @@
-//! Arrays for the numbers of a chain. They have a fixed length in emitted code, and are allocated at run time.
+//! Arrays for the numbers of a chain. The arrays have a fixed length in emitted code, and are vectors at run time.
 
 use core::fmt::Debug;
 

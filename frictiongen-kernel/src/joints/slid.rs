@@ -98,7 +98,8 @@ impl<S: Float, Z: Size> Observe<S, Z> for Count {
     }
 }
 
-/// Observer of a motion that measures the largest displacement of all masses.
+/// Observer of a motion. It measures the largest displacement of all masses at the starts of the stretches (time
+/// intervals of one power series).
 pub(super) struct Reach<S>(pub(super) S);
 
 impl<S: Float, Z: Size> Observe<S, Z> for Reach<S> {

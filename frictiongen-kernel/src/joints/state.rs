@@ -23,9 +23,9 @@ pub struct State<S: Float, Z: Size> {
     /// Phase of each contact. It is −1 or 1 while the contact slides (the sign of ż), 0 while it sticks, and 2 if its
     /// friction force is 0.
     pub phases: Z::Contacts<i8>,
-    /// Zero coefficients of each contact. The next event of a contact is a root of a polynomial, which may begin with
-    /// coefficients that are exactly 0. The first number counts these coefficients. The second is the direction of
-    /// sliding for which they are 0.
+    /// Number of zero coefficients for each contact, and the direction of sliding to which the number applies. The next
+    /// event of a contact is a root of a polynomial. The first coefficients of the polynomial can be exactly 0, and the
+    /// number counts these coefficients.
     pub zeros: Z::Contacts<(usize, i8)>,
 }
 

@@ -20,8 +20,8 @@ use crate::{Float, Scalar};
 
 /// Number of cycles from rest that the motion runs before the first attempt to find a steady state.
 const WARM: usize = 30;
-/// Largest number of attempts to find a steady state. Before each attempt the motion runs for twice as many cycles as
-/// before the previous one.
+/// Largest number of attempts to find a steady state. Before each further attempt the motion runs for twice as many
+/// cycles as before the previous attempt.
 const ATTEMPTS: usize = 6;
 /// Largest period of a steady state, in cycles of the load.
 pub const MAX_PERIOD: usize = 64;
@@ -47,9 +47,9 @@ pub struct Steady<S: Float, Z: Size> {
     pub period: usize,
     /// State at a maximum of the load, at which the period starts.
     pub state: State<S, Z>,
-    /// Number of independent motions of the chain that change no force, such as a displacement or a constant velocity
-    /// of a part without a support. The load does not determine these displacements and velocities. In the steady
-    /// state they have the values that the preceding motion has reached.
+    /// Number of independent motions of the chain that change no force. An example is a displacement or a constant
+    /// velocity of a part of the chain without a support. The load does not determine these displacements and
+    /// velocities. In the steady state they have the values that the preceding motion has reached.
     pub neutral: usize,
     /// Floquet multipliers of a period. The array also has unused entries at its end.
     pub(super) multipliers: Z::Unknowns<Complex<S>>,
@@ -108,7 +108,8 @@ impl<S: Float, Z: Size> Motion<S, Z> {
     /// [`Halt`] if the motion exceeds a bound.
     pub fn settle(&mut self, omega: S) -> Result<Option<Steady<S, Z>>, Halt> {
         let mut search = Search::new(self, omega, S::constant(1.0));
-        // A motion that exceeds a bound here may still reach a steady state in the search below.
+        // If this search exceeds a bound, the code ignores the error, because the search below may still find a steady
+        // state.
         if let Ok(Some(steady)) = search.only(self) {
             return Ok(Some(steady));
         }
@@ -133,8 +134,8 @@ impl<S: Float, Z: Size> Motion<S, Z> {
 
 impl<S: Float, Z: Size> Motion<S, Z> {
     /// Searches for a periodic motion near the present state by Newton's method alone, under loads of the angular
-    /// frequency ω. The search divides displacements by `place`, which must have the size of the displacements. Returns
-    /// `None` if Newton's method does not converge.
+    /// frequency ω. The search divides displacements by `place`, which must be about as large as the displacements.
+    /// Returns `None` if Newton's method does not converge.
     ///
     /// # Errors
     ///
@@ -154,7 +155,7 @@ pub(super) struct Search<S: Float, Z: Size> {
     pub(super) omega: S,
     /// Duration of one cycle of the load.
     pub(super) cycle: S,
-    /// Size of the displacements in the motion. The search divides displacements by it.
+    /// Typical size of the displacements in the motion. The search divides displacements by this size.
     pub(super) place: S,
     /// One value for each contact, which is true if the contact slides in a period.
     pub(super) moving: Z::Contacts<bool>,
@@ -274,7 +275,8 @@ impl<S: Float, Z: Size> Search<S, Z> {
         S::constant(cycles as f64) * self.cycle
     }
 
-    /// Subtracts the motion with constant velocity of masses without a support from their displacements.
+    /// Computes the centred amplitudes of a steady state again, if a part of the chain can move without a force. The
+    /// function first subtracts the motion with the constant mean velocity of each mass.
     fn about_its_mean(
         &self,
         motion: &Motion<S, Z>,
@@ -298,8 +300,8 @@ impl<S: Float, Z: Size> Search<S, Z> {
         Ok(steady)
     }
 
-    /// Returns true if the motion approaches a periodic motion as fast as its Floquet multipliers predict. A contact
-    /// that has not slid for some cycles may slide again while the motion settles.
+    /// Returns true if the motion approaches a periodic motion as fast as its Floquet multipliers predict. Returns
+    /// false if a contact slides during this test, but not in the periodic motion.
     fn confirm(&self, motion: &mut Motion<S, Z>, steady: &Steady<S, Z>) -> Result<bool, Halt> {
         let one = S::constant(1.0);
         let floor = S::constant(DECAY);
@@ -326,8 +328,8 @@ impl<S: Float, Z: Size> Search<S, Z> {
         Ok(after <= self.tolerances.close || falls)
     }
 
-    /// Returns the largest difference between a state and a periodic motion, divided by the sizes of the unknowns. For
-    /// parts that can move without a force, the code compares only the velocities.
+    /// Returns the largest difference between a state and a periodic motion, divided by the sizes of the unknowns. If a
+    /// part of the chain can move without a force, the code compares only the velocities.
     fn away(&self, state: &State<S, Z>, steady: &Steady<S, Z>) -> S {
         let rate = S::constant(core::f64::consts::TAU) / self.cycle;
         let away = if steady.neutral > 0 {

@@ -15,12 +15,12 @@ use crate::errors::{Given, Halt, OutOfDomain};
 
 /// Largest number of events that the stepper follows in one step.
 pub const MAX_STEP_EVENTS: usize = 64;
-/// Largest time step of a stepper, in rad of an upper bound on the fastest angular frequency. The longest time interval
-/// of one power series is at least 1 rad.
+/// Largest time step of a stepper times an upper bound on the fastest angular frequency, in rad. The longest time
+/// interval of one power series is at least 1 rad in this measure.
 pub const MAX_STEP: f64 = 1024.0;
 
-/// Largest amounts of work in one step. Every event ends a stretch (time interval of one power series), even if no
-/// contact changes its phase. A step may therefore have more stretches than its length alone requires.
+/// Bounds on the work in one step. Every event ends a stretch (time interval of one power series), even if no contact
+/// changes its phase. A step may therefore have more stretches than its length alone requires.
 const BOUNDS: Bounds = Bounds {
     events: MAX_STEP_EVENTS,
     stretches: MAX_STEP as usize + 4 * MAX_STEP_EVENTS,
@@ -110,9 +110,9 @@ impl<S: Float, Z: Size> Stepper<S, Z> {
 
     /// Advances the motion by one step. `base` contains the displacement and the velocity of the base at the end of the
     /// step. `forces` contains the force of each load, and `frictions` the kinetic friction force of each contact
-    /// during the step. During the step the displacement of the base is a cubic polynomial from the last sample to this
-    /// one. If `holds` is true, it starts at the new sample and changes with the constant velocity of this sample.
-    /// Returns the number of events.
+    /// during the step. During the step the displacement of the base is a cubic polynomial from the last sample to the
+    /// new sample. If `holds` is true, the displacement starts at the new sample and changes with the constant velocity
+    /// of this sample. Returns the number of events.
     ///
     /// # Errors
     ///
@@ -132,7 +132,8 @@ impl<S: Float, Z: Size> Stepper<S, Z> {
     ///
     /// # Errors
     ///
-    /// The errors of [`advance`](Self::advance). After an error `watch` may have received a part of the step.
+    /// The errors of [`advance`](Self::advance). After an error `watch` may have received the first stretches of the
+    /// step.
     pub fn advance_with(
         &mut self,
         base: [S; 2],

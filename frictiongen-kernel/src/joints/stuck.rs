@@ -67,8 +67,8 @@ impl<S: Float, Z: Size> Shape<S, Z> {
         }
     }
 
-    /// Returns the complex amplitudes of the forces of springs, dashpots and elastic contacts, for vibrating
-    /// displacements.
+    /// Returns the complex amplitudes of the forces of springs, dashpots and elastic contacts, for displacements that
+    /// vibrate with the angular frequency `omega`.
     fn pulls(&self, model: &Model<S, Z>, omega: S) -> Self {
         let pulls = |place: &Z::Nodes<S>, quarter: &Z::Nodes<S>, rate: S| {
             let mut speed = quarter.clone();
@@ -99,8 +99,8 @@ fn amplitude<S: Float>(wave: &Wave<S>) -> (S, S) {
 }
 
 impl<S: Float, Z: Size> Model<S, Z> {
-    /// Returns the response if no contact slides, under loads of the angular frequency ω. The response does not include
-    /// constant loads, and no earlier motion has left a constant force in an elastic contact. Contacts without a
+    /// Returns the response if no contact slides, under loads of the angular frequency ω. The response includes neither
+    /// constant loads nor constant forces that an earlier motion has left in elastic contacts. Contacts without a
     /// friction force have no effect. Returns `None` at an undamped resonance.
     pub fn stuck(&self, omega: S) -> Option<StuckResponse<S, Z>> {
         let free = |j: usize| self.contact(j).is_none_or(|contact| contact.is_free());
@@ -145,7 +145,7 @@ impl<S: Float, Z: Size> Model<S, Z> {
             set(known.as_mut(), row, re);
             set(known.as_mut(), count + row, im);
         }
-        // If sticking contacts hold every mass at a support, the system has no equations.
+        // If sticking rigid contacts connect every mass to a support, the system has no equations.
         if !SquareMatrix::new(matrix.as_mut(), size).solve_shifted(zero, known.as_mut()) {
             return None;
         }

@@ -49,7 +49,7 @@ impl<'m, S: Float, Z: Size> Tangent<'m, S, Z> {
         contacts.all(|contact| !contact.is_rigid() && contact.stiction == one)
     }
 
-    /// Starts to observe a motion at a state. Each unknown has a deviation of 1 in its column.
+    /// Starts to observe a motion at a state. Each column begins with a deviation of 1 in the unknown of the column.
     pub(super) fn new(
         model: &'m Model<S, Z>,
         state: &State<S, Z>,
@@ -103,8 +103,8 @@ impl<'m, S: Float, Z: Size> Tangent<'m, S, Z> {
         let mut matrix = self.model.size.square(zero);
         let masses = self.model.wall();
         let size = self.model.size.unknowns(zero).as_ref().len().max(1);
-        // This function returns the column of an unknown. A contact has two unknowns. An elastic contact uses the first
-        // one if it slides.
+        // `column_of` returns the column of an unknown. A contact has two unknowns. An elastic contact uses the first
+        // unknown if the contact slides.
         let column_of = |index: usize| match index.checked_sub(2 * masses) {
             None => Some(index),
             Some(index) if index % 2 == 0 && unknowns.moves(index / 2) => {
@@ -154,7 +154,7 @@ impl<'m, S: Float, Z: Size> Tangent<'m, S, Z> {
         place(contact.plus) - place(contact.minus) - force / stiffness
     }
 
-    /// Computes the deviations of the forces on the masses from the present coefficients.
+    /// Computes the deviations of the forces on the masses from the present coefficients `term` of the deviations.
     fn sum_forces(&mut self, state: &State<S, Z>) {
         let (width, masses) = (self.width, self.model.wall());
         let Some((xs, vs, fs)) = parts(self.term.as_ref(), masses * width) else {

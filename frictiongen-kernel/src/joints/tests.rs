@@ -175,8 +175,8 @@ fn ten_thousand_random_steps_keep_their_energy() {
             force = force.map(|_: f64| random.between(-40.0, 40.0));
         }
         if step % 50 == 0 {
-            // These contacts are rigid. A change of the friction force would change the energy stored in an elastic
-            // contact.
+            // The contacts 1 and 3 are rigid. A change of the friction force would change the energy stored in an
+            // elastic contact.
             account.levels[1] = random.between(-1.0, 8.0).max(0.0);
             account.levels[3] = random.between(-1.0, 4.0).max(0.0);
         }

@@ -14,8 +14,8 @@ pub(super) struct Tolerances<S> {
     pub(super) split: S,
     /// Distance of the motion from a periodic motion below which the search accepts the periodic motion at once.
     pub(super) close: S,
-    /// Largest difference between 1 and the absolute value of a multiplier at which the steady state may fail to
-    /// attract neighbouring motions. It is far larger than the error of a multiplier.
+    /// Largest difference between 1 and the absolute value of a Floquet multiplier at which the steady state may fail
+    /// to attract neighbouring motions. This difference is far larger than the error of a multiplier.
     pub(super) attracts: S,
 }
 

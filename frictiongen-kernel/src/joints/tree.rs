@@ -60,8 +60,8 @@ impl<S: Float, Z: Size> Tree<S, Z> {
         tree
     }
 
-    /// Adds all nodes that sticking contacts connect to the node `root`. The list of contacts also serves as the queue
-    /// of nodes to visit.
+    /// Builds the tree of all nodes that sticking contacts connect to the node `root`. The list of contacts also serves
+    /// as the queue of nodes to visit.
     fn grow(&mut self, model: &Model<S, Z>, sticks: &impl Fn(usize) -> bool, root: usize) {
         if self.root_of(root) != NONE {
             return;

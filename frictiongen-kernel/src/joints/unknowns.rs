@@ -10,9 +10,10 @@ use crate::{Float, Scalar};
 /// Conversion between the state of a motion and the unknowns of the search for a steady state. It contains the sizes by
 /// which the code divides the unknowns, and the contacts that slide in the period.
 pub(super) struct Unknowns<'s, S: Float, Z: Size> {
-    /// Size of the displacements and of the positions of contacts. The code divides these unknowns by it.
+    /// Typical size of the displacements and of the positions of contacts. The code divides these unknowns by this
+    /// size.
     pub(super) place: S,
-    /// Size of the velocities. The code divides these unknowns by it.
+    /// Typical size of the velocities. The code divides the velocities by this size.
     pub(super) speed: S,
     /// One value for each contact, which is true if the contact slides in a period.
     pub(super) moving: &'s Z::Contacts<bool>,
@@ -32,9 +33,9 @@ impl<S: Float, Z: Size> Unknowns<'_, S, Z> {
         self.moving.as_ref().get(contact) == Some(&true)
     }
 
-    /// Returns true if a motion that starts with other unknowns depends on the unknown with this index. Each contact has
-    /// two indices: the first is for the slider of an elastic contact, and the second is for the place of a rigid contact
-    /// that sticks.
+    /// Returns true if a motion that starts with other unknowns depends on the unknown with this index. Each contact
+    /// has two indices. The first index is for the slider of an elastic contact. The second index is for the relative
+    /// displacement of a rigid contact that sticks.
     pub(super) fn uses(&self, motion: &Motion<S, Z>, index: usize) -> bool {
         let model = motion.model();
         let Some(which) = index.checked_sub(2 * model.masses().len()) else {

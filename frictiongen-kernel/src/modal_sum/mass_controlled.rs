@@ -1,19 +1,20 @@
 //! Response of a mass-controlled mode to a unit force that changes its sign every half period. A mode is
 //! mass-controlled if it resonates far below the excitation frequency. Its inertia then outweighs its spring.
 //!
-//! In a half period the response y obeys y″ + 2ζx y′ + x²y = 1, where ζ is the damping ratio of the mode and x its
-//! natural frequency divided by the excitation frequency. In the next half period y repeats with the opposite sign. The
-//! solution is y = Σ_{n≥2} h_{n−2} e_n with e_n(τ) = πⁿE_n(τ/π)/n!, where E_n are the Euler polynomials. The
+//! In a half period the response y obeys y″ + 2ζx y′ + x²y = 1. ζ is the damping ratio of the mode, and x its natural
+//! frequency divided by the excitation frequency. In the next half period y repeats with the opposite sign.
+//!
+//! The solution is y = Σ_{n≥2} h_{n−2} e_n with e_n(τ) = πⁿE_n(τ/π)/n!, where E_n are the Euler polynomials. The
 //! coefficients are h_0 = 1, h_1 = −2ζx, h_m = −2ζx h_{m−1} − x²h_{m−2}. The coefficients decrease like powers of |s|,
 //! where s are the roots of s² + 2ζx s + x² = 0. For large n the polynomials e_n approach sinusoids. The code therefore
-//! sums a few orders, and adds the rest of the series as one sinusoid in closed form.
+//! sums a few orders, and adds the remainder of the series as one sinusoid in closed form.
 //!
 //! For any other mode, the code computes y as the sum of three terms: the return from rest, the lag and the static
 //! displacement (see [`motion`](crate::response::coefficients)). If the excitation is far above the resonance, each of
-//! the three terms is of order 1, while y itself is small. At the start and end of the half period y vanishes, and in
-//! the middle y′ vanishes, but the three terms do not. The rounding error of their sum would exceed the motion of a
-//! mass far from load and contact. The Euler polynomials have no such error, because they vanish at the same instants
-//! as y and y′.
+//! the three terms is of order 1, while y itself is small. At the start and end of the half period y vanishes, but the
+//! three terms do not. In the middle y′ vanishes, but the slopes of the three terms do not. The rounding error of their
+//! sum would exceed the motion of a mass far from load and contact. The Euler polynomials have no such error, because
+//! they vanish at the same instants as y and y′.
 
 use crate::number::complex::{self, Complex};
 use crate::number::scalar::{Float, Scalar};
@@ -30,8 +31,8 @@ pub(crate) fn is_mass_controlled<S: Scalar>(kind: Kind, zeta: S, x: S) -> S::Con
     if !S::MASS_CONTROLLED {
         return x.lt(S::constant(0.0));
     }
-    // Both decay rates of an overdamped mode are smaller than 2ζx. A comparison of 2ζx with the bound is therefore
-    // safe.
+    // Both decay rates of an overdamped mode are smaller than 2ζx. A mode whose 2ζx is below the bound is therefore
+    // slow enough.
     let rate = if kind == Kind::Over {
         (zeta + zeta) * x
     } else {
@@ -48,11 +49,12 @@ pub(crate) fn basis<S: Float>(x: S, zeta: S, at: &Instant<S>) -> Basis<S> {
     let (zero, half, one) = (S::constant(0.0), S::constant(0.5), S::constant(1.0));
     let w = at.tau * (S::pi() * (one - at.t));
     let w_slope = (S::pi() + S::pi()) * (half - at.t);
-    // At τ = 0, w = τ(π − τ) is 0, and only the lowest power of w in each polynomial contributes. The derivative of a
-    // dual number also needs the other powers.
+    // At τ = 0, w = τ(π − τ) is 0, and only the lowest power of w contributes to each polynomial and its derivative.
+    // The derivative of a dual number also needs the other powers.
     let starts = at.t.is_zero() && !S::CARRIES;
     let (loss, square) = (-((zeta + zeta) * x), x * x);
-    // These numbers are the coefficients h_2m−4, h_2m−3 and h_2m−2, and the polynomial e_2m−2.
+    // At step m, `first`, `before` and `now` are the coefficients h_2m−4, h_2m−3 and h_2m−2, and `last` is the
+    // polynomial e_2m−2.
     let (mut first, mut before, mut now, mut last) = (zero, zero, one, one);
     let (mut value, mut slope) = (zero, zero);
     let (mut rest, mut order, mut degree) = (S::euler_terms(), 1, one);
@@ -79,7 +81,8 @@ pub(crate) fn basis<S: Float>(x: S, zeta: S, at: &Instant<S>) -> Basis<S> {
         (first, before, now, last) = (now, next, loss * next - square * now, even);
         (rest, order, degree, sign) = (others, order + 1, degree + one, -sign);
     }
-    // The remainder of the series is 4/π Im[(−1)^m i (h_N−1 + i x²h_N−2) e^{iτ}/(x² − 1 + 2iζx)] with N = 2m.
+    // With N = 2m and the coefficients h_n of the series, the remainder of the series is 4/π Im[(−1)^m i (h_N−1 + i
+    // x²h_N−2) e^{iτ}/(x² − 1 + 2iζx)].
     let denominator = Complex::new((x - one) * (x + one), -loss);
     let numerator = Complex::new(-(square * first), before);
     let turning = complex::mul(numerator, complex::reciprocal(denominator, true), true);
@@ -102,9 +105,9 @@ mod tests {
     use crate::oscillator::decay::{Damped, Decay};
     use crate::oscillator::mode::Mode;
 
-    /// Returns the response of a mode and its slope in double-double precision, as a reference for the tests. The terms
-    /// of each sum nearly cancel. The cancellation multiplies the relative error by at most x⁻². Double-double has
-    /// enough digits for this loss.
+    /// Returns the response of a mode and its slope in double-double precision, as a reference for the tests. In each
+    /// of the two sums, the terms nearly cancel. The cancellation multiplies the relative error by at most x⁻².
+    /// Double-double has enough digits for this loss.
     fn put_together(mode: &Mode<Dd>, x: Dd, t: Dd) -> (Dd, Dd) {
         let response = mode.response(x, 0);
         let (u, g) = (response.u / response.size, response.g / response.size);
@@ -221,8 +224,8 @@ mod tests {
                     for (got, want) in [(got.rise, value), (got.free, slope)] {
                         let lost = 1e-30 / f64::from(x * x);
                         let off = (wide(got) - want).abs().to_f64();
-                        // At the bounds of the half period y vanishes, but its damping terms do not. Their rounding
-                        // errors remain. The tolerance therefore contains ζx.
+                        // At the bounds of the half period the response y vanishes, but its damping terms do not. The
+                        // rounding errors of the damping terms remain. The tolerance therefore contains ζx.
                         let size = want.to_f64().abs() + f64::from(zeta * x);
                         let unit = f64::from(f32::EPSILON) * size + lost;
                         assert!(

@@ -1,4 +1,4 @@
-//! Sum of modal motions in a half period, with bounds on its size and on its derivatives.
+//! Sum of modal motions in a half period, with its derivatives, and with bounds on its size and on its rounding error.
 //!
 //! A *wave* is the term of one mode in the sum. x is the natural frequency of the mode divided by the excitation
 //! frequency.
@@ -8,7 +8,8 @@ use crate::number::scalar::Float;
 use crate::oscillator::decay::{Basis, Decay, Instant};
 use crate::oscillator::mode::Mode;
 
-/// Term of one mode in a modal sum in the half period: a linear combination of the functions of time in [`Basis`].
+/// Term of one mode in a modal sum. The term is a linear combination of the functions of time in [`Basis`], over a half
+/// period of the excitation.
 #[derive(Clone, Copy, Debug)]
 pub struct Wave<S, D> {
     /// Natural frequency of the mode divided by the excitation frequency, x = √λ/r = 1/R.
@@ -23,8 +24,9 @@ pub struct Wave<S, D> {
     pub forced: S,
     /// Coefficient of the term (1 − d)/x², where d is the free motion that starts at rest from the displacement 1.
     pub rise: S,
-    /// True for a mode that resonates far below the excitation frequency. In this case `rise` is the coefficient of
-    /// another function: the response to a unit force that changes its sign every half period.
+    /// True for a mode that resonates far below the excitation frequency (a mass-controlled mode). `rise` is then the
+    /// coefficient of another function. This function is the response of the mode to a unit force that changes its sign
+    /// every half period.
     pub mass_controlled: bool,
     /// Residue φ_k(φᵀw)/r² of the mode, from a force in the contact to the motion of mass k. Only the harmonics of the
     /// motion need this residue.
@@ -74,7 +76,7 @@ impl<S: Float, D: Decay<S>> Wave<S, D> {
     }
 
     /// Returns true if the rounding of x alone can shift the phase xτ by a radian before the free motion has decayed.
-    /// For a mode that the contact does not drive (`forced` and `forced_slope` are 0), also returns true.
+    /// Also returns true for a mode that the contact does not drive (`forced` and `forced_slope` are 0).
     pub(crate) fn turns_unknown(&self) -> bool {
         let zero = S::constant(0.0);
         let lasts = S::pi().min(S::constant(1.0) / (self.decay.zeta() * self.x));
@@ -94,7 +96,8 @@ impl<S: Float, D: Decay<S>> Wave<S, D> {
             ..
         } = *self;
         let pi = S::pi();
-        // |p| ≤ min(1/x, π), |p′| ≤ 1, 0 ≤ (1 − d)/x² ≤ min((2 + 2ζ)/x², π²/2), with p and d as in `Basis`.
+        // The bounds are |p| ≤ min(1/x, π), |p′| ≤ 1 and 0 ≤ (1 − d)/x² ≤ min((2 + 2ζ)/x², π²/2), with p and d as in
+        // `Basis`.
         let p = (one / x).min(pi);
         let r = (S::constant(2.0) * (one + self.decay.zeta()) / (x * x)).min(pi * pi);
         free.abs() * p
@@ -212,8 +215,8 @@ impl<S: Float, D: Decay<S>> Sum<'_, S, D> {
         jet
     }
 
-    /// Returns the modal sum and its derivative at τ = 0. Only modes that resonate far below the excitation frequency
-    /// contribute. The terms of all other modes start from rest.
+    /// Returns the modal sum and its derivative at τ = 0. Besides `cosine` and `sine`, only mass-controlled modes
+    /// contribute, which resonate far below the excitation frequency. The terms of all other modes start from rest.
     pub(crate) fn start(&self) -> (S, S) {
         let mut value = self.cosine;
         let mut slope = self.sine;
@@ -232,7 +235,7 @@ impl<S: Float, D: Decay<S>> Sum<'_, S, D> {
     }
 
     /// Returns an upper bound on the rounding error of the modal sum. The bound leaves out modes that resonate close to
-    /// the excitation frequency. Their terms are small differences with small rounding errors.
+    /// the excitation frequency. The terms of these modes are small differences with small rounding errors.
     pub(crate) fn rounding(&self) -> S {
         let (one, half) = (S::constant(1.0), S::constant(0.5));
         let mut sum = self.cosine.abs() + self.sine.abs();
@@ -284,8 +287,8 @@ fn curves<S: Float, D: Decay<S>>(wave: &Wave<S, D>, basis: &Basis<S>) -> (S, S) 
 }
 
 /// Returns the second and third derivative of sin τ − p, where p is the free displacement of the mode. `(p2, p3)` are
-/// the second and third derivative of p. Close to the resonance x = 1 a subtraction would lose digits. The function
-/// then uses the equation of motion that sin τ − p satisfies.
+/// the second and third derivative of p. Close to the resonance x = 1, the subtraction of `p2` and `p3` would lose
+/// digits. The function then uses the equation of motion that sin τ − p satisfies.
 #[inline]
 fn differences<S: Float, D: Decay<S>>(
     wave: &Wave<S, D>,

@@ -67,7 +67,7 @@ impl<S: Float> Clock<S> {
         }
     }
 
-    /// Returns the clock after a further time τ = `passed`.
+    /// Returns the clock after a further time τ = `passed`, in rad of the excitation.
     pub(crate) fn moved(self, passed: Total<S>) -> Self {
         let (turns, error) = two_product(passed.value, S::inverse_pi());
         let error = error + passed.value * inverse_pi_low() + passed.low * S::inverse_pi();
@@ -81,7 +81,7 @@ impl<S: Float> Clock<S> {
         }
         let (mut t, mut low) = two_sum(t - whole * two, low);
         if !(t < two) {
-            // The phase must be less than two. A phase that rounds to two becomes the last number below two.
+            // The phase must be less than two half-turns. A phase that rounds to two becomes the last number below two.
             (t, low) = two_sum(two - S::constant(S::EPSILON), low);
         }
         #[allow(
@@ -99,8 +99,8 @@ pub(crate) fn phase<S: Float>(t: S) -> (S, S) {
     t.sin_cos_pi()
 }
 
-/// Returns the phase after a time τ, in half-turns (units of π rad) in [0, 2). `t` is the phase before that time. τ is
-/// the phase of the excitation in rad.
+/// Returns the phase after a time τ in rad of the excitation. Both this phase and the phase `t` before that time are in
+/// half-turns (units of π rad) in [0, 2).
 pub(crate) fn moved<S: Float>(t: S, tau: S) -> S {
     let two = S::constant(2.0);
     let t = within_cycle(t + tau * S::inverse_pi());

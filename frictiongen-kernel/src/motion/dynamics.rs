@@ -20,8 +20,8 @@ pub struct HeldMode<S> {
     pub q: S,
     /// Contact force caused by a unit displacement y of the mode, with the opposite sign.
     pub force: S,
-    /// Symmetric matrix [m₁₁, m₁₂, m₂₂] from which `state` computes y and u. The matrix multiplies two scalar products:
-    /// those of the chain's motion with the two state vectors of the mode.
+    /// Symmetric matrix [m₁₁, m₁₂, m₂₂] from which `state` computes the displacement y and the scaled velocity u. The
+    /// matrix multiplies the two scalar products of the chain's motion with the two state vectors of the mode.
     pub inverse: [S; 3],
 }
 
@@ -39,11 +39,12 @@ pub struct Dynamics<'a, S, K = Chain<S>> {
     /// contact stuck. For each mode of the stuck chain, the list has one pair for each mode of the chain that the
     /// contact drives.
     pub participations: &'a [[S; 2]],
-    /// Mode shapes φ. The components of the first mass in all modes come first, and then those of the second mass, and
-    /// so on.
+    /// Mode shapes φ. The components of the first mass in all modes come first. The components of the second mass
+    /// follow, and so on.
     pub shapes: &'a [S],
-    /// Products φᵀΓ of each mode, one mode after the other. If damping acts relative to the moving base, the list also
-    /// contains the loads in quadrature (90° out of phase with the base).
+    /// Products φᵀΓ of each mode, one mode after the other. φ is the mode shape, and Γ is the mass matrix divided by
+    /// m₁. If damping acts relative to the moving base, the list also contains the loads in quadrature (90° out of
+    /// phase with the base).
     pub weights: &'a [S],
     /// Index of the mass that slides on a support, or `None` if two masses slide on each other.
     pub rubbing: Option<usize>,
@@ -78,8 +79,8 @@ impl<'a, S: Float, K: ContactChain<S>> Dynamics<'a, S, K> {
         self.held.len() + self.chain.lost_modes()
     }
 
-    /// Returns the number of scalars in a state of the motion: two for each mode that the contact drives, and those
-    /// that the contact itself stores.
+    /// Returns the number of scalars in a state of the motion: two for each mode that the contact drives, and the
+    /// scalars that the contact itself stores.
     #[must_use]
     pub fn state_size(&self) -> usize {
         2 * self.in_contact() + self.chain.remembered()
@@ -96,8 +97,9 @@ impl<'a, S: Float, K: ContactChain<S>> Dynamics<'a, S, K> {
         self.modes.get(..self.in_contact()).unwrap_or_default()
     }
 
-    /// Returns wᵀK̄⁻¹w, the displacement of the contact per unit of steady contact force. It is the sum of (φᵀw)²/λ
-    /// over the modes, with the mode shape φ, the contact's direction vector w and the squared frequency ratio λ.
+    /// Returns wᵀK̄⁻¹w, the displacement of the contact per unit of steady contact force. This receptance is the sum of
+    /// (φᵀw)²/λ over the modes, with the mode shape φ, the contact's direction vector w and the squared frequency ratio
+    /// λ.
     pub(crate) fn receptance(&self) -> S {
         let terms = self.driven().iter();
         terms.fold(S::constant(0.0), |sum, mode| {
@@ -145,7 +147,8 @@ impl<'a, S: Float, K: ContactChain<S>> Dynamics<'a, S, K> {
     /// Returns the modes of the chain with its contact stuck. Each mode comes with the participation factors of all
     /// modes of the chain that the contact drives.
     pub(crate) fn held_modes(&self) -> impl Iterator<Item = (&'a HeldMode<S>, &'a [[S; 2]])> {
-        // The code uses ranges, because an iterator over chunks could panic if the compiler does not know their size.
+        // The code uses ranges. An iterator over chunks could panic if the compiler does not know the size of the
+        // chunks.
         let (participations, size) = (self.participations, self.in_contact());
         let held = self.held.iter().enumerate();
         held.map(move |(index, mode)| {

@@ -10,9 +10,10 @@ use crate::number::scalar::Float;
 use crate::oscillator::decay::{Damped, Decay, Instant, Turn, multipliers, turn};
 use crate::oscillator::mode::{Kind, Mode};
 
-/// Bound NEAR of the region near a resonance, in which |D| < NEAR·x² with D = x² − 1 + 2iζx. In this region the code
-/// computes the forced motion from differences that vanish with D. Outside the region, the forced motion is the sum of
-/// the steady motion and a free motion. This sum loses at most a factor 1/NEAR of the precision.
+/// Bound NEAR of the region near a resonance, in which |D| < NEAR·x² with D = x² − 1 + 2iζx. x is the natural frequency
+/// divided by the excitation frequency. In this region the code computes the forced motion from differences that vanish
+/// with D. Outside the region, the forced motion is the sum of the steady motion and a free motion. This sum loses at
+/// most a factor 1/NEAR of the precision.
 const NEAR: f64 = 0.02;
 /// Smallest 1 − ζ² with which the amplitude of a free motion is a good bound on the motion.
 const OSCILLATES: f64 = 0.05;
@@ -22,7 +23,8 @@ const OSCILLATES: f64 = 0.05;
 #[derive(Clone, Copy, Debug)]
 pub struct Part<S> {
     pub(crate) kind: Kind,
-    /// Undamped natural frequency of the oscillator divided by the excitation frequency, x = σ/r.
+    /// Undamped natural frequency of the oscillator divided by the excitation frequency: x = σ/r, with the field
+    /// `sigma`.
     pub(crate) x: S,
     pub(crate) zeta: S,
     /// q = √|1 − ζ²|, where ζ is the damping ratio of the oscillator.
@@ -34,8 +36,8 @@ pub struct Part<S> {
     /// Complex amplitude of the steady displacement: y = Re(steady·e^{iτ_e}). If `near` is true, the field is the
     /// complex amplitude of the force on the oscillator instead.
     steady: Complex<S>,
-    /// Complex amplitude of φ/x = Re(direct·e^{iτ_e}), where φ is a velocity that the excitation adds directly to y′.
-    /// Then u = (y′ − φ)/x.
+    /// Complex amplitude of φ/x = Re(direct·e^{iτ_e}), where φ is a velocity that the excitation adds directly to the
+    /// velocity y′. The scaled velocity is then u = (y′ − φ)/x.
     direct: Complex<S>,
     /// True if the excitation frequency is near the resonance. The code then computes the forced motion from
     /// differences that vanish at the resonance.
@@ -44,7 +46,8 @@ pub struct Part<S> {
     pub(crate) centre: S,
     /// Displacement y of the oscillator at the present instant, or at the start of the segment.
     pub(crate) y: S,
-    /// Scaled velocity u = y′/x at the same instant as the displacement y.
+    /// Scaled velocity u = y′/x at the same instant as the displacement y. x is the natural frequency divided by the
+    /// excitation frequency.
     pub(crate) u: S,
     /// Displacement y and scaled velocity u of the free motion, at the start of the segment.
     pub(crate) free: [S; 2],
@@ -96,16 +99,16 @@ impl<S: Float> Part<S> {
     }
 
     /// Creates the oscillator of a mode of the chain with its contact stuck, at the frequency ratio r. `drive` contains
-    /// two complex amplitudes, each multiplied by r: that of the direct change of the velocity, and that of the force
-    /// on the mode.
+    /// two complex amplitudes, each multiplied by r. The first is the amplitude of the direct change of the velocity.
+    /// The second is the amplitude of the force on the mode.
     pub(crate) fn from_stuck_mode(mode: &HeldMode<S>, r: S, drive: [Complex<S>; 2]) -> Self {
         let mut part = Self::empty();
         part.kind = mode.kind;
         (part.zeta, part.q, part.sigma) = (mode.zeta, mode.q, mode.frequency);
         let [first, second] = drive;
-        // The equation of motion of y alone has the force Ψ, with r²Ψ = ωφ₂ + (2ζω + ir)φ₁. φ₁ and φ₂ are the two
-        // numbers in `drive`, and ω is the natural frequency. The code computes rΨ, because r³ may overflow or
-        // underflow.
+        // The equation of motion of the displacement y alone has the force Ψ, with r²Ψ = ωφ₂ + (2ζω + ir)φ₁. φ₁ and φ₂
+        // are the two numbers in `drive`, and ω is the natural frequency. The code computes rΨ, because r³ may overflow
+        // or underflow.
         let over_r = mode.frequency / r;
         let loss = (mode.zeta + mode.zeta) * over_r;
         let force = Complex::new(
@@ -117,7 +120,9 @@ impl<S: Float> Part<S> {
         part
     }
 
-    /// Sets the oscillator to the frequency ratio r, with the force `force`·`unit` and the direct drive `direct`.
+    /// Sets the oscillator to the frequency ratio r. `force`·`unit` is the complex amplitude of the force. `direct` is
+    /// the complex amplitude of the velocity that the excitation adds directly to the oscillator's velocity, divided by
+    /// the field `x`.
     fn tuned(&mut self, r: S, force: Complex<S>, unit: S, direct: Complex<S>) {
         let one = S::constant(1.0);
         self.x = self.sigma / r;
@@ -145,15 +150,16 @@ impl<S: Float> Part<S> {
         turn(self.kind, self.zeta, self.q, self.x, (t, tau))
     }
 
-    /// Returns the state [y, u] of a free motion after a time. `free` is the state before this time, and `turn`
-    /// contains the coefficients of the free motion for this time.
+    /// Returns the state [y, u] (displacement and scaled velocity) of a free motion after a time. `free` is the state
+    /// before this time, and `turn` contains the coefficients of the free motion for this time.
     #[inline]
     pub(crate) fn turned(&self, free: [S; 2], turn: &Turn<S>) -> [S; 2] {
         turn.moved(self.zeta, free)
     }
 
-    /// Returns y and u of the steady motion. The argument contains sine and cosine of the excitation's phase. Near the
-    /// resonance, the result leaves out the forced displacement, which [`grown`](Self::grown) returns.
+    /// Returns the displacement y and the scaled velocity u of the steady motion. The argument contains sine and cosine
+    /// of the excitation's phase. Near the resonance, the result leaves out the forced displacement, which
+    /// [`grown`](Self::grown) returns.
     #[inline]
     fn carried(&self, (sine, cosine): (S, S)) -> [S; 2] {
         if self.near {
@@ -167,15 +173,16 @@ impl<S: Float> Part<S> {
         ]
     }
 
-    /// Sets the free motion at the start of a segment: the present y and u, minus y and u of the steady motion.
+    /// Sets the free motion at the start of a segment. The displacement y and the scaled velocity u of the free motion
+    /// are the present y and u, minus y and u of the steady motion.
     #[inline]
     pub(crate) fn start(&mut self, phase: (S, S)) {
         let [y, u] = self.carried(phase);
         self.free = [self.y - y, self.u - u];
     }
 
-    /// Returns y and u a time τ after the start of the segment. `from` and `phase` are sine and cosine of the
-    /// excitation's phase at the start and after τ.
+    /// Returns the displacement y and the scaled velocity u a time τ after the start of the segment. `from` and `phase`
+    /// are sine and cosine of the excitation's phase at the start and after τ.
     #[inline]
     pub(crate) fn at(&self, turn: &Turn<S>, t: S, from: (S, S), phase: (S, S)) -> [S; 2] {
         let [free_y, free_u] = self.turned(self.free, turn);
@@ -187,16 +194,15 @@ impl<S: Float> Part<S> {
         [free_y + y, free_u + u]
     }
 
-    /// Returns y and its first three derivatives for the motion that starts from rest under y″ + 2ζxy′ + x²y =
-    /// Re(force·e^{i(θ + τ)}). Call this function only if the excitation is near the resonance. `t` is τ, and `phase`
-    /// is (cos θ, sin θ).
+    /// Returns the displacement y and its first three derivatives in a motion that starts from rest. This motion obeys
+    /// y″ + 2ζxy′ + x²y = Re(force·e^{i(θ + τ)}). Call this function only if the excitation is near the resonance. `t`
+    /// is τ/π, and `phase` is (sin θ, cos θ).
     pub(crate) fn grown(&self, t: S, phase: (S, S)) -> [S; 4] {
         let at = Instant::new(t);
         let (x, one) = (self.x, S::constant(1.0));
         let loss = (self.zeta + self.zeta) * x;
         let detuning = (x - one) * (x + one);
-        // k combines the responses to cos τ and to sin τ. They are its real part and the negative of its imaginary
-        // part.
+        // The real part of k is the response to cos τ. The imaginary part of k is the response to sin τ.
         let (k, k_slope) = if detuning.is_zero() && loss.is_zero() {
             let half = S::constant(0.5);
             let grown = at.tau * half;
@@ -272,7 +278,8 @@ impl<S: Float> Part<S> {
         })
     }
 
-    /// Returns the complex amplitudes of y and u in the steady motion about 0, or `None` on an undamped resonance.
+    /// Returns the complex amplitudes of the displacement y and the scaled velocity u in the steady motion about 0, or
+    /// `None` on an undamped resonance.
     pub(crate) fn steady_state(&self) -> Option<[Complex<S>; 2]> {
         let y = self.steady()?;
         let slope = complex::scale(Complex::new(-y.im, y.re), S::constant(1.0) / self.x);
@@ -280,7 +287,8 @@ impl<S: Float> Part<S> {
         Some([y, complex::add(slope, direct)])
     }
 
-    /// Returns y and u of the steady motion about 0, or `None` on an undamped resonance.
+    /// Returns the displacement y and the scaled velocity u of the steady motion about 0, or `None` on an undamped
+    /// resonance.
     fn settled(&self, (sine, cosine): (S, S)) -> Option<[S; 2]> {
         let steady = self.steady()?;
         let y = rotated(steady, sine, cosine);
@@ -295,9 +303,9 @@ impl<S: Float> Part<S> {
         Some(())
     }
 
-    /// Returns an upper bound on the contribution of the free vibration to the examined function at any later time. The
-    /// free vibration is the present motion minus the steady motion. On an undamped resonance no steady motion exists.
-    /// The bound is then `f64::MAX`, converted to the number type.
+    /// Returns an upper bound on the contribution of the free vibration to the function that a search examines. The
+    /// bound holds at any later time. The free vibration is the present motion minus the steady motion. On an undamped
+    /// resonance no steady motion exists. The bound is then `f64::MAX`, converted to the number type.
     pub(crate) fn free_amplitude(&self, phase: (S, S)) -> S {
         let Some([y, u]) = self.settled(phase) else {
             return S::constant(f64::MAX);
@@ -306,7 +314,7 @@ impl<S: Float> Part<S> {
         if self.oscillates() {
             (a * a + b * b / self.q2).sqrt()
         } else {
-            // For ζ above 0.4, e^{−ζxτ}sin(qxτ)/q stays less than 1.
+            // The free motion is a·c + b·s, with |c| ≤ 1. For ζ above 0.4, s = e^{−ζxτ}sin(qxτ)/q stays less than 1.
             a.abs() + b.abs()
         }
     }
@@ -316,7 +324,8 @@ impl<S: Float> Part<S> {
         self.kind == Kind::Undamped
     }
 
-    /// Returns the coefficients of the decaying cosine c and sine s in the weighted sum of y and u of a free motion.
+    /// Returns the coefficients of the decaying cosine c and sine s in `weight`·(y, u) of a free motion. y is the
+    /// displacement and u the scaled velocity.
     #[inline]
     fn weighted(&self, [y, u]: [S; 2]) -> [S; 2] {
         let ([of_y, of_u], zeta) = (self.weight, self.zeta);
@@ -326,14 +335,15 @@ impl<S: Float> Part<S> {
         ]
     }
 
-    /// Returns the two factors e^{x(−ζ ± iq)τ} by which the free motion grows or decays during the time τ.
+    /// Returns the two factors e^{x(−ζ ± iq)τ} by which the free motion grows or decays during the time τ. x, ζ and q
+    /// are the fields `x`, `zeta` and `q`.
     pub(crate) fn multipliers(&self, tau: S) -> [Complex<S>; 2] {
         let turn = self.turn(tau * S::inverse_pi(), tau);
         multipliers(self.kind, self.q, &turn)
     }
 
-    /// Returns the oscillator's contribution to the fundamental of the examined function. The result is a complex
-    /// amplitude, multiplied by e^{iτ_e} in the function.
+    /// Returns the oscillator's contribution to the fundamental of the function that a search examines. The result is
+    /// the complex amplitude of e^{iτ_e} in this function.
     pub(crate) fn fundamental(&self) -> Complex<S> {
         let [of_y, of_u] = self.weight;
         let direct = complex::scale(self.direct, -of_u);
@@ -347,8 +357,9 @@ impl<S: Float> Part<S> {
         )
     }
 
-    /// Prepares a search of the function weight·(y, u). Computes the coefficients of the decaying cosine c and sine s
-    /// in this function and in its derivative, and the bound on its third derivative.
+    /// Prepares a search of the function `weight`·(y, u), where y is the displacement and u the scaled velocity.
+    /// Computes the coefficients of the decaying cosine c and sine s in this function and in its derivative. Also
+    /// computes the bound on the third derivative of the function.
     #[inline]
     pub(crate) fn aim(&mut self) {
         let zeta = self.zeta;
@@ -366,8 +377,8 @@ impl<S: Float> Part<S> {
         };
     }
 
-    /// Returns true if the free motion is a decaying oscillation. Its amplitude then bounds the motion. Otherwise the
-    /// free motion is a sum of exponential functions that may nearly cancel.
+    /// Returns true if the free motion is a decaying oscillation, whose amplitude bounds the motion. If the result is
+    /// false, the free motion is a sum of exponential functions that may nearly cancel.
     pub(crate) fn oscillates(&self) -> bool {
         S::constant(OSCILLATES) < self.q2
     }

@@ -66,7 +66,8 @@ pub(crate) fn seek<S: Float, K: ContactChain<S>>(
 
 /// Adds derivatives to the instant `tau` at which a sum reaches its level, if the scalar carries derivatives. One
 /// Newton step from the known instant gives the derivatives. Without a level, no event ends the segment. If `tau` then
-/// equals the searched length, it gets the derivatives of this length. Otherwise it gets none.
+/// equals the searched length, `tau` gets the derivatives of this length. If `tau` is shorter, `tau` gets no
+/// derivatives.
 fn carried<S: Float>(sum: &OscillatorSum<'_, S>, tau: S, level: Option<S>) -> S {
     let Some(level) = level else {
         return if tau < sum.reach {

@@ -16,19 +16,23 @@ pub struct MotionSetting<'a, S, K = Chain<S>> {
     pub(crate) r: S,
     /// Friction ratio β = F/P of the motion.
     pub(crate) beta: S,
-    /// Coefficient s of the base motion in z̄: 1 if the contact rubs on the moving base, otherwise 0.
+    /// Coefficient s of the base motion in the relative displacement z̄ of the contact: 1 if the contact rubs on the
+    /// moving base, otherwise 0.
     pub(crate) base: S,
     /// wᵀΓ⁻¹p + s r²: the load on the stuck contact at a maximum of the excitation, times the inverse effective mass
-    /// m*. s is the coefficient `base`.
+    /// m*. w is the direction vector of the contact, Γ is the mass matrix divided by m₁, p is the load vector, and s is
+    /// the field `base`.
     pub(crate) load: S,
-    /// Load on the stuck contact in quadrature (90° out of phase) with the base's motion, times m*. It adds
-    /// −`quadrature`·sin τ_e to the load. It is 0 unless damping acts relative to the moving base.
+    /// Load on the stuck contact in quadrature (90° out of phase) with the base's motion, times m*. The load contains
+    /// the term −`quadrature`·sin τ_e. `quadrature` is 0 unless damping acts relative to the moving base.
     pub(crate) quadrature: S,
-    /// Displacement of the contact per unit of steady contact force. It is wᵀK̄⁻¹w = Σ c_i/λ_i with c_i = (φ_iᵀw)²,
-    /// plus the compliance of an elastic contact.
+    /// Displacement of the contact per unit of steady contact force. `receptance` is wᵀK̄⁻¹w = Σ c_i/λ_i with c_i =
+    /// (φ_iᵀw)², plus the compliance of an elastic contact. K̄ is the stiffness matrix divided by k₁, and w is the
+    /// direction vector of the contact. φ_i is a mode shape, and λ_i its squared frequency ratio.
     pub(crate) receptance: S,
-    /// Σ 2ζ_i c_i/σ_i divided by `receptance`, with c_i = (φ_iᵀw)² and σ_i = √λ_i. It is the damping force per unit of
-    /// velocity of the stuck contact, times m*.
+    /// Σ 2ζ_i c_i/σ_i divided by `receptance`, with c_i = (φ_iᵀw)². φ_i is a mode shape, σ_i its natural frequency as a
+    /// frequency ratio, and w the direction vector of the contact. `drag` is the damping force per unit of velocity of
+    /// the stuck contact, times the inverse effective mass m*.
     pub(crate) drag: S,
 }
 
@@ -49,9 +53,8 @@ impl<'a, S: Copy, K> MotionSetting<'a, S, K> {
 }
 
 impl<'a, S: Float, K: ContactChain<S>> MotionSetting<'a, S, K> {
-    /// Creates a setting, which is a scene at the frequency ratio r and the friction ratio β, and computes its
-    /// oscillators: `parts` receives one oscillator for each mode of the chain, and then one for each mode of the stuck
-    /// chain.
+    /// Creates a setting, which is a scene at the frequency ratio r and the friction ratio β. Writes the oscillators to
+    /// `parts`: first one oscillator for each mode of the chain, and then one for each mode of the stuck chain.
     ///
     /// # Errors
     /// [`OutOfDomain`] if r is NaN, negative, zero or infinite, or so near to 0 or ∞ that the formulas would overflow

@@ -134,8 +134,8 @@ impl Dd {
         Self::finished(hi, lo)
     }
 
-    /// Creates a number. If `hi` is not finite, replaces `lo` by 0. If `hi` were infinite, `lo` would otherwise be NaN,
-    /// and every later result would be NaN.
+    /// Creates the number `hi + lo`, but with `lo` = 0 if `hi` is not finite. For an infinite `hi`, `lo` would
+    /// otherwise be NaN, and every later result would be NaN.
     #[inline]
     fn finished(hi: f64, lo: f64) -> Self {
         if hi.is_finite() {
@@ -209,7 +209,7 @@ impl Dd {
         if self.hi <= 0.0 || !self.hi.is_finite() {
             return Self::new(crate::number::float::sqrt_f64(self.hi), 0.0);
         }
-        // Scaling keeps the last digits of root². It also prevents an overflow of root².
+        // The scaling keeps the last digits of root², and prevents an overflow of root².
         if self.hi < TINY {
             return self.scaled(UP).scaled(UP).sqrt().scaled(1.0 / UP);
         }

@@ -177,7 +177,7 @@ impl<S: Float> Scalar for Dual<S> {
     fn atan2(self, x: Self) -> Self {
         let (y, size) = (self, self.value.abs().max(x.value.abs()));
         let value = y.value.atan2(x.value);
-        // The code divides y and x by `size`, the larger of the two, because the square of `size` may overflow or
+        // The code divides y and x by `size`, the larger of |y| and |x|, because the square of `size` may overflow or
         // underflow.
         let (sy, sx) = (y.value / size, x.value / size);
         let slope = (sx * y.slope - sy * x.slope) / (size * (sx * sx + sy * sy));
@@ -202,8 +202,8 @@ impl<S: Float> Scalar for Dual<S> {
     fn one_minus_sinc_pi(self) -> Self {
         let z = self.value;
         let value = z.one_minus_sinc_pi();
-        // The code computes the derivative (sinc − cos)/z from 1 − cos and 1 − sinc. 1 − cos and 1 − sinc vanish with
-        // z, and their difference loses hardly any digits.
+        // The code computes the derivative (sinc − cos)/z from 1 − cos and 1 − sinc, with sinc = sin(πz)/(πz). Because
+        // 1 − cos and 1 − sinc vanish with z, their difference loses hardly any digits.
         let derivative = if z.is_zero() {
             z
         } else {

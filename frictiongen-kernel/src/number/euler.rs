@@ -3,7 +3,7 @@
 //! The polynomials describe the motion of a free mass under a unit force that changes its sign every half period. The
 //! module `modal_sum::mass_controlled` uses them.
 
-/// Number of Euler polynomials of even order that a response sums in `f64`. `SINGLE` is the number for `f32`. Each
+/// Number of Euler polynomials of even order that the code sums in `f64`. `SINGLE` is the number for `f32`. Each
 /// further order n, even or odd, divides the third harmonic of the neglected remainder by at least six. The sum
 /// contains the orders up to 2·`DOUBLE`, and (1/6)^(2·`DOUBLE`) is smaller than the rounding error.
 const DOUBLE: usize = 11;
@@ -19,8 +19,9 @@ const fn terms(orders: usize) -> usize {
     orders * (orders + 1) / 2
 }
 
-/// Computes the coefficients of each e_n from those of e_(n−2), the second derivative of e_n. The recurrence runs from
-/// the highest power of w down to the lowest. In this order no terms cancel.
+/// Computes the coefficients of each Euler polynomial e_n from those of e_(n−2), because e_(n−2) is the second
+/// derivative of e_n. The recurrence runs from the highest power of w = τ(π − τ) down to the lowest. In this order no
+/// terms cancel.
 #[allow(clippy::indexing_slicing, reason = "at compile time")]
 const fn coefficients<const N: usize>() -> [f64; N] {
     const SQUARE: f64 = core::f64::consts::PI * core::f64::consts::PI;

@@ -25,8 +25,8 @@ fn sqrt_f32(x: f32) -> f32 {
     root(x)
 }
 
-/// Returns √x of an `f32`, correctly rounded, with half as many instructions as the function of libm. The function is
-/// for processors that have an instruction for division in single precision.
+/// Returns √x of an `f32`, correctly rounded, with half as many instructions as the function of libm. `root` is for
+/// processors that have an instruction for division in single precision.
 ///
 /// The iteration starts from x with half its exponent. Three Heron steps leave an error of at most one unit in the last
 /// place. The remainder x − root², computed exactly in integers, gives the correction of this unit.
@@ -40,7 +40,7 @@ fn root(x: f32) -> f32 {
     let bits = x.to_bits();
     if bits.wrapping_sub(ONE) >= INFINITE - ONE {
         return if x > 0.0 && x < f32::MIN_POSITIVE {
-            // Multiplications of these numbers by powers of two are exact.
+            // The two scalings are exact, because their factors are powers of two.
             root(x * TWO_TO_24) / TWO_TO_12
         } else if x >= 0.0 {
             x

@@ -1,7 +1,7 @@
 //! Arrays of numbers that a processor can compute at the same time with packed (SIMD) instructions.
 //!
-//! Each operation on an array acts on each of its numbers separately. Each result equals that of the same operation on
-//! a single number, to the last bit.
+//! Each operation on an array acts on each number of the array separately. Each result equals the result of the same
+//! operation on a single number, to the last bit.
 
 use crate::number::scalar::{Float, Scalar};
 use core::ops::{Add, Div, Mul, Neg, Sub};

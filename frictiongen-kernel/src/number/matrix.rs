@@ -35,8 +35,8 @@ impl<'a, S: Float> SquareMatrix<'a, S> {
         }
     }
 
-    /// Solves (shift·1 − M)x = b in place, and overwrites the matrix. Returns false if the matrix shift·1 − M is
-    /// singular.
+    /// Solves the linear equations (shift·1 − M)x = b, where M is this matrix and 1 the identity matrix. The solution x
+    /// replaces `b`, and the elimination overwrites the matrix. Returns false if the matrix shift·1 − M is singular.
     pub(crate) fn solve_shifted(&mut self, shift: S, b: &mut [S]) -> bool {
         let n = self.size;
         for column in 0..n {
@@ -92,8 +92,8 @@ impl<'a, S: Float> SquareMatrix<'a, S> {
         true
     }
 
-    /// Computes the eigenvalues, and overwrites the matrix. The method first reduces the matrix to Hessenberg form by
-    /// elimination, and then applies the double-shift QR iteration of Francis.
+    /// Computes the eigenvalues, writes them to `out`, and overwrites the matrix. The method first reduces the matrix
+    /// to Hessenberg form by elimination, and then applies the double-shift QR iteration of Francis.
     pub(crate) fn eigenvalues(&mut self, out: &mut [Complex<S>]) {
         self.reduce();
         let mut end = self.size;
@@ -187,7 +187,7 @@ impl<'a, S: Float> SquareMatrix<'a, S> {
             let im = (-discriminant).sqrt();
             return (Complex::new(middle, im), Complex::new(middle, -im));
         }
-        // This formula for the smaller eigenvalue has no cancellation.
+        // The two terms of `shift` have the same sign and do not cancel. Both eigenvalues follow from `shift`.
         let shift = difference + discriminant.sqrt().copysign(difference);
         let first = d + shift;
         let second = if shift.is_zero() {
@@ -244,7 +244,7 @@ impl<'a, S: Float> SquareMatrix<'a, S> {
         }
     }
 
-    /// Applies the reflection (1 − τ v vᵀ) to the three entries that `place` selects.
+    /// Applies the reflection (1 − τ v vᵀ) to the first `rows` (2 or 3) of the entries that `place` selects.
     fn reflect(
         &mut self,
         v: &[S; 3],

@@ -102,17 +102,19 @@ pub trait Scalar:
         )
     }
 
-    /// Returns the constant `value` in place of `self`. For a dual number, the result has the value `value` and the
+    /// Returns the constant `value`, which replaces `self`. For a dual number, the result has the value `value` and the
     /// derivative of `self`.
     #[inline(always)]
     #[must_use]
     fn replaced(self, value: f64) -> Self {
         Self::constant(value)
     }
-    /// Names the local variable that emitted code uses for `self`. `about` explains the quantity and gives its equation
-    /// number. Emitted code contains `about` as a comment above the variable. `mode` is the zero-based index of the
-    /// mode to which `self` belongs, if any. If a formula names a value twice, emitted code uses the first name. For
-    /// scalars that are numbers, the function ignores the name and the text, and returns `self`.
+    /// Names the local variable that emitted code uses for `self`. For scalars that are numbers, the function ignores
+    /// the name and the text, and returns `self`.
+    ///
+    /// `about` explains the quantity and gives its equation number. Emitted code contains `about` as a comment above
+    /// the variable. `mode` is the zero-based index of the mode to which `self` belongs, if any. If a formula names a
+    /// value twice, emitted code uses the first name.
     #[inline(always)]
     #[must_use]
     fn named(self, name: &'static str, about: &'static str, mode: Option<usize>) -> Self {
@@ -140,7 +142,7 @@ pub trait Float:
     /// Smallest relative difference between two values that a search can detect in this precision.
     const RESOLUTION: f64 = Self::EPSILON;
     /// True if the scalar has a derivative in addition to its value. Iterations then make one more Newton step, because
-    /// the derivative is correct one step later than the value.
+    /// the derivative becomes correct one step later than the value.
     const CARRIES: bool = false;
     /// True if a processor can compute with two numbers of this type at the same time.
     const PAIRS: bool = false;
@@ -203,8 +205,8 @@ pub trait Float:
         found
     }
     /// Returns true if `self` ≤ `other`. `self` and `other` must not be negative or NaN. `f64` and `f32` compare the
-    /// bits of the numbers as integers, which have the same order. This comparison is cheaper on a small processor and
-    /// needs no floating-point unit.
+    /// bits of the two numbers as integers, which have the same order as the numbers. The comparison of integers is
+    /// cheaper on a small processor and needs no floating-point unit.
     #[must_use]
     #[inline]
     fn at_most(self, other: Self) -> bool {
@@ -224,8 +226,8 @@ pub trait Float:
 
 /// Scalar without a derivative. Dual numbers do not implement this trait.
 ///
-/// Iterations find motions from rest and steady states. An iteration stops as soon as its value is correct, although a
-/// derivative may still be wrong at that step. Functions that start an iteration of this kind require this trait, so
-/// that the compiler rejects dual numbers. [`Orbit::carrying`](crate::orbit::Orbit::carrying) adds derivatives to a
-/// steady state that is already known.
+/// Some functions find motions from rest and steady states by iteration. An iteration stops as soon as its value is
+/// correct, although a derivative may still be wrong at that step. These functions require `Plain`, so that the
+/// compiler rejects dual numbers. [`Orbit::carrying`](crate::orbit::Orbit::carrying) adds derivatives to a steady state
+/// that is already known.
 pub trait Plain: Float {}

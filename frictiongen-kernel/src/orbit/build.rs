@@ -27,7 +27,7 @@ where
     /// emitted code passes them.
     ///
     /// # Errors
-    /// Same errors as [`answer`](Self::answer).
+    /// The errors of [`answer`](Self::answer).
     #[inline]
     #[allow(
         clippy::too_many_arguments,
@@ -61,7 +61,6 @@ where
     /// Computes the steady state that a motion reaches from the given start, at the frequency ratio r and the friction
     /// ratio β. The motion starts at a maximum of the excitation. A motion may not settle. If `question.last` is then
     /// true, the result contains the last cycles of the motion, and [`Self::is_settled`] returns false.
-    /// cycles of the motion, and [`Self::is_settled`] is false.
     ///
     /// # Errors
     /// [`NoOrbit`] gives the reason why no steady state exists or was found. Slices of a wrong length return the error
@@ -85,8 +84,8 @@ where
         if multipliers.as_ref().len() != size {
             return Err(OutOfDomain::Length(Slice::Multipliers).into());
         }
-        // A stuck state exists for β ≥ β*_lim. Whether the motion ends in the stuck state is known only after the code
-        // has followed the motion.
+        // A stuck state exists for β ≥ β*_lim. The code must follow the motion to find out whether the motion ends in
+        // the stuck state.
         let holding =
             (!(beta < question.sliding)).then_some(setting.law_at(question.sliding).grip());
         let unbounded = unbounded(&dynamics, question.r, beta)?;
@@ -221,6 +220,7 @@ fn settles<S: Float, K: ContactChain<S>>(
 /// Returns an error if the amplitude of the mode grows without bound while the contact slides.
 fn bounded<S: Float>(mode: &Mode<S>, r: S, beta: S) -> Result<(), NoOrbit> {
     // If β is smaller than β_n = (π/4)|φᵀp/φᵀw|, friction dissipates less energy than the load supplies (6.2, 6.26).
+    // φᵀp and φᵀw are the components of the mode in the load and in the contact's displacement.
     let threshold = S::constant(FRAC_PI_4) * mode.load.abs();
     let resonant = mode.kind == Kind::Undamped && mode.resonance == r;
     if resonant && beta * mode.contact.abs() < threshold {

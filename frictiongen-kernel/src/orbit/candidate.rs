@@ -28,18 +28,18 @@ const MOST_GROWN: f64 = 64.0;
 /// events may still converge to another state.
 const CALM: u32 = 64;
 
-/// Distance of the motion from the fixed point at which the test ends, divided by the distance at its start. The code
-/// predicts this ratio from the Floquet multipliers.
+/// Distance of the motion from the fixed point at which the test ends, divided by the distance at the start of the
+/// test. The code predicts this ratio from the Floquet multipliers.
 const FAR_ENOUGH: f64 = 0.01;
 /// Tolerance of the test whether a motion approaches the fixed point. The distance may exceed the prediction of the
 /// multipliers by this fraction of the initial distance.
 const SPARE: f64 = 0.1;
 /// Largest relative difference of the sticking times of two motions at which the code treats their stops as the same.
 const STICKS_ALIKE: f64 = 0.25;
-/// Largest distance of the motion from the fixed point at which the motion has reached the point, divided by the size
-/// of the state.
+/// Largest distance of the motion from the fixed point, divided by the size of the state, at which the code assumes
+/// that the motion has reached the fixed point.
 const REACHED: f64 = 1e-9;
-/// Largest distance of the motion from the fixed point at which the contact hardly moves, divided by P/k₁. Rounding
+/// Largest distance of the motion from the fixed point, in units of P/k₁, at which the contact hardly moves. Rounding
 /// then decides the motion of the contact.
 const HARDLY_MOVES: f64 = 1e-6;
 /// Smallest number of cycles that the search follows before it selects a member of a continuum of steady states.
@@ -126,8 +126,9 @@ impl<S: Float> Candidate<S> {
         if on_circle {
             return self.marginal(cycle_map, workspace, far, scale, self.cycles);
         }
-        // With μ = 1 the distance between two motions never grows. A motion this close to the fixed point therefore
-        // tends to that point.
+        // With μ = 1 the distance between two motions never grows, so that every motion tends to a fixed point whose
+        // multipliers lie inside the unit circle. With μ > 1 the motion must have the events of the fixed point. It
+        // must also be near the fixed point, or approach the fixed point.
         let near = far <= same(scale);
         let same = pattern == self.wanted;
         if self.monotone || (same && (near || self.attracts(cycle_map, workspace, largest)?)) {

@@ -23,8 +23,8 @@ use core::fmt;
 /// Largest relative distance from a graze at which the derivative of an event's instant is unreliable. A graze is a
 /// motion at which an event of the contact appears or vanishes.
 const GRAZE: f64 = 1e-9;
-/// Largest relative difference of the derivatives of two successive Newton steps at which the code treats them as
-/// equal.
+/// Largest relative difference of the derivatives of two successive Newton steps at which the code treats the
+/// derivatives as equal.
 const ALIKE: f64 = 1e-6;
 
 /// Rounding error of the state's derivative in `f64`, divided by the size of the state.
@@ -48,8 +48,8 @@ pub enum NoDerivative {
     /// derivative.
     Graze,
     /// The modes of the scene themselves have no derivative. One possible reason is that two modes have the same
-    /// constants. They may be modes of the chain, or modes of the chain with its contact stuck. Another possible reason
-    /// is a mode that the contact does not drive, but would drive after any small change of the scene.
+    /// constants. The two modes may be modes of the chain, or modes of the chain with its contact stuck. Another
+    /// possible reason is a mode that the contact does not drive, but would drive after any small change of the scene.
     Degenerate,
 }
 
@@ -91,7 +91,7 @@ pub struct CarryingStorage<'m, S, P, V, C> {
     pub numbers: V,
     /// Working memory for two scalars of each mass.
     pub masses: &'m mut [S],
-    /// Empty storage, because the multipliers carry no derivative.
+    /// Empty storage, because the multipliers have no derivative.
     pub multipliers: C,
 }
 
@@ -103,8 +103,8 @@ where
     C: AsRef<[Complex<S>]> + AsMut<[Complex<S>]>,
     K: ContactChain<S>,
 {
-    /// Computes the steady state `plain` with a number type that has derivatives. `dynamics`, r and β describe the same
-    /// scene and point as `plain`, with derivatives.
+    /// Computes the steady state `plain` with a number type that has derivatives. `dynamics`, r and β describe the
+    /// scene, the frequency ratio and the friction ratio of `plain`, with derivatives.
     ///
     /// # Errors
     /// [`NoDerivative`] gives the reason why no derivatives exist. Slices of a wrong length return the error
@@ -300,7 +300,8 @@ where
             if self.never_slides() {
                 return false;
             }
-            // At the end of the segment a function of time reaches zero. Its slope must differ clearly from zero.
+            // The sum is a function of time that reaches zero at the end of the segment. Its slope must differ clearly
+            // from zero.
             let sum = if before == Contact::Stuck {
                 setting
                     .start_sticking(modes, stuck_modes, &mark.contact_state, mark.length)
@@ -329,8 +330,8 @@ fn check_same<S: Float>(given: S, known: impl Float, ratio: Ratio) -> Result<(),
 }
 
 /// Applies Newton steps until the motion of the cycle map repeats, in a number type that has derivatives. After the
-/// first step the derivative has the precision of the value. After the second step it has the precision of the number
-/// type.
+/// first step the derivative has the precision of the value. After the second step the derivative has the precision of
+/// the number type.
 fn closed_in<S: Float, K: ContactChain<S>>(
     cycle_map: &mut CycleMap<'_, '_, S, K>,
     workspace: &mut Workspace<'_, S>,

@@ -1,10 +1,10 @@
 //! Selects one member of a continuum of steady motions. In a chain without damping, a continuum of this kind exists at
 //! the frequency ratios r = 1/(2n), with n = 1, 2, ….
 //!
-//! Two members of the continuum differ by a free vibration. Its frequency is an even multiple of the excitation
-//! frequency, and it is in phase with the reversals. A motion that never stops keeps the amplitude of this vibration.
-//! Each stop of the contact reduces the amplitude, by less than the previous stop did. A motion with stops therefore
-//! tends to a member without stops, namely the member with the largest amplitude.
+//! Two members of the continuum differ by a free vibration. The frequency of this vibration is an even multiple of the
+//! excitation frequency, and the vibration is in phase with the reversals. A motion that never stops keeps the
+//! amplitude of this vibration. Each stop of the contact reduces the amplitude, by less than the previous stop did. A
+//! motion with stops therefore tends to the member with the largest amplitude among the members without stops.
 
 use super::cycle_map::CycleMap;
 use super::cycle_map::unit;
@@ -25,7 +25,8 @@ const DOUBLINGS: u32 = 20;
 /// map that belongs to the multiplier 1.
 const SHIFT: f64 = 1e-8;
 
-/// Sets the cycle map to one member of a continuum of steady motions, namely the member to which the motion converges.
+/// Sets the cycle map to one member of a continuum of steady motions. This member is the motion to which the given
+/// motion converges.
 ///
 /// Before the call, the cycle map is at the symmetric member, and `workspace.state` is the state of the motion at the
 /// same phase. The *share* of a member is the amplitude of its free vibration. The *last member* has the largest share

@@ -40,7 +40,7 @@ impl EventPattern {
         })
     }
 
-    /// Adds the numbers of events of two parts of a motion.
+    /// Adds the numbers of events in two time intervals of a motion.
     pub(super) fn and(self, other: Self) -> Self {
         Self {
             stops: self.stops + other.stops,
@@ -57,8 +57,8 @@ pub(super) struct CycleMap<'f, 'a, S, K> {
     pub modes: &'f mut [Part<S>],
     pub stuck_modes: &'f mut [Part<S>],
     pub contact_state: ContactState<S>,
-    /// Middle of the longest segment of the last half cycle: its phase minus the phase of the section, in half-turns (π
-    /// rad).
+    /// Middle of the longest segment of the last half cycle: its phase minus the phase at the start of the half cycle,
+    /// in half-turns (π rad).
     pub middle: S,
     /// Time in rad of the excitation (τ) during which the contact stuck in the last half cycle.
     pub stuck: S,

@@ -14,9 +14,9 @@ where
     C: AsRef<[Complex<S>]> + AsMut<[Complex<S>]>,
     K: ContactChain<S>,
 {
-    /// Returns the offset of the steady state, in units of P/k₁ (of Y for base motion). The offset is the middle of the
-    /// contact's relative motion, (max z̄ + min z̄)/2. It is 0 for a symmetric motion. For a stuck contact it is the
-    /// constant z̄.
+    /// Returns the offset of the steady state, in units of P/k₁ (of the base amplitude Y for base motion). The offset
+    /// is the middle of the contact's relative motion, (max z̄ + min z̄)/2. It is 0 for a symmetric motion. For a stuck
+    /// contact it is the constant z̄.
     pub fn offset(&self) -> S {
         if self.symmetric {
             return S::constant(0.0);
@@ -34,7 +34,8 @@ where
     C: AsRef<[Complex<S>]> + AsMut<[Complex<S>]>,
     K: ContactChain<S>,
 {
-    /// Returns the smallest and the largest displacement x̄ in a period, in units of P/k₁ (of Y for base motion).
+    /// Returns the smallest and the largest displacement x̄ in a period, in units of P/k₁ (of the base amplitude Y for
+    /// base motion).
     pub fn extremes(&self) -> (S, S) {
         let largest = self.amplitude();
         if self.is_symmetric() {
@@ -61,7 +62,7 @@ where
     }
 
     /// Returns half the distance between the smallest and the largest displacement x̄ in a period, in units of P/k₁ (of
-    /// Y for base motion). The result is the amplitude about the middle of the motion.
+    /// the base amplitude Y for base motion). The result is the amplitude about the middle of the motion.
     pub fn centred_amplitude(&self) -> S {
         let (least, most) = self.extremes();
         (most - least) * S::constant(0.5)

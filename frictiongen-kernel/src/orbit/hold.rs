@@ -18,10 +18,10 @@ const QUIET: u32 = 256;
 const UNDYING: u32 = 64;
 /// Rounding error of the force in a contact that barely sticks, in rounding units of μβ.
 const ROUNDINGS: f64 = 64.0;
-/// Largest size of two small forces, divided by a third force, at which the offset is assumed to approach its limit
-/// from one side. With μ = 1 the slips become ever smaller, and the offset converges to a limit at which the contact
-/// barely sticks. The first small force is that of one cycle's slip. The second is that of the free vibration. The
-/// third force corresponds to the distance of the offset from its limit.
+/// Largest ratio of two small forces to a third force at which the offset is assumed to approach its limit from one
+/// side. The first force is that of one cycle's slip, and the second force is that of the free vibration. The third
+/// force corresponds to the distance of the offset from its limit. With μ = 1 the slips become ever smaller, and the
+/// offset converges to a limit at which the contact barely sticks.
 const ONE_SIDED: f64 = 0.1;
 
 /// Observer of a motion with β ≥ β*_lim. It detects when the contact starts to stick for ever.

@@ -141,8 +141,8 @@ where
         sum * S::inverse_pi() * S::constant(0.5) / self.cycles()
     }
 
-    /// Returns the distance that the contact slides in a period, ∮|dz̄|, in units of P/k₁ (of Y for base motion). The
-    /// work of friction in a period is β times this distance.
+    /// Returns the distance that the contact slides in a period, ∮|dz̄|, in units of P/k₁ (of the base amplitude Y for
+    /// base motion). The work of friction in a period is β times this distance.
     #[must_use]
     pub fn sliding_distance(&self) -> S {
         let zero = S::constant(0.0);
@@ -174,14 +174,15 @@ where
         S::constant(f64::from(self.period))
     }
 
-    /// Subtracts whole periods of the motion from a phase `t` in half-turns (π rad).
+    /// Subtracts whole periods of the motion from a phase `t` in half-turns (π rad). Returns the phase within the
+    /// period.
     fn within(&self, t: S) -> S {
         let whole = self.cycles() * S::constant(2.0);
         t - (t / whole).floor() * whole
     }
 
     /// Returns the phase of the excitation at the start of a segment, in half-turns (π rad). The phase is 0 at the
-    /// maximum of the excitation closest to τ = 0.
+    /// maximum of the excitation closest to τ = 0. At τ = 0 the contact leaves its largest relative displacement.
     fn angle(&self, mark: &SegmentStart<S>) -> S {
         let one = S::constant(1.0);
         let past = if one < self.origin {
@@ -260,7 +261,8 @@ where
         })
     }
 
-    /// Returns true if no small deviation from the steady state grows. A marginal state is stable in this sense.
+    /// Returns true if no small deviation from the steady state grows. A state in a continuum of steady states is
+    /// stable in this sense.
     #[must_use]
     pub fn is_stable(&self) -> bool {
         self.settled
@@ -274,10 +276,10 @@ where
         self.marginal
     }
 
-    /// Returns the largest absolute offset of the contact in the continuum of steady states, in units of P/k₁ (of Y for
-    /// base motion). Every state of the continuum has an offset between minus and plus this bound. A bound exists for a
-    /// stuck contact. It also exists for a chain without damping at r = 1/(2n), with n = 1, 2, …. Returns `None` for
-    /// other states, or if the bound is unknown.
+    /// Returns the largest absolute offset of the contact in the continuum of steady states, in units of P/k₁ (of the
+    /// base amplitude Y for base motion). Every state of the continuum has an offset between minus and plus this bound.
+    /// A bound exists for a stuck contact. It also exists for a chain without damping at r = 1/(2n), with n = 1, 2, ….
+    /// Returns `None` for other states, or if the bound is unknown.
     #[must_use]
     pub fn offset_range(&self) -> Option<S> {
         self.offset_range

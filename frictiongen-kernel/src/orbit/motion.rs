@@ -11,17 +11,17 @@ use crate::number::complex::{self, Complex};
 use crate::number::phase::{within_cycle, wrapped};
 use crate::number::scalar::Float;
 
-/// Largest difference at which two amplitudes are treated as equal, in rounding units.
+/// Largest relative difference at which two amplitudes are treated as equal, in rounding units of the number type.
 const ROUNDINGS: f64 = 64.0;
-/// Largest difference at which two lags are treated as equal, in rad. In `f32` the code uses [`ROUNDINGS`] rounding
-/// units instead, which is larger.
+/// Largest difference at which two lags are treated as equal, in rad. In `f32` the code uses the larger value of
+/// [`ROUNDINGS`] rounding units instead.
 const SAME_LAG: f64 = 1e-9;
 
 /// The steady motion of the contact or of a mass, in an [`Orbit`] (a steady state).
 #[derive(Debug)]
 pub struct OrbitMotion<'o, 'a, S, P, V, C, K = Chain<S>> {
     orbit: &'o Orbit<'a, S, P, V, C, K>,
-    /// The combination of masses and base that moves, or `None` for the contact's relative motion.
+    /// Combination of masses and base whose motion this is, or `None` for the contact's relative motion.
     combination: Option<Combination<'o, S>>,
     /// True for the contact's relative motion with the opposite sign.
     reversed: bool,
@@ -37,7 +37,7 @@ impl<S: Copy, P, V, C, K> Copy for OrbitMotion<'_, '_, S, P, V, C, K> {}
 /// Largest number of panels into which the quadrature of a harmonic divides one segment.
 const MOST_PANELS: f64 = (1_u32 << 14) as f64;
 
-/// The largest |x̄| that a search has found so far, and the lag of that |x̄|.
+/// The largest absolute displacement |x̄| that a search has found so far, and the lag of this displacement.
 struct LargestDisplacement<S> {
     value: S,
     lag: Option<S>,
@@ -78,13 +78,14 @@ where
     }
 
     /// Returns the amplitude and its lag, from one search. The amplitude is the largest |x̄| in a period, in units of
-    /// P/k₁ (of Y for base motion). The lag is in rad, as [`phase`](Self::phase) defines it.
+    /// P/k₁ (of the base amplitude Y for base motion). The lag is in rad, as [`phase`](Self::phase) defines it.
     pub fn largest(&self) -> (S, S) {
         let best = self.best();
         (best.value, best.lag.unwrap_or(S::constant(0.0)))
     }
 
-    /// Returns the amplitude of the motion: the largest |x̄| in a period, in units of P/k₁ (of Y for base motion).
+    /// Returns the amplitude of the motion: the largest absolute displacement |x̄| in a period, in units of P/k₁ (of
+    /// the base amplitude Y for base motion).
     pub fn amplitude(&self) -> S {
         self.best().value
     }
@@ -105,8 +106,8 @@ where
         wrapped(-fundamental.im.atan2(fundamental.re))
     }
 
-    /// Returns the displacement x̄ at the phase τ in rad, in units of P/k₁ (of Y for base motion). At τ = 0 the
-    /// contact's relative displacement begins to decrease from its maximum.
+    /// Returns the displacement x̄ at the phase τ in rad, in units of P/k₁ (of the base amplitude Y for base motion).
+    /// At τ = 0 the contact's relative displacement begins to decrease from its maximum.
     pub fn displacement(&self, tau: S) -> S {
         self.evaluate(tau, |sum, tau| sum.local(tau).value)
     }
@@ -124,15 +125,16 @@ where
         self.evaluate(tau, |sum, tau| sum.local(tau).curve)
     }
 
-    /// Returns the largest |dx̄/dτ| in a period of the motion.
+    /// Returns the largest absolute velocity |dx̄/dτ| in a period of the motion, in units of P/k₁ (of the base
+    /// amplitude Y for base motion).
     pub fn largest_velocity(&self) -> S {
         let mut largest = S::constant(0.0);
         self.each(|_, sum| largest = largest.max(rates::largest_slope(sum)));
         largest
     }
 
-    /// Returns the largest |d²x̄/dτ²| in a period of the motion. At a jump of the acceleration, the search includes the
-    /// values on both sides.
+    /// Returns the largest absolute acceleration |d²x̄/dτ²| in a period of the motion, in units of P/k₁ (of the base
+    /// amplitude Y for base motion). At a jump of the acceleration, the search includes the values on both sides.
     pub fn largest_acceleration(&self) -> S {
         let mut largest = S::constant(0.0);
         self.each(|_, sum| largest = largest.max(rates::largest_curve(sum)));
@@ -348,8 +350,8 @@ where
         for (index, part) in modes.iter_mut().enumerate().skip(driven) {
             part.weight = [component(index), zero];
         }
-        // The slice contains the modes that the contact drives, then the other modes of the chain, then the modes of
-        // the chain with its contact stuck.
+        // The slice `parts` contains the modes that the contact drives, then the other modes of the chain, then the
+        // modes of the chain with its contact stuck.
         let modes = setting.dynamics.modes.len();
         let range = if sticks {
             driven..parts.len()

@@ -15,7 +15,7 @@ const AGREEMENT: f64 = 1e-9;
 /// Smallest tolerance with which the code compares two computations, in rounding units. The tolerance is large because
 /// the rounding errors of all events of a cycle add up. It exceeds `AGREEMENT` only in `f32`.
 const AGREEING_ROUNDINGS: f64 = 1024.0;
-/// Largest size of a small Newton step, divided by the size of the state.
+/// Largest size at which a Newton step counts as small, divided by the size of the state.
 const SMALL_STEP: f64 = 1e-11;
 /// Smallest limit for a small Newton step, in rounding units. This limit exceeds `SMALL_STEP` only in `f32`.
 const SMALL_ROUNDINGS: f64 = 256.0;
@@ -27,7 +27,7 @@ const STALLED: f64 = 0.25;
 /// Largest Newton step at which the method can end by quadratic convergence, divided by the size of the state. The step
 /// must also be no larger than the square of the previous step.
 const QUADRATIC: f64 = 1e-9;
-/// Lower bound for the size of a state. A division by this size then stays finite.
+/// Lower bound for the size of a state, so that a division by the size stays finite.
 const SMALLEST_SCALE: f64 = 1e-290;
 
 /// Returns the largest relative difference between two numbers that may be caused by rounding alone.
@@ -75,7 +75,7 @@ impl<'m, S: Float> Workspace<'m, S> {
 pub(super) struct PeriodMap {
     /// Period of the motion, in cycles of the excitation.
     pub period: u32,
-    /// True if the map advances a state by half a period and then changes its sign.
+    /// True if the map advances a state by half a period and then changes the sign of the state.
     pub symmetric: bool,
 }
 
@@ -116,8 +116,8 @@ pub(super) fn newton<S: Float, K: ContactChain<S>>(
             return Ok(None);
         };
         if (image == Contact::Stuck) != (contact_state.contact == Contact::Stuck) {
-            // At the section the contact state has changed from sticking to sliding, or from sliding to sticking. The
-            // method restarts with the contact state that the contact has after the map.
+            // The map has changed the contact from sticking to sliding, or from sliding to sticking. The method
+            // restarts with the contact state that the contact has after the map.
             contact_state.contact = image;
             contact_state.t = start.t;
             cycle_map.save(workspace.other);

@@ -12,8 +12,8 @@ impl<T: ProvidesOrbit> At<T> {
     /// Returns the steady state at the friction ratio β = F/P that the motion from rest reaches, in any regime.
     ///
     /// At the start the excitation is at its maximum, and every mass has the displacement x̄ = 0 and no velocity. A
-    /// moving base is then at Y. A contact with the moving base therefore starts at the relative displacement z = −Y,
-    /// and may stick at this displacement.
+    /// moving base is then at its amplitude Y. A contact with the moving base therefore starts at the relative
+    /// displacement z = −Y, and may stick at this displacement.
     ///
     /// # Errors
     /// [`NoOrbit`] gives the reason why there is no steady state.

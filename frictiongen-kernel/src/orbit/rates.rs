@@ -17,19 +17,17 @@ const MOST: f64 = 4096.0;
 /// step, the interval is as short as a rounding error.
 const STEPS: usize = 40;
 
-/// Returns the largest |f′| of a function f within the length `reach` of the sum. The function f is the given sum over
-/// oscillators.
+/// Returns the largest |f′(τ)| for τ from 0 to `sum.reach`. The function f(τ) is the given sum over oscillators.
 pub(super) fn largest_slope<S: Float>(sum: &OscillatorSum<'_, S>) -> S {
     largest(sum, |tau| sum.local(tau).slope.abs())
 }
 
-/// Returns the largest |f″| of a function f within the length `reach` of the sum. The function f is the given sum over
-/// oscillators.
+/// Returns the largest |f″(τ)| for τ from 0 to `sum.reach`. The function f(τ) is the given sum over oscillators.
 pub(super) fn largest_curve<S: Float>(sum: &OscillatorSum<'_, S>) -> S {
     largest(sum, |tau| sum.local(tau).curve.abs())
 }
 
-/// Returns the largest value of the function `size` within the length `reach` of the sum.
+/// Returns the largest value of the function `size` of τ, for τ from 0 to `sum.reach`.
 fn largest<S: Float>(sum: &OscillatorSum<'_, S>, size: impl Fn(S) -> S) -> S {
     let (zero, one) = (S::constant(0.0), S::constant(1.0));
     let wanted = sum.rate * sum.reach * S::inverse_pi() * S::constant(PLACES);

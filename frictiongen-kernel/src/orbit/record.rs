@@ -108,7 +108,7 @@ impl<'s, S: Float> OrbitRecord<'s, S> {
             cycle_map.spend(end.steps)?;
             mark.length = within(end.tau, left);
             left = left - mark.length;
-            // A segment of length zero occurs if the contact tries to leave zero velocity and fails.
+            // In a segment of length zero the contact fails to start sliding from zero velocity.
             if zero < mark.length {
                 self.note(mark, end.event);
             }

@@ -50,7 +50,7 @@ where
 }
 
 impl<S: Float> Print<S> {
-    /// Returns true if two steady states are the same. The code treats two stuck states always as the same, because the
+    /// Returns true if two steady states are the same. The code always treats two stuck states as the same, because the
     /// stuck states form one continuum with different offsets.
     pub(super) fn is_alike(&self, other: &Self) -> bool {
         let near = |(a, b): (&S, &S)| (*a - *b).abs() <= a.abs().max(b.abs()) * S::constant(ALIKE);

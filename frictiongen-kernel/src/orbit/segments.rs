@@ -46,8 +46,8 @@ where
         }
     }
 
-    /// Returns the segment that contains the instant τ, and the time from the start of this segment to τ. τ = 0 is the
-    /// origin of the orbit.
+    /// Returns the segment that contains the instant τ, and the phase from the start of this segment to τ in rad. τ = 0
+    /// is the origin of the orbit.
     pub(super) fn at(
         orbit: &'o Orbit<'a, S, P, V, C, K>,
         tau: S,
@@ -75,8 +75,8 @@ where
         None
     }
 
-    /// Returns the oscillators of the segment that the iterator has returned last. They have their state at the start
-    /// of this segment.
+    /// Returns the oscillators of the segment that the iterator has returned last. The oscillators have their state at
+    /// the start of this segment.
     pub(super) fn parts(&mut self) -> &mut [Part<S>] {
         let orbit = self.orbit;
         let parts = self.parts.get_or_insert_with(|| orbit.parts.clone());
@@ -121,7 +121,7 @@ where
         let (modes, stuck_modes) = setting.split(self.parts());
         let mut mark = *last;
         // The first pass of the loop advances through the segment `last`. Further passes skip segments of length zero,
-        // in which the contact fails to leave zero velocity.
+        // in which the contact fails to start sliding from zero velocity.
         for _ in 0..MOST_EVENTS {
             let left = (end - mark.contact_state.t - S::constant(2.0) * mark.cycle) * S::pi();
             let reach = left + slack();

@@ -91,12 +91,13 @@ pub(super) fn settle<S: Float, K: ContactChain<S>>(
             cycles += 1;
         }
         if monotone && hold.is_some() {
-            // With μ = 1 the distance between two motions never grows, and a stuck state exists. Therefore no other
-            // state can be steady.
+            // With μ = 1 the distance between two motions never grows. Because a stuck state exists, no other state can
+            // be steady.
             wanted = cycles * 2;
             continue;
         }
-        // The code places the section at the middle of the longest segment, far from all events.
+        // The section is the phase at which the map starts. The code places the section at the middle of the longest
+        // segment, far from all events.
         let middle = cycle_map.middle * S::pi();
         cycle_map.advance(middle, None)?;
         let [last, before, ..] = halves;

@@ -12,7 +12,8 @@ use core::fmt;
 const STARTS: usize = 9;
 /// Ratios β/β_lim at which the closed form gives an initial state, if the β of the search is at least β_lim.
 const FORMER: [f64; 2] = [0.98, 0.5];
-/// Factors by which the code multiplies β. The results are the neighbouring friction ratios of some initial states.
+/// Factors by which the code multiplies β. Motions at the resulting neighbouring friction ratios give some initial
+/// states of the search.
 const NEIGHBOURS: [f64; 4] = [0.97, 1.03, 0.8, 1.25];
 
 /// Iterator over the steady states at one friction ratio, which [`At::states`] returns. The iterator searches for a

@@ -28,7 +28,7 @@ pub enum Kind {
     Over,
 }
 
-/// Constants of one mode of the chain. They depend on the scene, not on the frequency ratio r.
+/// Constants of one mode of the chain. These constants depend on the scene, not on the frequency ratio r.
 #[derive(Clone, Copy, Debug)]
 pub struct Mode<S> {
     /// Kind of damping of the mode, which selects the closed form.
@@ -48,14 +48,16 @@ pub struct Mode<S> {
     /// Product φᵀw of the mode shape φ and the contact direction w. The contact drives the mode in proportion to this
     /// product.
     pub contact: S,
-    /// Residue (φᵀw)(φᵀp) of the mode in the response of the contact to the load. The residue is λ times the static
-    /// residue.
+    /// Residue (φᵀw)(φᵀp) of the mode in the response of the contact to the load. φ is the mode shape, w the contact
+    /// direction and p the load vector. The residue is the static residue times the squared frequency ratio λ of the
+    /// mode.
     pub residue: S,
-    /// Square (φᵀw)² of the product of the mode shape φ and the contact direction w. It is the term of this mode in the
-    /// inverse of the contact's effective mass m*.
+    /// Square (φᵀw)² of the product of the mode shape φ and the contact direction w. The square is the term of this
+    /// mode in the inverse effective mass m* of the contact.
     pub contact_squared: S,
-    /// Static residue (φᵀw)(φᵀp)/λ of the mode. It is the term of this mode in the static displacement of the contact
-    /// under the load.
+    /// Static residue (φᵀw)(φᵀp)/λ of the mode, with the mode shape φ, the contact direction w, the load vector p and
+    /// the squared frequency ratio λ. The static residue is the term of this mode in the static displacement of the
+    /// contact under the load.
     pub static_residue: S,
 }
 

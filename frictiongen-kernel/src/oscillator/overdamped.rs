@@ -6,7 +6,8 @@ use crate::number::scalar::{Float, Scalar};
 use crate::number::special::exp_m1_minus;
 
 /// Evaluates the response and damping functions of a mode with the damping ratio ζ > 1. The function combines the
-/// exponentials e^{−πx(ζ∓q)} in a form in which neither exponential can overflow.
+/// exponentials e^{−πx(ζ∓q)} in a form in which neither exponential can overflow. x is the natural frequency divided by
+/// the excitation frequency, and q = √(ζ² − 1).
 #[inline]
 pub(super) fn response<S: Scalar>(
     x: S,
@@ -48,8 +49,8 @@ pub(super) fn response<S: Scalar>(
         at,
     );
     let a = -(-(S::constant(2.0) * pi * zeta * x)).exp_m1() * k;
-    // `defect` is 1 − e^{−2πζx} − (ζ/q)(e^{−slow} − e^{−fast}). The code writes it with terms of the third order in x.
-    // The subtracted term is at most two thirds of the sum of the other terms.
+    // `defect` is 1 − e^{−2πζx} − (ζ/q)(e^{−slow} − e^{−fast}). The code writes `defect` with terms of the third order
+    // in x. The subtracted term is at most two thirds of the sum of the other terms.
     let defect = if with_g {
         let half = S::constant(0.5);
         let minus_one =

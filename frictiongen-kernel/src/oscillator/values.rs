@@ -4,11 +4,11 @@ use crate::number::complex::Complex;
 use crate::number::scalar::{Float, Scalar};
 use crate::number::special::exp_m1_minus;
 
-/// Response and damping functions of one mode at one frequency. The code multiplies u, g and `reversal` by `size`. They
-/// then stay finite at the resonance x = 1.
+/// Response and damping functions of one mode at one frequency. The code multiplies u, g and `reversal` by `size`. The
+/// products stay finite at the resonance x = 1.
 #[derive(Clone, Copy, Debug)]
 pub struct ModeResponse<S> {
-    /// Natural frequency of the mode divided by the excitation frequency, x = √λ/r. Its inverse is R = 1/x.
+    /// Natural frequency of the mode divided by the excitation frequency, x = √λ/r. R is the inverse 1/x.
     pub x: S,
     /// Denominator of the mode's response v to the load, x² − 1 + 2iζx = x²/v.
     pub denominator: Complex<S>,
@@ -20,12 +20,13 @@ pub struct ModeResponse<S> {
     /// Damping function g (7.12) of the mode, multiplied by `size`. A square wave of friction force causes a response
     /// of the mode. g is the value of this response at the reversal. Without damping g is 0.
     pub g: S,
-    /// Damping term g + 2ζRu of the mode, multiplied by `size`. It is a term of H_c in the break-away condition at a
-    /// reversal. Without damping it is 0.
+    /// Damping term g + 2ζRu of the mode, multiplied by `size`. This number is a term of H_c, the contribution of
+    /// damping to the acceleration of the contact at a reversal. Without damping the number is 0.
     pub reversal: S,
 }
 
-/// An instant of the half period. It stores the phase τ = ωt from a maximum of z̄, and the sine and the cosine of τ.
+/// An instant of the half period. The type stores the phase τ = ωt from a maximum of the relative displacement z̄, and
+/// the sine and the cosine of τ.
 #[derive(Clone, Copy, Debug)]
 pub struct Instant<S> {
     /// Phase of the instant in half-turns (π rad), t = τ/π.
@@ -44,14 +45,15 @@ pub struct Instant<S> {
 /// The motion of the mode in the half period is a linear combination of these functions.
 #[derive(Clone, Copy, Debug)]
 pub struct Basis<S> {
-    /// Free displacement p = e^{−ζxτ} sin(qxτ)/(qx) of the mode. It starts from 0 with unit speed. x is the natural
-    /// frequency divided by the excitation frequency.
+    /// Free displacement p = e^{−ζxτ} sin(qxτ)/(qx) of the mode. This free motion starts from 0 with unit speed. x is
+    /// the natural frequency divided by the excitation frequency.
     pub free: S,
     /// Derivative p′ of the free displacement p with respect to the phase τ.
     pub slope: S,
     /// Difference sin τ − p, where p is the free displacement of the mode.
     pub forced: S,
-    /// Difference cos τ − p′, where p is the free displacement of the mode. It is the derivative of sin τ − p.
+    /// Difference cos τ − p′, where p is the free displacement of the mode. This difference is the derivative of sin τ
+    /// − p.
     pub forced_slope: S,
     /// (1 − d)/x², where d = p′ + 2ζx·p is the free motion of the mode that starts at rest from displacement 1.
     pub rise: S,
@@ -85,8 +87,8 @@ impl<S: Float> Basis<S> {
 }
 
 /// Free motion of one mode during a time τ. The motion consists of c = e^{−ζxτ}cos(qxτ) and s = e^{−ζxτ}sin(qxτ)/q,
-/// where x is the natural frequency divided by the excitation frequency. Both c and s depend on q only through q². A
-/// negative q² therefore describes an overdamped mode.
+/// where x is the natural frequency divided by the excitation frequency, and q² = 1 − ζ². Both c and s depend on q only
+/// through q². A negative q² therefore describes an overdamped mode.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Turn<S> {
     pub c: S,
@@ -97,7 +99,8 @@ pub(crate) struct Turn<S> {
 }
 
 impl<S: Float> Turn<S> {
-    /// Returns the free displacement y and the scaled velocity u = y′/x after the time τ, from y and u at the start.
+    /// Returns the free displacement y and the scaled velocity u = y′/x after the time τ, from y and u at the start. x
+    /// is the natural frequency divided by the excitation frequency.
     #[inline]
     pub(crate) fn moved(&self, zeta: S, [y, u]: [S; 2]) -> [S; 2] {
         let drag = zeta * self.s;
@@ -138,10 +141,10 @@ pub(super) fn complement_and_factor<S: Scalar>(decay: S, at: Option<usize>) -> (
     )
 }
 
-/// Returns x·sin τ − sin xτ and cos τ − cos xτ. Close to the resonance x = 1 each result is a difference of nearly
-/// equal terms, and the damping function that multiplies it is large. The code therefore computes products instead of
-/// differences. For τ → 0 the code also keeps the digits of cos τ − cos xτ, because the velocity constraint divides
-/// this difference by sin τ.
+/// Returns x·sin τ − sin xτ and cos τ − cos xτ. x is the natural frequency divided by the excitation frequency. Close
+/// to the resonance x = 1 each result is a difference of nearly equal terms, and the damping function that multiplies
+/// it is large. The code therefore computes products instead of differences. For τ → 0 the code also keeps the digits
+/// of cos τ − cos xτ, because the velocity constraint divides this difference by sin τ.
 #[inline]
 pub(super) fn differences<S: Float>(x: S, sine_x: S, versine_x: S, at: &Instant<S>) -> (S, S) {
     let one = S::constant(1.0);

@@ -104,9 +104,10 @@ impl<T: Scene> At<T> {
         }
     }
 
-    /// Returns the limits β_lim and β*_lim without a search. The result for β_lim is an upper bound. The call is faster
-    /// than [`new`](Self::new), because it stores nothing for a motion. Its results have the same bits as those of
-    /// [`continuous_limit_without_search`](Self::continuous_limit_without_search) and
+    /// Returns the limits β_lim and β*_lim without a search. The result for β_lim is an upper bound.
+    ///
+    /// This function is faster than [`new`](Self::new), because it stores nothing for a motion. Its results have the
+    /// same bits as those of [`continuous_limit_without_search`](Self::continuous_limit_without_search) and
     /// [`sliding_limit`](Self::sliding_limit).
     ///
     /// # Errors
@@ -128,7 +129,7 @@ impl<T: Scene> At<T> {
         let (mut limits, h) = scene.limits_without_search(inverse_r);
         let numbers = scene.numbers();
         if numbers.absorbs && numbers.chain.may_absorb(h) {
-            // The contact force in the stuck state depends on the response functions of each mode.
+            // With an absorber, β*_lim depends on the response functions of each mode, which only `new` computes.
             limits.sliding = Self::new(scene.clone(), r)?.sliding_limit();
         }
         Ok(Limits {
@@ -159,9 +160,9 @@ impl<T: Scene> At<T> {
         self.inverse_r
     }
 
-    /// Returns the sums over the modes for the contact. V is its response to the load, and H its receptance. U, G and
-    /// H_c describe its response to a square wave of friction. Each sum is multiplied by r² and by the scale E of
-    /// [`ContactAt`].
+    /// Returns the sums over the modes for the contact. V is the response of the contact to the load, and H its
+    /// receptance. U, G and H_c describe the response of the contact to a square wave of friction. Each sum is
+    /// multiplied by r² and by the scale E of [`ContactAt`].
     #[inline]
     #[must_use]
     pub fn contact_sums(&self) -> &ContactAt<T::Scalar> {
@@ -189,19 +190,18 @@ impl<T: Scene> At<T> {
         })
     }
 
-    /// Returns the largest numbers of evaluations in one search at this frequency ratio r. They are also upper bounds
-    /// at every larger r.
+    /// Returns the largest numbers of evaluations in one search at this frequency ratio r. The numbers are also upper
+    /// bounds at every larger r.
     ///
     /// The bounds at the smallest r of a sweep are therefore valid for the whole sweep. For slow modes, the bound is
-    /// 256 evaluations for β_lim and 1024 for an amplitude. Fast modes add max √λ(1 + 2ζ)/(16r) evaluations to both
-    /// bounds. The added number is one evaluation for every 16 half turns of the fastest mode in a half period. The
-    /// bounds are at most [`MAX_EVALUATIONS`](search::MAX_EVALUATIONS).
+    /// 256 evaluations for β_lim and 1024 for an amplitude. Fast modes increase each bound by max √λ(1 + 2ζ)/(16r)
+    /// evaluations. This increase is one evaluation for every 16 half turns of the fastest mode in a half period. No
+    /// bound exceeds [`MAX_EVALUATIONS`](search::MAX_EVALUATIONS).
     ///
-    /// A search counts its evaluations. It stops before it would exceed its bound, and then reports
-    /// [`Effort::Exceeded`]. In an undamped scene β_lim needs no search for r ≥ √λ_max/2, where √λ_max is the largest
-    /// resonance. Searches usually need far fewer evaluations than the bound. `docs/evidence.md` has measured numbers.
-    /// In random scenes, only searches with more than 2·10⁴ half turns reached their bound (section 9 of
-    /// `docs/derivation.md`).
+    /// A search stops before its evaluations would exceed the bound, and then reports [`Effort::Exceeded`]. In an
+    /// undamped scene β_lim needs no search for r ≥ √λ_max/2, where √λ_max is the largest resonance. Searches usually
+    /// need far fewer evaluations than the bound. `docs/evidence.md` has measured numbers. In random scenes, only
+    /// searches with more than 2·10⁴ half turns reached their bound (section 9 of `docs/derivation.md`).
     #[must_use]
     pub fn most_evaluations(&self) -> MostEvaluations {
         let numbers = self.scene.numbers();
@@ -232,9 +232,11 @@ impl<T: Scene> At<T> {
     }
 
     /// Returns the exact β_lim, the limit of continuous motion (5.65, 5.80, 5.96, 7.49). An elastic contact sticks
-    /// after each reversal, so that its β_lim is 0. A search finds the velocity constraint S, a maximum in the half
-    /// period, and proves that no larger value exists. In a scene without damping, a search is needed only if the
-    /// excitation is slower than half the natural frequency of some mode.
+    /// after each reversal, so that its β_lim is 0.
+    ///
+    /// A search finds the velocity constraint S, a maximum in the half period, and proves that no larger value exists.
+    /// In a scene without damping, a search is needed only if the excitation is slower than half the natural frequency
+    /// of some mode.
     ///
     /// [`most_evaluations`](Self::most_evaluations) returns the largest number of evaluations of the modal sum.
     /// [`limits_searched`](Self::limits_searched) returns how many evaluations the search took, and whether the search
@@ -285,8 +287,8 @@ impl<T: Scene> At<T> {
     }
 
     /// Returns the lower bound on β_lim that the thesis prints (5.55, 7.37). The exact velocity constraint S is the
-    /// maximum of a sum over the modes. The printed formula replaces S by the sum of the modes' own maxima. The call
-    /// makes one search for each mode.
+    /// maximum of a sum over the modes. The printed formula replaces S by the sum of the maxima of the single modes.
+    /// The call makes one search for each mode.
     #[must_use]
     pub fn continuous_limit_per_mode(&self) -> T::Scalar {
         let numbers = self.scene.numbers();
@@ -298,9 +300,10 @@ impl<T: Scene> At<T> {
     }
 
     /// Returns β*_lim, the limit of sliding, which is the smallest β at which a stuck state exists (6.11, 6.27, 6.33).
+    ///
     /// The formula is |V|/(μ|H|), where V is the response of the contact to the load. H is the receptance of the
-    /// contact, including the spring of an elastic contact. With μ > 1, the motion from rest may continue to slide at a
-    /// larger β.
+    /// contact, including the spring of an elastic contact. With μ > 1, the motion from rest may continue to slide even
+    /// for β > β*_lim.
     #[inline]
     #[must_use]
     pub fn sliding_limit(&self) -> T::Scalar {

@@ -3,12 +3,14 @@
 //! The response of mode i has a term with V, the response of the contact to the load, and a term with friction. Both
 //! terms have a pole at the mode's resonance, and the poles partly cancel. The formulas therefore use ν = p v/V and κ =
 //! (p v U − w u V)/V. p and w are the products φᵀp and φᵀw of the mode, v is its response, and u and g are its damping
-//! functions. If the terms of mode i would cancel in ν and κ, U and V leave them out. The result has no cancellation:
-//! x̄_k = Re[Q ρ e^{iτ}] + β Im[κ e^{iτ}] + β Σ φ_k w [ (1 − d) − g d + uR²(sin τ − …) ], with ρ = V_k/V and Q = √(|V|²
-//! − β²U²).
+//! functions. If the terms of mode i would cancel in ν and κ, U and V leave them out.
+//!
+//! The formula of the motion of mass k then has no cancellation: x̄_k = Re[Q ρ e^{iτ}] + β Im[κ e^{iτ}] + β Σ φ_k w [
+//! (1 − d) − g d + uR²(sin τ − …) ]. Here ρ = V_k/V and Q = √(|V|² − β²U²), and d is the free vibration of the mode
+//! after a unit displacement.
 //!
 //! Close to a damped resonance, the terms g d and Qρ are large and nearly proportional to cos τ. The code therefore
-//! moves −g cos τ into the fundamental component, and keeps the small term g (cos τ − d).
+//! adds −g cos τ to the fundamental component. The small term g (cos τ − d) remains.
 
 pub use super::coefficient_types::{Friction, Fundamental, ModalCoefficients};
 use crate::contact::dominant::{DominantParts, DominantSums, Partner};
@@ -20,7 +22,7 @@ use crate::number::phase::wrapped;
 use crate::number::scalar::Scalar;
 use crate::oscillator::mode::Mode;
 
-/// Text for emitted code. It explains the factor of a mode in the response of mass k to a force in the contact.
+/// Text for emitted code, which explains the factor of a mode in the response of mass k to a force in the contact.
 const BY_CONTACT: &str = "φ_k(φᵀw), from the contact to mass k";
 
 /// Names and texts for emitted code, for the real and the imaginary part of a mode's term in V_k. V_k is the response
@@ -79,8 +81,8 @@ impl<S: Scalar> Chain<S> {
         }
     }
 
-    /// Returns the fundamental component of the contact's relative motion. It is a cosine with the amplitude of the
-    /// contact, because the contact is at its maximum at τ = 0.
+    /// Returns the fundamental component of the contact's relative motion. The component is a cosine with the amplitude
+    /// of the contact, because the contact is at its maximum at τ = 0.
     #[inline]
     pub fn contact_fundamental(
         &self,
@@ -95,7 +97,7 @@ impl<S: Scalar> Chain<S> {
     }
 
     /// Returns the coefficients of one mode in a motion. For mass k, `residue` is φ_k(φᵀw). For the contact, `residue`
-    /// is (φᵀw)².
+    /// is (φᵀw)². φ_k is the component of mass k in the mode shape φ, and w the contact direction.
     #[inline]
     pub fn modal_coefficients(
         &self,
@@ -122,8 +124,8 @@ impl<S: Scalar> Chain<S> {
     }
 
     /// Returns the coefficients of one mode in the motion of a mass, for
-    /// [`mass_wave`](crate::response::motion::mass_wave). If the mode resonates far below the excitation frequency (a
-    /// mass-controlled mode), one function gives its whole response, because separate terms would cancel (see
+    /// [`mass_wave`](crate::response::motion::mass_wave). A mode that resonates far below the excitation frequency is
+    /// mass-controlled. A single function then gives its whole response, because separate terms would cancel (see
     /// `modal_sum::mass_controlled`).
     #[inline]
     #[allow(clippy::too_many_arguments, reason = "a mode, and all it rests on")]
@@ -203,8 +205,8 @@ impl<S: Scalar> Chain<S> {
     }
 
     /// Returns the fundamental component of the motion of a mass, summed over the given modes. Each entry of `parts`
-    /// consists of the index of a mode, the component of the mass in the mode shape, the constants of the mode, and its
-    /// functions at the frequency ratio r.
+    /// belongs to one mode. The entry consists of the index of the mode, the component of the mass in the mode shape,
+    /// the constants of the mode, and its functions at the frequency ratio r.
     pub(crate) fn fundamental_of<'a>(
         &self,
         (parts, quadratures): (
@@ -282,7 +284,8 @@ impl<S: Scalar> Chain<S> {
             ],
             None,
         );
-        // On a moving base V does not vanish, and β may be as large as the number type allows.
+        // On a moving base the code does not scale V and β by 2²⁴. V does not vanish there, and β may be as large as
+        // the number type allows.
         let vanishes = self.damped && !on_base;
         let raise = if vanishes {
             S::constant(INTO_RANGE)
@@ -373,8 +376,8 @@ impl<S: Scalar> Chain<S> {
         }
     }
 
-    /// Returns x̄*_k = V_k − H_k V/H, the complex amplitude of mass k while the contact is stuck, in units of P/k₁ (of
-    /// Y for base motion). V_k is the response of mass k to the load, and H_k its response to a unit force in the
+    /// Returns x̄*_k = V_k − H_k V/H, the complex amplitude of mass k while the contact is stuck. The unit is P/k₁ (Y
+    /// for base motion). V_k is the response of mass k to the load, and H_k its response to a unit force in the
     /// contact. V/H is the force that keeps the contact stuck.
     pub fn stuck(
         &self,
@@ -421,8 +424,8 @@ impl<S: Scalar> Chain<S> {
         self.stuck_with(shape, (modes, quadratures), at, (contact, &sums), inverse_r)
     }
 
-    /// Returns the complex amplitude of a mass while the contact is stuck. The terms of the dominant mode would cancel
-    /// in the sums over the modes. `sums` therefore contains these sums without the dominant mode.
+    /// Returns the complex amplitude of a mass while the contact is stuck. In the sums over the modes, the terms of the
+    /// dominant mode would cancel. `sums` therefore contains the sums without the dominant mode.
     #[inline]
     fn stuck_with(
         &self,

@@ -9,8 +9,7 @@ use crate::number::scalar::Scalar;
 use crate::response::coefficients::{Friction, Fundamental};
 use crate::response::motion::Motion;
 
-/// Type of the exact continuous motion in a scene. It represents the relative motion of the contact, or the motion of
-/// one mass.
+/// Type of the exact continuous motion of the contact (relative motion) or of one mass.
 pub type MotionOf<T> = Motion<<T as Scene>::Scalar, <T as Scene>::Decay, <T as Scene>::Waves>;
 
 /// Trait of scenes that provide the exact continuous motion through the method `motion`.
@@ -80,8 +79,8 @@ impl<T: ProvidesMotion> At<T> {
     /// whether β is below β_lim, the limit of continuous motion.
     ///
     /// # Errors
-    /// [`NotContinuous`] gives the regime if the motion is not continuous. It is also the error for an undamped
-    /// resonance that is unbounded at this β, and for a β outside the domain.
+    /// [`NotContinuous`] gives the regime if the motion is not continuous. [`NotContinuous`] is also the error for an
+    /// undamped resonance that is unbounded at this β, and for a β outside the domain.
     pub fn motion(&self, beta: T::Scalar) -> Result<T::Motion, NotContinuous> {
         let beta = self.admitted(beta)?;
         Ok(self.kept().closed_form(beta).into())
@@ -157,9 +156,10 @@ impl<T: ProvidesMotion> Continuous<T> {
         &self.friction
     }
 
-    /// Returns the relative motion of the contact. For a mass that slides on a wall it is the displacement x̄ of the
-    /// mass. For a mass that slides on a base it is x̄ of the mass minus the displacement of the base. For two masses
-    /// that slide on each other it is x̄ of the mass that comes later in the description, minus x̄ of the other mass.
+    /// Returns the relative motion of the contact. For a mass that slides on a wall, the relative motion is the
+    /// displacement x̄ of the mass. For a mass that slides on a base, it is x̄ of the mass minus the displacement of
+    /// the base. If two masses slide on each other, it is a difference of their displacements. The first term is x̄ of
+    /// the mass that comes later in the description, and the second term x̄ of the other mass.
     #[inline]
     #[must_use]
     pub fn contact(&self) -> MotionOf<T> {

@@ -16,9 +16,9 @@ use crate::response::coefficients::{Friction, Fundamental, ModalCoefficients};
 /// the instant of a maximum each have an error of a few rounding units.
 const ALIKE: f64 = 64.0;
 
-/// Steady motion of one mass, or relative motion of the contact, while the contact slides all the time.
+/// Steady motion of one mass, or steady relative motion of the contact, while the contact slides all the time.
 ///
-/// `W` stores the term of each mode. It is an array in emitted code and a vector at run time.
+/// The type `W` stores the term of each mode. `W` is an array in emitted code and a vector at run time.
 #[derive(Clone, Copy, Debug)]
 pub struct Motion<S, D, W> {
     friction: Friction<S>,
@@ -50,7 +50,7 @@ pub fn motion_wave<S: Float, D: Decay<S>>(
 ) -> Wave<S, D> {
     let mut wave = Wave::at_rest(x, decay);
     wave.rise = coefficients.rise;
-    // d = p′ + 2ζx·p.
+    // The term cos τ − d equals (cos τ − p′) − 2ζx·p, because d = p′ + 2ζx·p.
     wave.forced_slope = coefficients.fall;
     wave.free = -((decay.zeta() + decay.zeta()) * x * coefficients.fall);
     wave.forced = coefficients.forced;
@@ -118,9 +118,11 @@ impl<S: Float, D: Decay<S>, W: AsRef<[Wave<S, D>]>> Motion<S, D, W> {
     }
 
     /// Returns the amplitude and the phase of this motion from a search that starts at a predicted maximum. `neighbour`
-    /// makes the prediction from previous searches of a sweep over r or β. A sweep with smaller steps needs fewer
-    /// evaluations for each search. The result is still the largest value in the whole period. The amplitude may differ
-    /// from that of [`largest`](Self::largest) by four rounding units of the motion's modal terms.
+    /// makes the prediction from previous searches of a sweep over r or β.
+    ///
+    /// A sweep with smaller steps needs fewer evaluations for each search. The result is still the largest value in the
+    /// whole period. The amplitude may differ from that of [`largest`](Self::largest) by four rounding units of the
+    /// motion's modal terms.
     pub fn largest_near(&self, neighbour: &mut Neighbour<S>) -> Largest<S> {
         if self.is_contact {
             return self.largest();
@@ -151,7 +153,7 @@ impl<S: Float, D: Decay<S>, W: AsRef<[Wave<S, D>]>> Motion<S, D, W> {
     }
 
     /// Returns √(x̄₀² + x̄₀′²), the monoharmonic estimate of the amplitude (5.50), (7.33). x̄₀ is the displacement at
-    /// the start of the half period, and x̄₀′ the velocity.
+    /// the start of the half period, and x̄₀′ = dx̄/dτ the velocity.
     pub fn amplitude_monoharmonic(&self) -> S {
         if self.is_contact {
             return self.friction.amplitude;
@@ -235,9 +237,9 @@ impl<S: Float, D: Decay<S>, W: AsRef<[Wave<S, D>]>> Motion<S, D, W> {
         if negative { -value } else { value }
     }
 
-    /// Returns X_n, the complex amplitude of harmonic n. The harmonics are defined by x̄ = Re Σ X_n e^{inτ_e}, where
-    /// the phase τ_e is 0 at a maximum of the excitation (section 5 of `docs/derivation.md`). X_n is 0 for n = 0 and
-    /// for even n, because the motion repeats with the opposite sign after half a period.
+    /// Returns X_n, the complex amplitude of harmonic n. The harmonics are defined by x̄ = Re Σ X_n e^{inτ_e} (section
+    /// 5 of `docs/derivation.md`). The phase τ_e is 0 at a maximum of the excitation. X_n is 0 for n = 0 and for even
+    /// n, because the motion repeats with the opposite sign after half a period.
     pub fn harmonic(&self, n: u32) -> Complex<S> {
         let zero = S::constant(0.0);
         if n.is_multiple_of(2) {
@@ -256,7 +258,7 @@ impl<S: Float, D: Decay<S>, W: AsRef<[Wave<S, D>]>> Motion<S, D, W> {
             let weight = wave.residue / (size * (re * re + im * im));
             sum = Complex::new(sum.re + weight * re, sum.im - weight * im);
         }
-        // −(4iβ/πn) e^{−inφ}
+        // `factor` is −(4iβ/πn) e^{−inφ}, where φ is the phase of the contact.
         let (sine, cosine) = (self.friction.phase * S::inverse_pi() * order).sin_cos_pi();
         let k = S::constant(4.0) * S::inverse_pi() * self.friction.beta / order;
         let factor = Complex::new(-(k * sine), -(k * cosine));
@@ -275,7 +277,7 @@ impl<S: Float, D: Decay<S>, W: AsRef<[Wave<S, D>]>> Motion<S, D, W> {
 }
 
 /// Returns the instant of the half period from 0 to π that corresponds to the phase τ. The second result is true if τ
-/// is in the half period from π to 2π, where the motion has the opposite sign.
+/// is between π and 2π, apart from whole turns. In this half period the motion has the opposite sign.
 fn instant<S: Float>(tau: S) -> (Instant<S>, bool) {
     let half_turns = tau * S::inverse_pi();
     let whole = half_turns.floor();

@@ -4,15 +4,15 @@ use crate::contact::sums::Chain;
 use crate::number::scalar::Float;
 use crate::oscillator::mode::Mode;
 
-/// Limiting values of β_lim and β*_lim for the frequency ratios r = 0 and r → ∞ (6.4, 6.28 and the high-frequency
-/// limits of section 6 of `docs/derivation.md`).
+/// Limiting values of β_lim and β*_lim for the frequency ratios r = 0 and r → ∞ (6.4, 6.28). Section 6 of
+/// `docs/derivation.md` gives the high-frequency limits.
 #[derive(Clone, Copy, Debug)]
 pub struct Ends<S> {
     /// Limit of sliding β*_lim at the frequency ratio r = 0. The limit of continuous motion β_lim is 0 at r = 0.
     pub sliding_at_rest: S,
-    /// Limit of continuous motion β_lim for the frequency ratio r → ∞. Its name is β_∞.
+    /// Limit of continuous motion β_lim for the frequency ratio r → ∞, named β_∞.
     pub continuous_at_infinity: S,
-    /// Limit of sliding β*_lim for the frequency ratio r → ∞. Its name is β*_∞.
+    /// Limit of sliding β*_lim for the frequency ratio r → ∞, named β*_∞.
     pub sliding_at_infinity: S,
 }
 
@@ -33,13 +33,14 @@ pub struct Numbers<'a, S> {
     /// Frequency ratios of the undamped resonances that the load drives. At these frequency ratios the response may be
     /// unbounded.
     pub unbounded: &'a [S],
-    /// Frequency ratios in `unbounded` at which friction in the contact does not act on the resonant mode.
+    /// Frequency ratios in `unbounded` at which the contact does not act on the resonant mode. Friction then cannot
+    /// bound the response.
     pub invisible: &'a [S],
 }
 
 impl<S: Float> Numbers<'_, S> {
-    /// Returns true if this mass moves exactly as the contact does. This holds only for a mass that slides on a support
-    /// at rest.
+    /// Returns true if this mass moves exactly as the contact does. The result is true only for a mass that slides on a
+    /// support at rest.
     #[inline]
     #[must_use]
     pub fn moves_as_contact(&self, mass: usize) -> bool {

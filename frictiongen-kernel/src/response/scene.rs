@@ -66,8 +66,8 @@ pub trait Scene: Clone {
     /// frequency ratio.
     fn frequency_stage(&self, inverse_r: Self::Scalar) -> (ContactAt<Self::Scalar>, Self::Modes);
 
-    /// Returns the contact's sums of [`frequency_stage`](Self::frequency_stage), without the functions of the modes and
-    /// without the sum G. G is the displacement of the contact that friction causes at a reversal. The limits β_lim and
+    /// Returns the contact's sums of [`frequency_stage`](Self::frequency_stage), but not the functions of the modes and
+    /// not the sum G. G is the displacement of the contact that friction causes at a reversal. The limits β_lim and
     /// β*_lim do not need G.
     #[inline]
     fn contact_without_g(&self, inverse_r: Self::Scalar) -> ContactAt<Self::Scalar> {
@@ -119,10 +119,11 @@ pub trait Scene: Clone {
         self.numbers().chain.sliding_limit(contact)
     }
 
-    /// Returns an upper bound on β_lim, and β*_lim, without a search. The value of β*_lim contains no correction for
-    /// masses that act as an absorber. r must be neither 0 nor infinite. The second result is the real part of H, the
-    /// receptance of the contact, multiplied by r² and by the scale E of [`ContactAt`]. If the second result is small,
-    /// masses may act as an absorber.
+    /// Returns an upper bound on β_lim, and β*_lim, without a search. r must be neither 0 nor infinite. The value of
+    /// β*_lim contains no correction for masses that act as an absorber.
+    ///
+    /// The second result is the real part of H, the receptance of the contact, multiplied by r² and by the scale E of
+    /// [`ContactAt`]. If the second result is small, masses may act as an absorber.
     #[inline]
     fn limits_without_search(
         &self,

@@ -28,9 +28,10 @@ impl<T: Scene> At<T> {
     }
 
     /// Computes the limits β_lim and β*_lim [without search](Self::limits_without_search) at every frequency ratio of a
-    /// slice. Writes them to two slices of the same length. Each limit has the same bits as in a call for a single
-    /// frequency ratio. If all modes are undamped or all are lightly damped, the call computes several frequency ratios
-    /// at the same time.
+    /// slice. Writes them to two slices of the same length.
+    ///
+    /// Each limit has the same bits as in a call for a single frequency ratio. If all modes are undamped or all are
+    /// lightly damped, the function computes several frequency ratios at the same time.
     ///
     /// # Errors
     /// [`OutOfDomain`] if the slices have different lengths. Both result slices are then unchanged. At the first NaN or
@@ -97,7 +98,8 @@ impl<T: Scene> At<T> {
         if numbers.absorbs {
             let limits = found.sliding.iter_mut().zip(&found.h);
             for (r, (sliding, h)) in rs.iter().zip(limits) {
-                // The contact force in the stuck state depends on the response functions of each mode.
+                // With an absorber, β*_lim depends on the response functions of each mode, which the call for a single
+                // frequency ratio computes.
                 if numbers.chain.may_absorb(*h)
                     && let Ok(Limits { sliding: limit, .. }) =
                         Self::limits_without_search(scene, *r)

@@ -13,8 +13,10 @@ pub trait ProvidesStuck: Scene {
 
     /// Returns x̄* = V_k − H_kV/H, the complex amplitude of mass k while the contact is stuck (6.11, 6.27, 6.33). V_k
     /// is the response of mass k to the load, and H_k its response to a unit force in the contact. V/H is the contact
-    /// force in the stuck state. The mass must not be fixed to its support by the stuck contact. The default method is
-    /// valid for every chain. The code generator replaces it if constants save work.
+    /// force in the stuck state.
+    ///
+    /// The mass must not be fixed to its support by the stuck contact. The default method is valid for every chain. The
+    /// code generator replaces it by a faster method if the constants of a scene permit.
     #[inline]
     fn stuck_mass(at: &At<Self>, mass: usize) -> Option<Complex<Self::Scalar>> {
         let numbers = at.scene.numbers();
@@ -126,8 +128,8 @@ impl<T: ProvidesStuck> Stuck<T> {
         {
             return Some(complex::real(amplitude));
         }
-        // If masses on the other side of the contact act as an absorber, V and H vanish at the same frequency. V/H is
-        // then 0/0.
+        // If masses on the other side of the contact act as an absorber, V and H vanish at the same frequency. The
+        // general formula would then contain 0/0.
         if let Some(amplitude) = self.at.absorbed_mass(mass) {
             return Some(amplitude);
         }

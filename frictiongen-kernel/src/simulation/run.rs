@@ -37,7 +37,7 @@ impl<S: Float> Moment<S> {
         self.displacement
     }
 
-    /// Returns the velocity dx̄/dτ of the mass at this instant.
+    /// Returns the velocity dx̄/dτ of the mass at this instant, where x̄ is the displacement.
     #[must_use]
     pub fn velocity(&self) -> S {
         self.velocity
@@ -47,9 +47,9 @@ impl<S: Float> Moment<S> {
 /// An exact simulation in time, from event to event. A simulation is an iterator over the segments of the motion. If a
 /// cycle passes without an event, the iterator returns pieces that are one cycle long.
 ///
-/// `P` owns the oscillators. It is an array in emitted code and a vector at run time. `L` is the kinetic friction. It
-/// is either [`Constant`], or consists of straight [`Lines`] that give the force as a function of the speed. `K`
-/// contains the constants of the chain, and selects the law of the contact.
+/// `P` owns the oscillators, and is an array in emitted code and a vector at run time. `L` is the law of kinetic
+/// friction. `L` is either [`Constant`], or consists of straight [`Lines`] that give the force as a function of the
+/// speed. `K` contains the constants of the chain, and selects the law of the contact.
 #[derive(Clone, Debug)]
 pub struct Simulation<'a, S, P, L = Constant, K = Chain<S>> {
     setting: MotionSetting<'a, S, K>,
@@ -76,8 +76,8 @@ pub type FixedLinesSimulation<S, const PARTS: usize> =
 
 /// Largest number of pieces of motion that one call follows if the kinetic friction depends on the speed. A piece ends
 /// at an event, or when the speed reaches the next straight line of the friction law. A piece also ends where the power
-/// series of the motion no longer converges. If a call reaches this number, it returns, and the motion continues in
-/// another segment.
+/// series of the motion no longer converges. If a call reaches this number, the call returns, and the motion continues
+/// in another segment.
 pub const MAX_STRETCHES: u32 = 4096;
 
 impl<'a, S: Float, P: AsMut<[Part<S>]> + AsRef<[Part<S>]>, K: ContactChain<S>>
@@ -207,8 +207,7 @@ impl<'a, S: Float, P: AsMut<[Part<S>]> + AsRef<[Part<S>]>, L: KineticLaw<'a, S>,
     }
 
     /// Returns the present contact force, divided by P. While the contact slides, the force is the kinetic friction.
-    /// While the contact sticks, it is the force that keeps the contact at rest. A positive force opposes positive
-    /// sliding.
+    /// While the contact sticks, the force keeps the contact at rest. A positive force opposes positive sliding.
     #[must_use]
     pub fn friction(&self) -> S {
         let at = phase(self.now.t);
@@ -254,7 +253,8 @@ impl<'a, S: Float, P: AsMut<[Part<S>]> + AsRef<[Part<S>]>, L: KineticLaw<'a, S>,
         segment.contact = self.find_end(reach).contact_state.contact;
         let (length, mut ended) = self.advance_within(reach);
         segment.length = length;
-        // An earlier call has searched this segment, and found that no event ends it before `reach`.
+        // An earlier call has searched this segment. If the segment ends without an event before `reach`, the motion
+        // continues in another segment.
         if known && ended == Some(None) && length < reach {
             let (more, next) = self.advance_within(reach - length);
             segment.length = length + more;
@@ -275,7 +275,7 @@ impl<'a, S: Float, P: AsMut<[Part<S>]> + AsRef<[Part<S>]>, L: KineticLaw<'a, S>,
     }
 
     /// Returns the current segment. If its end is unknown, the function searches for the end within `reach`. If `reach`
-    /// is shorter than one cycle, it searches within one cycle.
+    /// is shorter than one cycle, the function searches within one cycle.
     fn find_end(&mut self, reach: S) -> Sought<S> {
         if let Some(sought) = self.sought {
             return sought;
@@ -287,7 +287,7 @@ impl<'a, S: Float, P: AsMut<[Part<S>]> + AsRef<[Part<S>]>, L: KineticLaw<'a, S>,
             .setting
             .seek_under(level, parts, self.contact_state, reach);
         if sought.holds() {
-            // The contact cannot leave zero velocity. It therefore continues to stick.
+            // The contact cannot leave zero velocity. The contact therefore continues to stick.
             let (modes, held) = self.setting.split(parts);
             let oscillators = (&*modes, &*held);
             let end = ended(&self.setting, oscillators, &sought, phase(self.now.t));
@@ -300,7 +300,7 @@ impl<'a, S: Float, P: AsMut<[Part<S>]> + AsRef<[Part<S>]>, L: KineticLaw<'a, S>,
 
     /// Advances the simulation within the current segment, by at most `reach`. The first result is the time advanced.
     /// The second result is `None` if the segment has not ended. If the segment ends at an event, the second result
-    /// contains this event. If it ends without an event, the second result is `Some(None)`.
+    /// contains this event. If the segment ends without an event, the second result is `Some(None)`.
     fn advance_within(&mut self, reach: S) -> (S, Option<Option<Event>>) {
         let sought = self.find_end(reach);
         let parts = self.parts.as_mut();

@@ -14,13 +14,13 @@ use super::{MAX_EVENTS, MAX_STRETCHES};
 use crate::motion::{Contact, Law, Power, WALK};
 use crate::number::scalar::Float;
 
-/// Smallest force in a stuck contact at which the rule lets the contact break away, divided by μF. It exceeds 1 by far
-/// more than rounding errors, so that a contact that can stick never moves.
+/// Smallest force in a stuck contact at which the rule of this module lets the contact break away, divided by μF. The
+/// constant exceeds 1 by far more than rounding errors, so that a contact that can stick never moves.
 const OVERLOADED: f64 = 1.0 + 1.0 / 1024.0;
 
 impl<S: Float, const D: usize, K: StepContact<S>> StepInterval<'_, '_, S, D, K> {
-    /// Returns two bounds for this sub-interval. The first is the number of events after which the rule ends the
-    /// sub-interval. The second is the number of pieces of motion.
+    /// Returns two bounds for this sub-interval. The first bound is the number of events, and the second bound is the
+    /// number of pieces of motion. At either bound the stepper ends the sub-interval without a search.
     pub(super) fn bounds(&self) -> (u32, u32) {
         if self.status.budget == 0 {
             // The rule costs at most as much as RULE pieces. The pieces and the rule together therefore cost at most as
@@ -43,7 +43,8 @@ impl<S: Float, const D: usize, K: StepContact<S>> StepInterval<'_, '_, S, D, K> 
         }
     }
 
-    /// Advances the motion to the end of the sub-interval by the rule of this module, without a search for events.
+    /// Advances the motion to the end of the sub-interval without a search for events, by the rule of this module. A
+    /// contact at rest stays stuck if its force does not exceed μF. In every other case the friction force is constant.
     pub(super) fn finish(&mut self, mut departing: Option<Departure<S>>) {
         self.exceeded = true;
         let left = S::constant(1.0) - self.progress;
@@ -69,7 +70,7 @@ impl<S: Float, const D: usize, K: StepContact<S>> StepInterval<'_, '_, S, D, K> 
         }
         if let Some(Departure { stuck, .. }) = departing {
             // The contact would move against the direction in which it has started to slide. The code therefore keeps
-            // it where it was stuck.
+            // the contact where it was stuck.
             self.start_sticking(stuck);
             return self.move_held(left);
         }
@@ -79,9 +80,9 @@ impl<S: Float, const D: usize, K: StepContact<S>> StepInterval<'_, '_, S, D, K> 
         }
         let free = self.velocity_series([zero; 2]);
         let freely = integral(free.used(), left);
-        // The displacement of the contact depends linearly on the force. The variable is the force for zero
-        // displacement, divided by the kinetic force. It is less than 1. If it is less than −1, the contact reverses
-        // and then slides.
+        // The displacement of the contact depends linearly on the friction force. The quotient is the force for zero
+        // displacement, divided by the kinetic force. The quotient is less than 1. If the quotient is less than −1, the
+        // contact reverses and then slides.
         let share = (freely / (freely - moved))
             .max(S::constant(-1.0))
             .min(S::constant(1.0));

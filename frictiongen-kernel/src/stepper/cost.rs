@@ -56,7 +56,7 @@ pub struct Cost {
     pub one_event: u64,
     /// Upper bound on the cost of any step, in floating-point operations. Without an event budget, the bound assumes
     /// [`MAX_STRETCHES`] pieces of motion in every sub-interval, and the largest permitted number of evaluations in
-    /// each search. With a budget of n events, it assumes searches for n + 1 events in every sub-interval, with
+    /// each search. With a budget of n events, the bound assumes searches for n + 1 events in every sub-interval, with
     /// [`Cost::SEARCH`] evaluations each.
     pub most: u64,
     /// Upper bound on the cost of reading the motions of all masses after a step, in floating-point operations.
@@ -68,7 +68,7 @@ impl Cost {
     pub const INSTRUCTIONS: u64 = 4;
     /// Largest number of processor instructions in a sub-interval that are not floating-point operations.
     pub const FIXED: u64 = 400;
-    /// Usual largest number of evaluations of the contact's velocity or force in a search for one event.
+    /// Number of evaluations of the contact's velocity or force that a search for one event usually does not exceed.
     pub const WALK: u64 = 8;
     /// Largest number of evaluations of the contact's velocity or force in one search for an event, if the step has an
     /// event budget.
@@ -153,8 +153,8 @@ impl Extent {
         (modes - driven) * mode + contact + 80 + 6 * inputs * d + reaction
     }
 
-    /// Returns the cost of computing the part of the stuck contact's force that the inputs and the base cause. It
-    /// includes the work of the base on which the contact sticks.
+    /// Returns the cost of computing the component of the stuck contact's force that the inputs and the base cause. The
+    /// cost includes the work of the base on which the contact sticks.
     const fn still(&self) -> u64 {
         let d = self.coefficients;
         let base = if self.on_moving_base {
@@ -194,15 +194,15 @@ impl Extent {
     }
 
     /// Returns the cost of the rule that ends a sub-interval without a search. The rule computes the force in the stuck
-    /// contact, two power series, their integrals and a piece of motion. It changes once to sliding and once to
-    /// sticking.
+    /// contact, two power series, their integrals and a piece of motion. The rule changes the contact once to sliding
+    /// and once to sticking.
     const fn rest(&self) -> u64 {
         let changes = 2 * self.event() + self.held_force();
         2 * self.stretch() + changes + 12 * self.terms + 4 * self.driven + 40
     }
 
     /// Returns the cost of computing the motions of all masses. If the contact sticks, the code first computes the
-    /// modes of the chain from those of the stuck chain. It then multiplies the mode shapes by the modes.
+    /// modes of the chain from the modes of the stuck chain. The code then multiplies the mode shapes by the modes.
     const fn masses(&self) -> u64 {
         let Self {
             modes,

@@ -68,8 +68,8 @@ pub(super) fn sizes<S: Float, const D: usize>(drive: &[S; D]) -> (S, S) {
     }
 }
 
-/// Computes the moments ∫ sʲ y′ ds of an oscillator for j ≥ 1. `rows` contains one row of the constant table for each
-/// moment.
+/// Computes the moments ∫ sʲ y′ ds of an oscillator for j ≥ 1. y′ is the velocity of the oscillator, and s is the time
+/// since the start of the sub-interval. `rows` contains one row of the constant table for each moment.
 #[inline(always)]
 pub(super) fn later<S, R, const D: usize>(
     moments: &mut [S; D],

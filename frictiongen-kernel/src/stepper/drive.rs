@@ -10,7 +10,7 @@ use crate::number::scalar::Float;
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Sample<'i, S> {
-    /// Displacement and velocity of the base. A scene whose base is at rest ignores them.
+    /// Displacement and velocity of the base. A scene whose base is at rest ignores these two numbers.
     pub base: [S; 2],
     /// Forces at the instant, one for each mass on which the input acts.
     pub forces: &'i [S],
@@ -31,8 +31,8 @@ impl<S: Float> Sample<'_, S> {
         let energy = limit * limit * scene.units.stiffness;
         let sound = |value: S| {
             let size = value.abs();
-            // The work of an input in a step is a few times its square divided by k₁. It must stay finite, too. The
-            // comparison is strict, because infinity is not less than infinity.
+            // The work of an input in a step is a few times the square of the input divided by k₁. This work must stay
+            // finite, too. The comparison is strict, because infinity is not less than infinity.
             size <= most && size * size < energy
         };
         if self.forces.len() != scene.forces.len() {
@@ -105,8 +105,8 @@ impl<S: Float> SubInterval<S> {
 }
 
 /// Returns the displacement of the base during a step as a cubic polynomial. The unit of time is the step. With linear
-/// input the polynomial has the given displacement and velocity at both ends of the step. With zero-order hold it is a
-/// straight line from the displacement at the start of the step.
+/// input the polynomial has the given displacement and velocity at both ends of the step. With zero-order hold the
+/// polynomial is a straight line from the displacement at the start of the step.
 pub(super) fn base_motion<S: Float>(input: Input, from: [S; 2], to: [S; 2]) -> [S; 4] {
     let zero = S::constant(0.0);
     let (two, three) = (S::constant(2.0), S::constant(3.0));
@@ -125,7 +125,7 @@ pub(super) fn base_motion<S: Float>(input: Input, from: [S; 2], to: [S; 2]) -> [
 
 /// Moves the origin of the polynomial's variable by `by`.
 pub(super) fn shift<S: Float>(terms: &mut [S], by: S) {
-    // The code contains no loops for short polynomials, as in `dot.rs`.
+    // Short polynomials need no loop. On a microcontroller a loop would cost more than the sums.
     match terms {
         [_] => return,
         [a, b] => {

@@ -27,8 +27,8 @@ impl<S: Float> StepContact<S> for AnyContact<S> {
     }
 }
 
-/// Returns the force of the contact's spring over a sub-interval, as a polynomial. The result does not contain the
-/// contribution of the stuck chain's modes. The slider moves with the base on which it rubs.
+/// Returns the force of an elastic contact's spring over a sub-interval, as a polynomial. The result does not contain
+/// the contribution of the modes. The slider moves with the base on which the slider rubs.
 fn spring_terms<S: Float, const D: usize, K: StepContact<S>>(
     interval: &StepInterval<'_, '_, S, D, K>,
 ) -> [S; 4] {
@@ -62,8 +62,8 @@ impl<S: Float, const D: usize, K: StepContact<S>> StepInterval<'_, '_, S, D, K> 
         }
     }
 
-    /// Lets the slider jump, so that the force of the spring changes from `from` to `to`. Friction dissipates the
-    /// energy that the spring loses.
+    /// Lets the slider of an elastic contact jump, so that the force of the contact's spring changes from `from` to
+    /// `to`. Friction dissipates the energy that the spring loses.
     pub(super) fn drop_force(&mut self, from: S, to: S) {
         let half = S::constant(0.5);
         let compliance = self.scene.dynamics.chain.compliance();
@@ -72,8 +72,9 @@ impl<S: Float, const D: usize, K: StepContact<S>> StepInterval<'_, '_, S, D, K> 
         self.status.contact_force = to;
     }
 
-    /// Starts the motion of the slider when the force of the spring has reached or exceeded μF. If the contact moves
-    /// against the force, the slider only jumps. The contact then sticks under the force F.
+    /// Starts the motion of the slider of an elastic contact. The force of the contact's spring has reached or exceeded
+    /// μF. If the contact moves against this force, the slider only jumps. The contact then sticks under the kinetic
+    /// force F.
     pub(super) fn yield_under(&mut self, force: S, contact: Contact) {
         let kinetic = self.law().kinetic(contact);
         self.start_sliding();
@@ -85,8 +86,8 @@ impl<S: Float, const D: usize, K: StepContact<S>> StepInterval<'_, '_, S, D, K> 
         }
     }
 
-    /// Determines whether an elastic contact sticks or slides. The result depends on the force of its spring and on its
-    /// motion.
+    /// Determines whether an elastic contact sticks or slides. The result depends on the force of the contact's spring
+    /// and on the contact's motion.
     pub(super) fn derive_elastic(&mut self) {
         let force = self.status.contact_force;
         let slid = self.status.contact != Contact::Stuck;
@@ -100,9 +101,10 @@ impl<S: Float, const D: usize, K: StepContact<S>> StepInterval<'_, '_, S, D, K> 
         }
     }
 
-    /// Changes the contact from sliding to sticking, under a given force of its spring. Computes the modes of the stuck
-    /// chain from the modes of the chain. With a stiff spring, the force is a small difference of displacements. The
-    /// function therefore corrects the stiffest mode of the stuck chain, so that the modes give this force.
+    /// Changes an elastic contact from sliding to sticking, under a given force of its spring. Computes the modes of
+    /// the stuck chain (the chain with its contact stuck) from the modes of the chain. With a stiff spring, the force
+    /// is a small difference of displacements. The function therefore corrects the stiffest mode of the stuck chain, so
+    /// that the modes give this force.
     pub(super) fn start_sticking_under(&mut self, force: S) {
         let zero = S::constant(0.0);
         let dynamics = &self.scene.dynamics;
@@ -136,8 +138,8 @@ impl<S: Float, const D: usize, K: StepContact<S>> StepInterval<'_, '_, S, D, K> 
         }
     }
 
-    /// Returns the relative velocity of the contact, computed from the modes. Its unit is the unit of length divided by
-    /// the sub-interval.
+    /// Returns the relative velocity of the contact, computed from the modes. The unit of this velocity is the unit of
+    /// length divided by the sub-interval.
     pub(super) fn relative_rate(&self) -> S {
         let [_, base] = self.base_now();
         let modes = self.table.modes.iter().zip(&*self.store.modes);

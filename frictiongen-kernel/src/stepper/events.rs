@@ -28,7 +28,8 @@ impl<S: Float, const D: usize, K: StepContact<S>> StepInterval<'_, '_, S, D, K> 
         }
     }
 
-    /// Determines the state of the contact before the first step. The inputs are those at the start of this step.
+    /// Determines the state of the contact before the first step. The inputs have their values at the start of the
+    /// first step.
     pub(super) fn begin(&mut self) {
         self.derive_contact();
         if self.status.contact != Contact::Stuck {
@@ -36,8 +37,8 @@ impl<S: Float, const D: usize, K: StepContact<S>> StepInterval<'_, '_, S, D, K> 
         }
         let force = self.stuck_force();
         let law = self.law();
-        // The acceleration of a moving base is unknown before the first step. Whether the contact breaks away is
-        // therefore decided in the first step.
+        // The acceleration of a moving base is unknown before the first step. The first step therefore decides if the
+        // contact breaks away. Until then the force stays within the static friction force.
         self.status.contact_force = law.limited(force);
         let slide = law.leave_rest(force);
         if let Some(slide) = slide.filter(|_| !self.scene.rubs_on_base()) {
@@ -49,7 +50,8 @@ impl<S: Float, const D: usize, K: StepContact<S>> StepInterval<'_, '_, S, D, K> 
         }
     }
 
-    /// Determines the state of the contact from the velocities of the modes alone.
+    /// Determines the state of the contact from the velocities of the modes. For an elastic contact, the state also
+    /// depends on the force of the contact's spring.
     pub(super) fn derive_contact(&mut self) {
         self.status.unknown = false;
         self.status.wedged = false;
@@ -64,8 +66,8 @@ impl<S: Float, const D: usize, K: StepContact<S>> StepInterval<'_, '_, S, D, K> 
         self.status.line = line_at(self.scene.law, speed);
         let size = velocity.size + self.status.given * pace.span;
         if rate.abs() <= size * S::constant(ROUNDINGS * S::EPSILON) {
-            // The search for events comes next. It decides from the contact force whether the contact breaks away at
-            // once.
+            // The search for events comes next. This search decides from the contact force if the contact breaks away
+            // at once.
             self.start_sticking(None);
         }
     }

@@ -16,15 +16,17 @@ use crate::number::scalar::Float;
 /// Error δ of a function of the motion, divided by the sum of the absolute values of the function's terms. The value is
 /// the rounding error of an input in `f64`.
 const ROUNDED: f64 = f64::EPSILON;
-/// Largest relative error of the derivative of an event's instant at which the event is no graze.
+/// Largest relative error of the derivative of an event's instant at which the event is no graze (an event whose
+/// derivative is unreliable).
 const BOUND: f64 = 1e-6;
 /// Largest difference between a contact force and μF at which rounding may decide whether the contact slides, divided
 /// by μF.
 const MARGINAL: f64 = 1e-12;
 
 impl<S: Float, const D: usize, K: StepContact<S>> StepInterval<'_, '_, S, D, K> {
-    /// Records a graze if `sum` crosses `level` at the instant `tau` so slowly that the derivative of this instant has
-    /// a relative error of more than [`BOUND`]. For numbers without derivatives the function does nothing.
+    /// Records a graze (an event whose derivative is unreliable). An event is a graze if `sum` crosses `level` at the
+    /// instant `tau` so slowly that the derivative of this instant has a relative error above [`BOUND`]. For numbers
+    /// without derivatives the function does nothing.
     #[inline]
     pub(super) fn note_crossing(&mut self, sum: &Power<S>, level: S, tau: S) {
         if !S::CARRIES {
@@ -44,8 +46,8 @@ impl<S: Float, const D: usize, K: StepContact<S>> StepInterval<'_, '_, S, D, K> 
         self.status.grazed |= !is_steep;
     }
 
-    /// Records a graze if rounding may decide whether the contact sticks or slides. The contact has zero velocity and
-    /// the force `force`.
+    /// Records a graze (an event whose derivative is unreliable) if rounding may decide whether the contact sticks or
+    /// slides. The contact has zero velocity and the force `force`.
     #[inline]
     pub(super) fn note_choice(&mut self, force: S) {
         if S::CARRIES {

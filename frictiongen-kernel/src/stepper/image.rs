@@ -26,24 +26,26 @@ use crate::number::scalar::Float;
 const NAME: [u8; 2] = *b"fs";
 /// Version of the image format that [`Stepper::write_image`] writes.
 const VERSION: u8 = 1;
-/// Number of bytes in an image before its counts. They contain the name, the version, the size of a scalar, and the
-/// hash of scene and step.
+/// Number of bytes in an image (saved state of a stepper) before its counts. These bytes contain the name, the version,
+/// the size of a scalar, and the hash of scene and step.
 const HEAD: usize = 12;
 /// Number of bytes that an image (saved state of a stepper) uses for its counts and flags.
 const COUNTS: usize = 24;
-/// Number of bytes of the checksum at the end of an image.
+/// Number of bytes of the checksum at the end of an image (saved state of a stepper).
 const CHECKSUM: usize = 4;
-/// Number of scalars in an image before those of the modes. They are the time step dt and the numbers of the status.
+/// Number of scalars in an image before the scalars of the modes. The counted scalars are the time step dt and the
+/// numbers of the status.
 const SCALARS: usize = 1 + super::state::SCALARS;
 
 /// Returns the length of an image (saved state of a stepper) in bytes. `scalar` is the size of a scalar in bytes.
+/// `modes`, `held` and `inputs` are the numbers of modes, of modes of the stuck chain, and of inputs.
 #[doc(hidden)]
 #[must_use]
 pub const fn image_bytes(scalar: usize, modes: usize, held: usize, inputs: usize) -> usize {
     HEAD + COUNTS + scalar * (SCALARS + 2 * modes + 2 * held + inputs) + CHECKSUM
 }
 
-/// Checks all bytes of an image, and returns its time step dt in seconds.
+/// Checks all bytes of an image (saved state of a stepper), and returns the image's time step dt in seconds.
 ///
 /// # Errors
 /// [`OutOfDomain::ImageDamaged`] if the length or the checksum of the image is wrong. [`OutOfDomain::ImageVersion`] for
@@ -55,7 +57,8 @@ pub fn image_step<S: Float>(bytes: &[u8]) -> Result<S, OutOfDomain> {
     Ok(reader.scalar())
 }
 
-/// Returns the checksum CRC-32 (IEEE 802.3) of bytes. It detects every change that is limited to 32 neighbouring bits.
+/// Returns the checksum CRC-32 (IEEE 802.3) of bytes. The checksum detects every change that is limited to 32
+/// neighbouring bits.
 fn crc<'b>(bytes: impl Iterator<Item = &'b u8>) -> u32 {
     !bytes.fold(u32::MAX, |sum, byte| {
         (0..8).fold(sum ^ u32::from(*byte), |sum, _| {
@@ -88,7 +91,7 @@ fn checked<S: Float>(bytes: &[u8]) -> Result<Reader<'_>, OutOfDomain> {
     Ok(reader)
 }
 
-/// Reads numbers from bytes, one after the other. After the end of the bytes it returns zeros.
+/// Reads numbers from bytes, one after the other. After the end of the bytes, the reader returns zeros.
 #[derive(Clone)]
 struct Reader<'b>(core::slice::Iter<'b, u8>);
 
@@ -124,7 +127,7 @@ impl Reader<'_> {
     }
 }
 
-/// Writes numbers into bytes, one after the other, as long as the bytes have room.
+/// Writes numbers into bytes, one after the other, until the bytes are full.
 struct Writer<'b>(core::slice::IterMut<'b, u8>);
 
 impl Writer<'_> {
@@ -233,7 +236,7 @@ impl<S: Float, const D: usize, T: StepTables<S, D>, V: Store<S, D>, K: StepConta
     /// Restores the state in an image. From this state, the same inputs return results with the same bits.
     ///
     /// # Errors
-    /// The stepper then keeps its state.
+    /// After an error the stepper keeps its state.
     ///
     /// - [`OutOfDomain::ImageDamaged`] if the length or the checksum is wrong, which every changed bit causes.
     /// - [`OutOfDomain::ImageVersion`] for an image of another version of this library.

@@ -10,8 +10,8 @@ use crate::number::scalar::Float;
 /// Bound on the rounding error of a sum over modes, divided by the rounding unit and by the sum of the absolute values
 /// of its terms.
 pub(super) const ROUNDINGS: f64 = 8.0;
-/// Factor 1/8. In a unit of time, a function differs from its chord by at most 1/8 of the largest absolute value of its
-/// second derivative.
+/// Factor 1/8 in the bound on the distance of a function from its chord over a unit of time. The distance is at most
+/// 1/8 of the largest absolute value of the function's second derivative.
 pub(super) const OFF_CHORD: f64 = 0.125;
 
 /// Data of a stepper during one sub-interval of a step. The unit of time is one sub-interval.
@@ -20,8 +20,8 @@ pub struct StepInterval<'t, 'a, S, const D: usize, K> {
     pub table: View<'t, S, D>,
     pub store: StoreMut<'t, S, D>,
     pub status: &'t mut Status<S>,
-    /// Displacement of the base in the sub-interval, as a polynomial. The stepper uses it only if the contact slides on
-    /// the base.
+    /// Displacement of the base in the sub-interval, as a polynomial. The stepper uses this polynomial only if the
+    /// contact rubs on the moving base, or if damping acts relative to the base.
     pub base: [S; 4],
     /// Elapsed fraction of the sub-interval, from 0 to 1. The polynomials of the inputs have their origin at this
     /// instant.
@@ -30,7 +30,7 @@ pub struct StepInterval<'t, 'a, S, const D: usize, K> {
     pub events: u32,
     /// True if the number of events or of pieces of motion in the sub-interval has reached its bound.
     pub exceeded: bool,
-    /// The sub-interval as a part of the step.
+    /// Start and length of the sub-interval, as fractions of the step.
     #[cfg(feature = "event-times")]
     pub(super) stretch: super::drive::SubInterval<S>,
 }
@@ -40,7 +40,7 @@ pub struct StepInterval<'t, 'a, S, const D: usize, K> {
 pub(super) struct Departure<S> {
     /// Relative acceleration of the contact in its direction of sliding.
     pub slope: S,
-    /// Displacement at which the contact has been stuck until this instant, or `None` if it did not stick.
+    /// Displacement at which the contact has been stuck until this instant, or `None` if the contact did not stick.
     pub stuck: Option<S>,
 }
 
@@ -49,7 +49,7 @@ impl<S: Float, const D: usize, K: ContactChain<S>> StepInterval<'_, '_, S, D, K>
         self.scene.dynamics.in_contact().min(self.store.modes.len())
     }
 
-    /// Returns the law of the contact. Its forces are divided by k₁.
+    /// Returns the law of the contact. The forces of this law are divided by k₁.
     #[inline]
     pub(super) fn law(&self) -> K::Law {
         self.status.law(self.scene)

@@ -1,4 +1,5 @@
-//! Trait of a contact law that a stepper can follow. It provides the force of the contact while it sticks.
+//! Trait of a contact law that a stepper can follow. The trait provides the force in the contact while the contact
+//! sticks.
 
 use super::interval::StepInterval;
 use crate::motion::ContactChain;
@@ -7,6 +8,6 @@ use crate::number::scalar::Float;
 /// Constants of a chain whose contact a stepper can follow.
 pub trait StepContact<S: Float>: ContactChain<S> {
     /// Returns the force that keeps the contact stuck in a sub-interval, as a polynomial in time. The result does not
-    /// contain the contribution of the modes.
+    /// contain the contribution of the stuck chain's modes to this force.
     fn stuck_force_terms<const D: usize>(interval: &StepInterval<'_, '_, S, D, Self>) -> [S; 4];
 }

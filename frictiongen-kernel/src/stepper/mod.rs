@@ -64,8 +64,8 @@ pub use written::NOT_FINITE;
 
 /// Largest number of events that the stepper follows in one sub-interval of a step without an event budget. After these
 /// events the stepper ends the sub-interval without a search. A contact at rest then stays stuck for the rest of the
-/// sub-interval. In every other case the friction force is constant for the rest of the sub-interval, and moves the
-/// contact as little as possible.
+/// sub-interval. In every other case the friction force is constant for the rest of the sub-interval. The stepper
+/// chooses this force so that the contact moves as little as possible.
 pub const MAX_EVENTS: u32 = 8;
 
 /// Largest number of pieces of motion that the stepper follows in one sub-interval of a step. A piece ends at an event,

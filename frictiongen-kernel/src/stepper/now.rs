@@ -38,7 +38,7 @@ impl<S: Float, const D: usize, T: StepTables<S, D>, V: Store<S, D>, K: StepConta
     #[must_use]
     pub fn time(&self) -> S {
         // A conversion of 64 bits would need double precision, which a microcontroller emulates slowly. Two conversions
-        // of 32 bits do not need it.
+        // of 32 bits do not need double precision.
         let [high, low] = [
             self.status.steps >> 32,
             self.status.steps & u64::from(u32::MAX),
@@ -108,7 +108,7 @@ impl<S: Float, const D: usize, T: StepTables<S, D>, V: Store<S, D>, K: StepConta
     }
 
     /// Returns the displacement and velocity of a mass at the end of the last step. `index` is the index of the mass in
-    /// the description. For an invalid index both are 0.
+    /// the description. For an invalid index, displacement and velocity are 0.
     #[must_use]
     pub fn mass(&self, index: usize) -> MassNow<S> {
         if self.rests() && self.scene.dynamics.moves_as_contact(index) {
@@ -122,9 +122,9 @@ impl<S: Float, const D: usize, T: StepTables<S, D>, V: Store<S, D>, K: StepConta
     }
 
     /// Writes the motions of all masses at the end of the last step to `to`, in the order of the description. The
-    /// function computes each mode once. Its cost is therefore one product of the mode shapes with the modes
-    /// ([`Cost::masses`]). The results have the same bits as those of [`mass`](Self::mass). Entries of `to` after the
-    /// last mass become motions at rest.
+    /// function computes each mode once. The cost of the call is therefore one product of the mode shapes with the
+    /// modes ([`Cost::masses`]). The results have the same bits as those of [`mass`](Self::mass). Entries of `to` after
+    /// the last mass become motions at rest.
     pub fn read_masses(&self, to: &mut [MassNow<S>]) {
         let zero = S::constant(0.0);
         let dynamics = &self.scene.dynamics;
@@ -259,8 +259,8 @@ impl<
 > Stepper<'_, S, D, T, FixedStore<S, D, MODES, HELD, INPUTS>, K>
 {
     /// Returns the motions of all masses at the end of the last step, in the order of the description. One call
-    /// computes each mode once. It therefore costs about as much as one call of [`mass`](Self::mass) and one product of
-    /// the mode shapes with the modes.
+    /// computes each mode once. The call therefore costs about as much as one call of [`mass`](Self::mass) and one
+    /// product of the mode shapes with the modes.
     #[must_use]
     pub fn all_masses(&self) -> [MassNow<S>; MODES] {
         let zero = S::constant(0.0);

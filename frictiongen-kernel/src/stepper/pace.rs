@@ -20,8 +20,9 @@ pub struct Pace<S> {
     /// wᵀK̄⁻¹w, the displacement of the contact caused by a steady unit force in the contact. w is the direction vector
     /// of the contact, and K̄ the stiffness matrix divided by k₁.
     pub receptance: S,
-    /// Σ 2ζc/σ divided by the receptance: the damping force caused by unit velocity of the stuck contact, times the
-    /// inverse effective mass m*.
+    /// Damping force caused by unit velocity of the stuck contact, times the inverse effective mass m* of the contact.
+    /// This number is the sum of 2ζc/σ over the modes, divided by `receptance`. c is (φᵀw)² with the mode shape φ, and
+    /// σ is the natural frequency of the mode as a frequency ratio.
     pub drag: S,
 }
 

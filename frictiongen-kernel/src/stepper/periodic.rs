@@ -15,9 +15,9 @@ use crate::number::scalar::Float;
 impl<S: Float, const D: usize, T: StepTables<S, D>, V: Store<S, D>, K: StepContact<S>>
     Stepper<'_, S, D, T, V, K>
 {
-    /// Advances the stepper by one step, as [`advance`](Self::advance) does with linear input. The forces are cubic
-    /// functions of time instead. `slopes` contains the time derivative of each force at the start and at the end of
-    /// the step, per second.
+    /// Advances the stepper by one step under forces that are cubic functions of time. Apart from the forces, the
+    /// function works as [`advance`](Self::advance) does with linear input. `slopes` contains the time derivative of
+    /// each force at the start and at the end of the step, per second.
     ///
     /// # Errors
     /// The errors of [`advance`](Self::advance).
@@ -88,9 +88,9 @@ impl<S: Float, const D: usize, T: StepTables<S, D>, V: Store<S, D>, K: StepConta
         Ok(stepped)
     }
 
-    /// Calls `visit` with every number that determines the later motion. All these numbers are displacements: the
-    /// displacement and the scaled velocity of each oscillator. While the contact sticks, its position is one more
-    /// number. For an elastic contact it is the position of the slider.
+    /// Calls `visit` with every number that determines the later motion. These numbers are the displacement and the
+    /// scaled velocity of each oscillator, and have the dimension of a displacement. While the contact sticks, the
+    /// position of the contact is one more number. For an elastic contact this number is the position of the slider.
     pub fn visit_state(&mut self, mut visit: impl FnMut(&mut S)) {
         let sticks = self.status.contact == Contact::Stuck && !self.status.unknown;
         let driven = self.scene.dynamics.in_contact();

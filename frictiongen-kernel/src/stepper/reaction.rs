@@ -43,8 +43,8 @@ impl<S: Float, const D: usize, K: StepContact<S>> StepInterval<'_, '_, S, D, K> 
         self.account(-(work + work), S::constant(0.0));
     }
 
-    /// Returns twice the work that the damping load of the base does on a mode. The code computes it from the moments
-    /// of the mode's velocity.
+    /// Returns twice the work that the damping load of the base does on a mode. The code computes this work from
+    /// `rises`, the moments of the mode's velocity.
     pub(super) fn reaction(&self, mode: usize, rises: &[S; D]) -> S {
         let load = self.base_load(mode);
         let terms = load.iter().zip(rises);

@@ -5,8 +5,8 @@ use super::dot::{add, dot};
 use crate::motion::TERMS;
 use crate::number::scalar::Float;
 
-/// One row of a mode's table. It contains the weights of the mode's displacement y, of its scaled velocity u (y′ = Ωu),
-/// and of the coefficients of its drive.
+/// One row of a mode's table. The row contains the weights of the mode's displacement y, of its scaled velocity u (y′ =
+/// Ωu), and of the coefficients of its drive.
 ///
 /// The first row of `moments` and the row `turn` are stored as three shears, so that rounded weights create no energy.
 /// First y increases by before·u, then u by turn·y + loss·u, then y by after·u. The `state` of the first moment is
@@ -19,40 +19,42 @@ pub struct Row<S, const D: usize> {
     pub drive: [S; D],
 }
 
-/// One row of the table of a mode of the chain with its contact stuck. It contains the weights of the mode's state (y,
-/// u), and of the coefficients of the drives of y′ and u′. The first row of `moments` and the first row of `turns` are
-/// stored as three shears, as in [`Row`].
+/// One row of the table of a mode of the chain with its contact stuck. The row contains the weights of the mode's
+/// displacement y and scaled velocity u, and of the coefficients of the drives of y′ and u′. The first row of `moments`
+/// and the first row of `turns` are stored as three shears, as in [`Row`].
 #[derive(Clone, Copy, Debug)]
 pub struct HeldRow<S, const D: usize> {
     /// Weights of the displacement y and of the scaled velocity u at the start of the sub-interval.
     pub state: [S; 2],
-    /// Weights of the coefficients of the drive of y′ and of the drive of u′.
+    /// Weights of the coefficients of two drives: the drive of the displacement's rate y′, and the drive of the scaled
+    /// velocity's rate u′.
     pub drive: [[S; D]; 2],
 }
 
-/// Table of a mode over a sub-interval of a step. The mode satisfies y′ = Ωu and u′ = −Ω(y + 2ζu) + drive. The unit of
-/// time is the sub-interval.
+/// Table of a mode over a sub-interval of a step. The displacement y and the scaled velocity u satisfy y′ = Ωu and u′ =
+/// −Ω(y + 2ζu) + drive. The unit of time is the sub-interval.
 #[derive(Clone, Copy, Debug)]
 pub struct ModeStep<S, const D: usize> {
     /// Ω, the phase by which the mode would advance in a sub-interval without damping, in rad.
     pub angle: S,
     /// Modal damping ratio ζ of the mode.
     pub zeta: S,
-    /// Rate u′ caused by a unit force on the mode: Ω/σ², where σ is the natural frequency of the mode as a frequency
-    /// ratio.
+    /// Rate u′ of the mode's scaled velocity caused by a unit force on the mode. The rate is Ω/σ², where Ω is the field
+    /// `angle` and σ is the natural frequency of the mode as a frequency ratio.
     pub per_force: S,
     /// φᵀw, the component of the mode in the contact's displacement.
     pub contact: S,
     /// Weights with which the code computes the increase of the scaled velocity u in the sub-interval.
     pub turn: Row<S, D>,
-    /// Weights with which the code computes the moments ∫ sʲ y′ ds in the sub-interval, for j = 0, 1, …. The moment
-    /// with j = 0 is the increase of the displacement y. The moments multiplied by the coefficients of the drive are
-    /// the work.
+    /// Weights with which the code computes the moments ∫ sʲ y′ ds in the sub-interval, for j = 0, 1, …. Here s is the
+    /// time since the start of the sub-interval. The moment with j = 0 is the increase of the displacement y. The sum
+    /// of the moments times the coefficients of a load, divided by `per_force`, is the work of this load.
     pub moments: [Row<S, D>; D],
 }
 
-/// Table of a mode of the chain with its contact stuck, over a sub-interval of a step. The mode satisfies y′ = Ωu + a
-/// and u′ = −Ω(y + 2ζu) + b, where a and b are its two drives. The unit of time is the sub-interval.
+/// Table of a mode of the chain with its contact stuck, over a sub-interval of a step. The displacement y and the
+/// scaled velocity u satisfy y′ = Ωu + a and u′ = −Ω(y + 2ζu) + b, where a and b are the two drives. The unit of time
+/// is the sub-interval.
 #[derive(Clone, Copy, Debug)]
 pub struct HeldStep<S, const D: usize> {
     /// Ω, the phase by which the mode would advance in a sub-interval without damping, in rad.
@@ -65,15 +67,16 @@ pub struct HeldStep<S, const D: usize> {
     /// unit velocity of the base causes the first pair, and a unit acceleration of the base the second pair.
     pub from_base: [[S; 2]; 2],
     /// Weights with which the code computes the moments ∫ sʲ y′ ds of the displacement y in the sub-interval, for j =
-    /// 0, 1, ….
+    /// 0, 1, …. Here s is the time since the start of the sub-interval.
     pub moments: [HeldRow<S, D>; D],
     /// Weights with which the code computes the moments ∫ sʲ u′ ds of the scaled velocity u in the sub-interval, for j
-    /// = 0, 1, ….
+    /// = 0, 1, …. Here s is the time since the start of the sub-interval.
     pub turns: [HeldRow<S, D>; D],
 }
 
-/// Returns the next coefficients of y and u in the power series of an oscillator, each multiplied by its order. The
-/// arguments are the present coefficients of y and u, and the present coefficients of the drives of y′ and u′.
+/// Returns the next coefficients of the displacement y and the scaled velocity u in the power series of an oscillator,
+/// each multiplied by its order. The arguments are the present coefficients of y and u, and the present coefficients of
+/// the drives of y′ and u′.
 #[inline]
 pub(super) fn next<S: Float>(
     (angle, zeta): (S, S),
@@ -86,9 +89,10 @@ pub(super) fn next<S: Float>(
 }
 
 /// Computes the moments ∫ sʲ y′ ds for j < D and ∫ sʲ u′ ds for j < E, from 0 to `place`. y is the displacement of an
-/// oscillator, and u is its scaled velocity. `state` gives y and u at 0. `drive` gives the power series of the load,
-/// term by term.
-// An array's `map` would cost more than its sums in code that is optimised for size.
+/// oscillator, and u is its scaled velocity. The pair `[y, u]` contains y and u at s = 0. `drive` gives the power
+/// series of the load, term by term.
+// The function does not use `map` of arrays. In code that is optimised for size, this `map` would cost more than the
+// sums.
 #[inline]
 pub(super) fn moments<S: Float, const D: usize, const E: usize>(
     of: (S, S),
@@ -143,12 +147,13 @@ fn weigh<S: Float, const D: usize>(weights: &mut [S; D], order: S, power: S, pla
     }
 }
 
-/// Replaces the weights of y and u over a sub-interval by those of three shears.
+/// Replaces the weights of the displacement y and the scaled velocity u over a sub-interval by the weights of three
+/// shears.
 ///
 /// A product of shears has the determinant 1 for any weights. With these weights the product is a rotation, in
 /// coordinates that equal y and u apart from rounding errors. Without damping the product therefore conserves exactly a
 /// quadratic form that is nearly the energy. The weight `loss` makes the determinant e^(−2ζΩ), the factor by which
-/// damping reduces the energy in a sub-interval.
+/// damping reduces the energy in a sub-interval. Ω is the undamped phase advance of the mode, in rad.
 fn shear<S: Float, const D: usize>((angle, zeta): (S, S), rows: &mut [[HeldRow<S, D>; D]; 2]) {
     let (zero, one) = (S::constant(0.0), S::constant(1.0));
     let [rises, turns] = rows;
@@ -168,7 +173,8 @@ fn shear<S: Float, const D: usize>((angle, zeta): (S, S), rows: &mut [[HeldRow<S
             *rise = *rise - after * turn;
         }
     }
-    // A constant force on an undamped oscillator acts as an impulse between the first and the last shear.
+    // A constant force on an undamped oscillator acts as an impulse on the scaled velocity u between the first and the
+    // last shear. The weight of this force in the row of the displacement y is therefore 0.
     let [_, of_force] = &mut rise.drive;
     if let (true, [constant, ..]) = (undamped, &mut of_force[..]) {
         *constant = zero;
@@ -225,8 +231,8 @@ impl<S: Float, const D: usize> HeldStep<S, D> {
     }
 
     /// Computes the weights of all moments of an oscillator. To find a weight, the code sets one quantity to 1 and all
-    /// others to 0. The quantities are y, u and the coefficients of the drives. The weight is the moment of the motion
-    /// that follows.
+    /// others to 0. The quantities are the displacement y, the scaled velocity u and the coefficients of the drives.
+    /// The weight is the moment of the motion that follows.
     fn rows(of: (S, S)) -> [[HeldRow<S, D>; D]; 2] {
         let (zero, one) = (S::constant(0.0), S::constant(1.0));
         let mut rows = [[HeldRow::zero(); D]; 2];
@@ -289,7 +295,8 @@ impl<S: Float, const D: usize> HeldRow<S, D> {
         }
     }
 
-    /// Returns the sum of y, u and the drive's coefficients, each multiplied by its weight in this row.
+    /// Returns the sum of the displacement y, the scaled velocity u and the drive's coefficients, each multiplied by
+    /// its weight in this row.
     #[inline]
     pub(super) fn times(&self, [y, u]: [S; 2], drive: &[[S; D]; 2]) -> S {
         let [first, second] = &self.drive;
@@ -300,7 +307,8 @@ impl<S: Float, const D: usize> HeldRow<S, D> {
 }
 
 impl<S: Float, const D: usize> Row<S, D> {
-    /// Returns the sum of y, u and the drive's coefficients, each multiplied by its weight in this row.
+    /// Returns the sum of the displacement y, the scaled velocity u and the drive's coefficients, each multiplied by
+    /// its weight in this row.
     #[inline]
     pub(super) fn times(&self, [y, u]: [S; 2], drive: &[S; D]) -> S {
         let sum = self.state[0] * y + self.state[1] * u;

@@ -96,9 +96,9 @@ impl<'a, S: Float, const D: usize, T: StepTables<S, D>, V: Store<S, D>, K: StepC
         Ok(())
     }
 
-    /// Sets the input at the start of the first step. Without this call this input is 0. An input that changes linearly
-    /// starts at this value. After the call, [`contact`](Self::contact) returns the force under this sample. For a
-    /// moving base, `contact` assumes a constant velocity of the base.
+    /// Sets the input at the start of the first step. Without this call the input is 0. A linear input starts at
+    /// `sample`. After the call, [`contact`](Self::contact) returns the contact force under `sample`. For a moving
+    /// base, `contact` assumes a constant velocity of the base.
     ///
     /// # Errors
     /// The errors of [`advance`](Self::advance), and [`OutOfDomain::Begun`] after the first step.
@@ -205,8 +205,8 @@ impl<'a, S: Float, const D: usize, T: StepTables<S, D>, V: Store<S, D>, K: StepC
     }
 
     /// Advances the stepper through the second and all later sub-intervals of a step.
-    // The compiler must not inline this function and the next one. The inlined code would prepare addresses for further
-    // sub-intervals in every step, although most steps have only one sub-interval.
+    // The compiler must not inline `advance_further` and `advance_interval`. The inlined code would prepare addresses
+    // for further sub-intervals in every step, although most steps have only one sub-interval.
     #[inline(never)]
     fn advance_further(
         &mut self,
@@ -263,7 +263,7 @@ impl<'a, S: Float, const D: usize, T: StepTables<S, D>, V: Store<S, D>, K: StepC
     }
 
     /// Applies the jump of the base at the start of a step with zero-order hold. If a mass slides on the base, the mass
-    /// does not jump with it.
+    /// does not jump with the base.
     fn jump_base(&mut self, [place, velocity]: [S; 2]) {
         if !self.scene.rubs_on_base() || self.status.unknown {
             return;
@@ -330,12 +330,12 @@ impl<'a, S: Float, const D: usize, T: StepTables<S, D>, V: Store<S, D>, K: StepC
     /// Sets the event budget from the next step on. The budget is the number of events that the stepper follows in a
     /// step. A budget of 0 means that there is no budget.
     ///
-    /// A step with at most this number of events has the same result to the last bit as without a budget, unless a
-    /// search needs more than [`Cost::SEARCH`](super::Cost::SEARCH) evaluations. At the next event after these, the
-    /// stepper ends the step by a rule without a search, and reports [`Stepped::exceeded`]. By this rule, a contact at
-    /// rest stays stuck. Otherwise the friction force is constant for the rest of a sub-interval. It is at most the
-    /// kinetic force, and moves the contact as little as possible. It therefore does not create energy.
-    /// [`cost`](Self::cost) returns the largest cost of a step with the budget.
+    /// A step within the budget has the same result to the last bit as without a budget. The exception is a step in
+    /// which a search needs more than [`Cost::SEARCH`](super::Cost::SEARCH) evaluations. At the first event beyond the
+    /// budget, the stepper ends the step by a rule without a search, and reports [`Stepped::exceeded`]. By this rule, a
+    /// contact at rest stays stuck. In every other case the friction force is constant for the rest of a sub-interval.
+    /// This force is at most the kinetic force, and moves the contact as little as possible. The rule therefore creates
+    /// no energy. [`cost`](Self::cost) returns the largest cost of a step with the budget.
     ///
     /// [`save`](Self::save) and [`write_image`](Self::write_image) store the budget with the state.
     pub fn set_event_budget(&mut self, events: u8) {

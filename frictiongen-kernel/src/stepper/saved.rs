@@ -23,7 +23,7 @@ pub struct Saved<S, V> {
 impl<S: Float, const D: usize, T: StepTables<S, D>, V: Store<S, D>, K: StepContact<S>>
     Stepper<'_, S, D, T, V, K>
 {
-    /// Returns the present state of the stepper. [`restore`](Self::restore) continues the run from it.
+    /// Returns the present state of the stepper. [`restore`](Self::restore) continues the run from this state.
     #[must_use]
     pub fn save(&self) -> Saved<S, V>
     where
@@ -39,8 +39,8 @@ impl<S: Float, const D: usize, T: StepTables<S, D>, V: Store<S, D>, K: StepConta
     /// Restores a saved state of the stepper. From this state, the same inputs return results with the same bits.
     ///
     /// # Errors
-    /// [`OutOfDomain::Saved`] if the state comes from a stepper with another scene or time step. A hash of both detects
-    /// this.
+    /// [`OutOfDomain::Saved`] if the state comes from a stepper with another scene or time step. A hash of the scene
+    /// and the time step detects the difference.
     pub fn restore(&mut self, saved: &Saved<S, V>) -> Result<(), OutOfDomain>
     where
         V: Clone,

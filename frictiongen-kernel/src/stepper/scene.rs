@@ -12,7 +12,7 @@ use crate::number::scalar::Float;
 pub struct Units<S> {
     /// Stiffness k₁ of the first spring, in the scene's unit of force divided by its unit of length.
     pub stiffness: S,
-    /// Reference angular frequency √(k₁/m₁) in rad/s. Multiplied by it, a frequency ratio becomes an angular frequency.
+    /// Reference angular frequency √(k₁/m₁) in rad/s. A frequency ratio times this reference is an angular frequency.
     pub rate: S,
     /// Sum of the stiffnesses of all springs between masses and base, divided by k₁.
     pub support: S,
@@ -27,7 +27,8 @@ pub struct StepScene<'a, S, K = Chain<S>> {
     pub units: Units<S>,
     /// True if the motion of the base excites the scene.
     pub on_base: bool,
-    /// Indices of the masses on which a force acts, in the description. The first of them is the excited mass.
+    /// Indices, in the description, of the masses on which a force acts. If a force excites the scene, the first of
+    /// these masses is the excited mass.
     pub forces: &'a [usize],
     /// Interpolation of the stepper's input between two samples.
     pub input: Input,
@@ -39,7 +40,8 @@ pub struct StepScene<'a, S, K = Chain<S>> {
 
 impl<S: Float, K: ContactChain<S>> StepScene<'_, S, K> {
     /// Returns the number of inputs of the stepper. The inputs are the motion of the base, if the base moves, and a
-    /// force for each loaded mass.
+    /// force for each loaded mass. If damping acts relative to the moving base, the velocity of the base is one more
+    /// input.
     #[must_use]
     pub fn channels(&self) -> usize {
         usize::from(self.on_base) + usize::from(self.damped_from_base()) + self.forces.len()
@@ -67,7 +69,8 @@ impl<S: Float, K: ContactChain<S>> StepScene<'_, S, K> {
     }
 
     /// Returns 1ᵀC̄1, the damping force on the base caused by a unit velocity of the base, if all masses are at rest.
-    /// The velocity is the derivative with respect to the non-dimensional time t√(k₁/m₁).
+    /// C̄ is the non-dimensional damping matrix, and 1 is the vector of ones. The velocity is the derivative with
+    /// respect to the non-dimensional time t√(k₁/m₁).
     pub(super) fn base_drag(&self) -> S {
         let (zero, two) = (S::constant(0.0), S::constant(2.0));
         let modes = self.dynamics.modes.iter().enumerate();
@@ -76,7 +79,8 @@ impl<S: Float, K: ContactChain<S>> StepScene<'_, S, K> {
             if drag.is_zero() {
                 return sum;
             }
-            // The variable `drag` is 2ζ√λΓ. Its square, divided by 2ζ√λ, gives 2ζ√λΓ².
+            // `drag` is 2ζ√λΓ, with the mode's squared frequency ratio λ and participation factor Γ. The term of the
+            // mode is 2ζ√λΓ², which is the square of `drag` divided by 2ζ√λ.
             sum + drag * drag / (two * mode.zeta * mode.resonance)
         })
     }
@@ -111,15 +115,15 @@ impl<S: Float, K: ContactChain<S>> StepScene<'_, S, K> {
     }
 
     /// Returns the number of terms of a power series that the stepper uses. `enough` is the number of terms that one
-    /// oscillator needs. The oscillator's further terms are smaller than rounding over a sub-interval.
+    /// oscillator needs. Over a sub-interval, all further terms of the oscillator are smaller than rounding.
     pub(super) fn terms(&self, enough: u32) -> usize {
         let terms = if self.law.is_empty() {
             usize::try_from(enough).unwrap_or(TERMS)
         } else {
             TERMS
         };
-        // The last coefficient of an input's polynomial has the order n. It contributes to the motion a power series
-        // that begins at the order n. The number of terms therefore increases by the number of coefficients.
+        // The last coefficient of an input's polynomial has the order n. This coefficient adds to the motion a power
+        // series that begins at the order n. The number of terms therefore increases by the number of coefficients.
         (terms + self.coefficients()).clamp(5, TERMS)
     }
 
@@ -164,8 +168,8 @@ impl<S: Float, K: ContactChain<S>> StepScene<'_, S, K> {
         shape.get(mode).copied().unwrap_or(zero)
     }
 
-    /// Returns the acceleration of the contact under `force`. Its unit is the unit of length divided by the squared
-    /// sub-interval.
+    /// Returns the acceleration of the contact under `force`. The unit of the acceleration is the unit of length
+    /// divided by the squared sub-interval.
     pub(super) fn acceleration(&self, pace: &Pace<S>, force: S) -> S {
         self.dynamics.chain().inverse_mass * force * pace.span * pace.span
     }

@@ -10,8 +10,8 @@ use crate::motion::{KineticLine, Law, Power, WalkResult, WalkStart, first_zero, 
 use crate::number::scalar::Float;
 
 impl<S: Float, const D: usize, K: StepContact<S>> StepInterval<'_, '_, S, D, K> {
-    /// Returns the straight line of the friction law that contains the present speed. The unit of the line's speeds is
-    /// the unit of length divided by the sub-interval.
+    /// Returns the straight line of the friction law (force over speed) that contains the present speed. The unit of
+    /// the line's speeds is the unit of length divided by the sub-interval.
     #[inline]
     pub(super) fn line(&self) -> KineticLine<S> {
         let mut line = line(self.scene.law, self.status.line);
@@ -26,8 +26,7 @@ impl<S: Float, const D: usize, K: StepContact<S>> StepInterval<'_, '_, S, D, K> 
         line
     }
 
-    /// Returns the part of the rate of a mode's scaled velocity u that the inputs cause, as a polynomial over the
-    /// sub-interval.
+    /// Returns the rate at which the inputs change a mode's scaled velocity u, as a polynomial over the sub-interval.
     #[inline]
     pub(super) fn load(&self, mode: usize) -> [S; D] {
         let mut sum = [S::constant(0.0); D];
@@ -138,7 +137,7 @@ impl<S: Float, const D: usize, K: StepContact<S>> StepInterval<'_, '_, S, D, K> 
             }
         };
         let mut rises = false;
-        // A piece of motion of length zero cannot contain a crossing before its end.
+        // A piece of motion of length zero cannot contain a crossing to the next line of the friction law.
         if let Some(high) = line.high.filter(|_| zero < tau) {
             let seen = velocity.seen(-sign, -high, tau).within(self.search());
             match first_zero(&seen, WalkStart::Anywhere, &mut steps) {
@@ -185,9 +184,9 @@ impl<S: Float, const D: usize, K: StepContact<S>> StepInterval<'_, '_, S, D, K> 
         })
     }
 
-    /// Returns the length of time in which a power series of the sliding motion converges, divided by the sub-interval.
-    /// With a steep friction law this length is smaller, because the motion then changes faster than the modes
-    /// oscillate.
+    /// Returns the length of time in which a power series of the sliding motion converges, as a fraction of the
+    /// sub-interval. The length is at most the rest of the sub-interval. A steep friction law reduces the length,
+    /// because the motion then changes faster than the modes oscillate.
     fn series_reach(&self, slope: S) -> S {
         let left = S::constant(1.0) - self.progress;
         let pace = &self.table.pace;
@@ -322,7 +321,7 @@ impl<S: Float, const D: usize, K: StepContact<S>> StepInterval<'_, '_, S, D, K> 
     }
 }
 
-/// Returns one coefficient of the part of the rate of a mode's scaled velocity u that the inputs cause.
+/// Returns one coefficient of the polynomial with which the inputs change a mode's scaled velocity u.
 #[inline]
 fn load_term<S: Float, const D: usize>(loads: &[S], inputs: &[[S; D]], place: usize) -> S {
     let zero = S::constant(0.0);

@@ -22,8 +22,8 @@ pub struct StoreMut<'s, S, const D: usize> {
 }
 
 impl<S: Float, const D: usize> StoreMut<'_, S, D> {
-    /// Writes the state of the modes that the contact drives. The code computes it from the modes of the chain with its
-    /// contact stuck, and from the displacement and velocity of the stuck contact.
+    /// Writes the state of the modes that the contact drives. The code computes this state from the modes of the chain
+    /// with its contact stuck, and from the displacement and velocity of the stuck contact.
     pub(super) fn release<K: ContactChain<S>>(
         &mut self,
         scene: &StepScene<'_, S, K>,
@@ -150,10 +150,10 @@ pub struct Status<S> {
     pub grazed: bool,
     /// Event budget: number of events that the stepper follows in a step. 0 means that there is no budget.
     pub budget: u8,
-    /// Number of events in the earlier sub-intervals of the present step. Between steps it is 0.
+    /// Number of events in the earlier sub-intervals of the present step. Between steps this number is 0.
     pub spent: u8,
-    /// Relative displacement of the contact while it sticks. For an elastic contact it is the displacement of the
-    /// slider.
+    /// Relative displacement of the contact while it sticks. For an elastic contact, `stuck_at` is the displacement of
+    /// the slider.
     pub stuck_at: S,
     /// Index of the straight line of the friction law that contains the contact's present speed.
     pub line: usize,
@@ -167,7 +167,7 @@ pub struct Status<S> {
     /// Number of steps in which a sub-interval reached the bound on events or pieces of motion.
     pub exceeded: u64,
     /// Contact force at the end of the last step, divided by k₁, if the contact sticks or its state is unknown. For an
-    /// elastic contact it is the force of the spring, even while the slider moves.
+    /// elastic contact, `contact_force` is the force of the spring, even while the slider moves.
     pub contact_force: S,
     /// Work of the load since the start, divided by k₁.
     pub load: Total<S>,
@@ -180,13 +180,13 @@ pub struct Status<S> {
     /// of this velocity is proportional to the sum. After the first step the field is zero.
     pub given: S,
     /// Instant of the last event in the last step, as a fraction of the step from 0 to 1. `None` if the step had no
-    /// event. Images and written states do not contain it.
+    /// event. Images and written states do not contain this instant.
     #[cfg(feature = "event-times")]
     pub last_event: Option<S>,
 }
 
 impl<S: Float> Status<S> {
-    /// Returns the law of the contact. Its forces are divided by k₁.
+    /// Returns the law of the contact. The forces of this law are divided by k₁.
     #[inline]
     pub(super) fn law<K: ContactChain<S>>(&self, scene: &StepScene<'_, S, K>) -> K::Law {
         scene.dynamics.chain.law_with(self.level, self.stiction)

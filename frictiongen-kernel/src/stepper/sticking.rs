@@ -153,8 +153,8 @@ impl<S: Float, const D: usize, K: StepContact<S>> StepInterval<'_, '_, S, D, K> 
     }
 
     /// Changes the contact from sliding to sticking. Computes the modes of the chain with its contact stuck from the
-    /// modes of the sliding chain. The contact sticks at the displacement `place`. If `place` is `None`, it sticks at
-    /// the displacement that the modes give.
+    /// modes of the sliding chain. The contact sticks at the displacement `place`. If `place` is `None`, the contact
+    /// sticks at the displacement that the modes give.
     pub(super) fn start_sticking(&mut self, place: Option<S>) {
         if self.is_elastic() {
             return self.start_sticking_under(self.status.contact_force);
@@ -192,8 +192,8 @@ impl<S: Float, const D: usize, K: StepContact<S>> StepInterval<'_, '_, S, D, K> 
         dynamics.project(receptance, states, (zero, rate), held);
     }
 
-    /// Changes the contact from sticking to sliding. Computes the modes of the sliding chain from those of the chain
-    /// with its contact stuck.
+    /// Changes the contact from sticking to sliding. Computes the modes of the sliding chain from the modes of the
+    /// chain with its contact stuck.
     pub(super) fn start_sliding(&mut self) {
         let [base, rate] = self.base_now();
         let lifted = (self.status.stuck_at + base, rate);

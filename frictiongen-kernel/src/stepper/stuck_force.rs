@@ -10,9 +10,9 @@ use crate::motion::Power;
 use crate::number::scalar::Float;
 
 impl<S: Float, const D: usize, K: StepContact<S>> StepInterval<'_, '_, S, D, K> {
-    /// Returns the parts of the rates of a mode that the inputs cause, as polynomials. The mode belongs to the chain
-    /// with its contact stuck. The first polynomial is a part of the rate of the mode's displacement y, the second of
-    /// the rate of its scaled velocity u. The base to which the contact sticks is one of the inputs.
+    /// Returns the rates at which the inputs change one mode of the chain with its contact stuck, as polynomials. The
+    /// first polynomial is the rate of the mode's displacement y. The second polynomial is the rate of the mode's
+    /// scaled velocity u. The base to which the contact sticks is one of the inputs.
     #[inline]
     pub(super) fn held_load(&self, mode: usize, step: &HeldStep<S, D>) -> [[S; D]; 2] {
         let mut sum = [[S::constant(0.0); D]; 2];
@@ -161,8 +161,8 @@ impl<S: Float, const D: usize, K: StepContact<S>> StepInterval<'_, '_, S, D, K> 
             }
         }
         if self.scene.rubs_on_base() {
-            // This sum is the integral −∫F b′ after integration by parts. b is the displacement of the base minus its
-            // present value.
+            // This sum is the integral −∫f b′ after integration by parts. f is the contribution of the mode to the
+            // contact force. b is the displacement of the base minus its present value.
             let rise = growth(&self.base, place);
             let mut sum = to * rise;
             for (term, moment) in self.base.iter().zip(moments).skip(1) {
@@ -174,9 +174,9 @@ impl<S: Float, const D: usize, K: StepContact<S>> StepInterval<'_, '_, S, D, K> 
     }
 }
 
-/// Returns one coefficient of the parts of a mode's rates that the inputs cause. The mode belongs to the chain with its
-/// contact stuck. The first number is a part of the rate of the mode's displacement y, the second of the rate of its
-/// scaled velocity u.
+/// Returns one coefficient of each polynomial with which the inputs change a mode. The mode belongs to the chain with
+/// its contact stuck. The first number belongs to the rate of the mode's displacement y. The second number belongs to
+/// the rate of the mode's scaled velocity u.
 #[inline]
 fn held_load_term<S: Float, const D: usize>(
     loads: &[HeldLoad<S>],

@@ -44,9 +44,9 @@ pub struct View<'t, S, const D: usize> {
     pub held: &'t [HeldStep<S, D>],
     /// Rate of the scaled velocity u caused by one unit of an input, for each mode and input.
     pub loads: &'t [S],
-    /// Coupling of the inputs to the modes of the chain with its contact stuck, for each mode and input.
+    /// Coupling of each input with each mode of the chain with its contact stuck.
     pub held_loads: &'t [HeldLoad<S>],
-    /// Coupling of the inputs to the contact, for each input.
+    /// Coupling of each input with the contact.
     pub channels: &'t [Channel<S>],
 }
 
@@ -94,9 +94,9 @@ pub struct FixedTables<
     pub held: [HeldStep<S, D>; HELD],
     /// Rate of the scaled velocity u caused by one unit of an input, for each mode and input.
     pub loads: [[S; INPUTS]; MODES],
-    /// Coupling of the inputs to the modes of the chain with its contact stuck, for each mode and input.
+    /// Coupling of each input with each mode of the chain with its contact stuck.
     pub held_loads: [[HeldLoad<S>; INPUTS]; HELD],
-    /// Coupling of the inputs to the contact, for each input.
+    /// Coupling of each input with the contact.
     pub channels: [Channel<S>; INPUTS],
 }
 
@@ -158,13 +158,14 @@ impl<S, const D: usize, T: StepTables<S, D>> StepTables<S, D> for &T {
 
 /// Fills the tables of a scene for one length of the time step, in seconds.
 ///
-/// Each slice must have a fixed number of entries. `modes` has one for each mode, and `held` one for each mode of the
-/// chain with its contact stuck. `loads` and `held_loads` have one for each pair of such a mode and an input.
-/// `channels` has one for each input.
+/// Each slice must have a fixed number of entries. `modes` has one entry for each mode, and `held` has one entry for
+/// each mode of the chain with its contact stuck. `loads` has one entry for each pair of a mode in `modes` and an
+/// input. `held_loads` has one entry for each pair of a mode in `held` and an input. `channels` has one entry for each
+/// input.
 ///
 /// # Errors
 /// [`OutOfDomain::Step`] if the step is not positive and finite, or if the fastest oscillator advances by more than
-/// [`MAX_PARTS`] radians in it. [`OutOfDomain::Length`] if a slice has a wrong length.
+/// [`MAX_PARTS`] radians in the step. [`OutOfDomain::Length`] if a slice has a wrong length.
 pub fn fill<S: Float, const D: usize, K: ContactChain<S>>(
     scene: &StepScene<'_, S, K>,
     step: S,

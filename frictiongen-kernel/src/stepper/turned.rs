@@ -33,8 +33,8 @@ impl<S: Float, const D: usize> ModeStep<S, D> {
 }
 
 impl<S: Float, const D: usize> HeldStep<S, D> {
-    /// Returns the state of the mode at the end of a sub-interval, and the moments ∫ sʲ y′ ds and ∫ sʲ u′ ds in the
-    /// sub-interval.
+    /// Returns the displacement y and the scaled velocity u of the mode at the end of a sub-interval. Also returns the
+    /// moments ∫ sʲ y′ ds and ∫ sʲ u′ ds, where s is the time since the start of the sub-interval.
     #[inline]
     pub(super) fn moved(&self, [y, u]: [S; 2], drive: &[[S; D]; 2]) -> ([S; 2], [[S; D]; 2]) {
         let mut moments = [[S::constant(0.0); D]; 2];

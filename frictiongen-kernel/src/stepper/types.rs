@@ -11,9 +11,9 @@ use core::marker::PhantomData;
 
 /// Motion of a chain as a function of time, under an input that is known step by step.
 ///
-/// `T` owns the tables and `V` the state. They are arrays or constants in emitted code, and vectors at run time. `D` is
-/// the number of coefficients of an input's polynomial over a step. `K` contains the constants of the chain, and
-/// selects the law of the contact.
+/// `T` owns the tables and `V` the state. Tables and state are arrays or constants in emitted code, and vectors at run
+/// time. `D` is the number of coefficients of an input's polynomial over a step. `K` contains the constants of the
+/// chain, and selects the law of the contact.
 #[derive(Clone, Debug)]
 pub struct Stepper<'a, S, const D: usize, T, V, K = Chain<S>> {
     pub(super) scene: StepScene<'a, S, K>,
@@ -133,15 +133,15 @@ impl<S: Float> ContactNow<S> {
     }
 
     /// Returns the relative velocity of the contact at the end of the last step, in the scene's unit of length per
-    /// second. It is 0 while the contact sticks.
+    /// second. This velocity is 0 while the contact sticks.
     #[must_use]
     pub fn velocity(&self) -> S {
         self.motion.velocity
     }
 
     /// Returns the friction force in the contact at the end of the last step, in the scene's unit of force. While the
-    /// contact sticks, it is the force that keeps the contact at rest. A positive force opposes sliding in the positive
-    /// direction.
+    /// contact sticks, the friction force is the force that keeps the contact at rest. A positive force opposes sliding
+    /// in the positive direction.
     #[must_use]
     pub fn force(&self) -> S {
         self.force

@@ -1,7 +1,7 @@
 //! Writes and reads saved states of a stepper by serde.
 //!
-//! A written state has a version, which reading checks, and the hash of the scene and of the step, which
-//! [`Stepper::restore`](super::Stepper::restore) checks.
+//! A written state contains a version, and a hash of the scene and of the step. Reading checks the version.
+//! [`Stepper::restore`](super::Stepper::restore) checks the hash.
 
 use super::saved::Saved;
 use super::state::{FixedStore, SCALARS, Status, Store};
@@ -35,7 +35,8 @@ impl<'de> Deserialize<'de> for Version {
     }
 }
 
-/// The written form of a saved state. The version comes first, so that a state of another version fails there.
+/// The written form of a saved state. The version comes first, so that reading fails at once for a state of another
+/// version.
 #[derive(Serialize, Deserialize)]
 #[serde(rename = "Saved", deny_unknown_fields)]
 struct Form<S, V> {
@@ -100,7 +101,7 @@ where
     }
 }
 
-/// Message for a number that no stepper writes.
+/// Error message for a saved state that contains a number that is not finite. No stepper writes such a number.
 pub const NOT_FINITE: &str = "a number of the saved state is not finite, so that no stepper has written it; continue from a state that a stepper has written";
 
 /// The written form of the states of all oscillators and of the last forces.
@@ -148,7 +149,7 @@ where
     }
 }
 
-/// A list of N values, for every N.
+/// A list of N values, which serde can read for every N.
 struct List<V, const N: usize>([V; N]);
 
 impl<'de, V: Copy + Default + Deserialize<'de>, const N: usize> Deserialize<'de> for List<V, N> {

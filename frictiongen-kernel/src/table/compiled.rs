@@ -6,7 +6,7 @@ use crate::number::scalar::{Float, Scalar};
 use crate::response::{At, Scene};
 
 /// Range of the frequency ratio r and the friction ratio β in which the tables of a scene are valid. The struct also
-/// says what happens outside this range.
+/// states whether the exact formulas apply outside this range.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Domain<S> {
     /// Smallest and largest frequency ratio r in the tables.
@@ -72,12 +72,12 @@ impl<T: Tabled> Compiled<T> {
         Ok(Self { scene, r, within })
     }
 
-    /// Computes the limits β_lim and β*_lim at every frequency ratio of a slice. Writes them to two slices of the same
-    /// length.
+    /// Computes the limits β_lim and β*_lim at every frequency ratio of a slice. Writes the limits to two slices of the
+    /// same length.
     ///
     /// # Errors
-    /// [`OutOfDomain`] if the slices have different lengths. Both result slices are then unchanged. At the first r
-    /// outside the domain, the function stops and returns the same error. The result slices then contain the limits for
+    /// [`OutOfDomain`] if the slices have different lengths. Both result slices are then unchanged. [`OutOfDomain`]
+    /// also at the first r outside the domain, where the function stops. The result slices then contain the limits for
     /// the frequency ratios before that r.
     pub fn limits_into(
         scene: T,

@@ -68,8 +68,8 @@ impl<S: Float> ContactTable<S> {
         }
     }
 
-    /// Returns √((1 − ρ²) + ρ²(1 − a²)), the in-phase term of the contact's motion divided by its amplitude without
-    /// friction |V|. Here a is β_lim·U/|V|. The argument `share` is ρ = β/β_lim.
+    /// Returns √((1 − ρ²) + ρ²(1 − a²)), the in-phase term of the contact's motion divided by |V|. |V| is the amplitude
+    /// of the contact without friction, and a is β_lim·U/|V|. The argument `share` is ρ = β/β_lim.
     #[inline]
     fn in_phase(&self, share: S) -> S {
         let one = S::constant(1.0);
@@ -80,7 +80,7 @@ impl<S: Float> ContactTable<S> {
     }
 
     /// Returns Z, the amplitude of the contact's relative motion at the friction ratio β (2.21, 5.35, 7.20), in units
-    /// of P/k₁ (of Y for base motion).
+    /// of P/k₁ (of the base amplitude Y for base motion).
     #[inline]
     #[must_use]
     pub fn amplitude(&self, beta: S) -> S {
@@ -114,12 +114,12 @@ impl<T: TabledMotion> Compiled<T> {
     /// tables.
     ///
     /// # Errors
-    /// [`NotContinuous`] gives the regime if the motion is not continuous. It is also the error for an undamped
+    /// [`NotContinuous`] with the regime if the motion is not continuous. Also [`NotContinuous`] at an undamped
     /// resonance that is unbounded at this β, and for a β outside the domain.
     pub fn motion(&self, beta: T::Scalar) -> Result<T::Moving, NotContinuous> {
         let mut table = None;
         if !self.is_within() {
-            // The exact formulas compare β with their own limits.
+            // The exact formulas compare β with the exact limits, and not with the limits from the tables.
             let beta = self.checked(beta).map_err(|_| NotContinuous::OutOfDomain)?;
             self.exact().admitted(beta)?;
         } else {
@@ -231,8 +231,8 @@ impl<T: TabledMotion> SteadyContact<T> {
         }
     }
 
-    /// Returns the largest |z̄| in a period, in units of P/k₁ (of Y for base motion). z̄ is the relative displacement
-    /// of the contact.
+    /// Returns the largest absolute relative displacement |z̄| of the contact in a period, in units of P/k₁ (of the
+    /// base amplitude Y for base motion).
     #[inline]
     #[must_use]
     pub fn amplitude(&self) -> T::Scalar {

@@ -25,7 +25,7 @@ pub struct Piece<S, const F: usize, const C: usize> {
 pub struct Table<'a, S, B, const F: usize, const C: usize> {
     /// Smallest frequency ratio r of the table, at which the first bucket starts.
     pub low: S,
-    /// Number of buckets in a unit of the frequency ratio r. All buckets have the same width.
+    /// Number of buckets per unit of the frequency ratio r. All buckets have the same width.
     pub density: S,
     /// Number of comparisons with which a lookup finds a polynomial piece in a bucket. At most 2^halvings − 1 pieces
     /// begin in one bucket.

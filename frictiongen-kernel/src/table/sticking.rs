@@ -9,7 +9,7 @@ use crate::response::{ProvidesStuck, Stuck};
 /// A scene that stores its response with the contact stuck as products over zeros and poles.
 ///
 /// The default methods of this trait use the exact formulas. For a scene with products, the code generator replaces
-/// them.
+/// these methods.
 pub trait TabledStuck: Tabled + ProvidesStuck {
     /// Type that `stuck` returns. In emitted code this type has one method for each mass.
     type Sticking: From<Sticking<Self>>;
@@ -67,7 +67,7 @@ impl<T: TabledStuck> Compiled<T> {
     /// Returns true if the response at this frequency ratio comes from products over zeros and poles.
     #[inline]
     fn holds_stuck(&self) -> bool {
-        // If `exact_beyond` is false, r is always within the range of the tables here.
+        // If `exact_beyond` is false, `Compiled::new` has rejected every r outside the range of the tables.
         let within = !self.scene().domain().exact_beyond || self.is_within();
         within && self.scene().holds_stuck()
     }

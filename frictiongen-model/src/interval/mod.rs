@@ -18,7 +18,8 @@ pub struct Interval {
     pub high: f64,
 }
 
-/// Bound on the absolute error of the kernel's sine and cosine, which is at most 1.1 units in the last place.
+/// Bound on the absolute error of the kernel's sine and cosine. The actual error is at most 1.1 units in the last
+/// place.
 const SINE: f64 = 1e-15;
 /// 1 minus one unit in the last place of 1.
 const BELOW: f64 = 1.0 - f64::EPSILON;
@@ -27,8 +28,8 @@ const ABOVE: f64 = 1.0 + f64::EPSILON;
 /// Allowance for underflow in a product. A subnormal number would suffice, but processors compute much more slowly
 /// with subnormal numbers. Products with this number are normal.
 pub const TINY: f64 = 1e-290;
-/// Bound on the relative error of libm's exponential, which is correct to one unit in the last place. The bound is
-/// more than two units.
+/// Bound on the relative error of libm's exponential, of more than two units in the last place. The actual error is at
+/// most one unit.
 const EXPONENTIAL: f64 = 5e-16;
 
 impl Interval {
@@ -143,8 +144,8 @@ impl Interval {
         Self { low, high }
     }
 
-    /// Returns the bounds of the product of two intervals, rounded to nearest. If 0 meets an infinite bound, a bound
-    /// is NaN.
+    /// Returns the bounds of the product of two intervals, rounded to nearest. If a bound 0 is multiplied by an
+    /// infinite bound, a bound of the result may be NaN.
     #[inline(always)]
     #[must_use]
     pub fn ends_times(self, other: Self) -> (f64, f64) {
@@ -277,7 +278,7 @@ impl Interval {
         (sine, cosine)
     }
 
-    /// Returns the bounds of cos πh for h from `from` to `to`. `first` and `last` are the values at these ends.
+    /// Returns the bounds of cos πh for h from `from` to `to`. `first` and `last` are cos πh at `from` and at `to`.
     #[inline]
     fn wave([first, last]: [f64; 2], [from, to]: [f64; 2]) -> Self {
         let mut low = first.min(last) - SINE;

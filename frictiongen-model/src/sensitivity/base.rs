@@ -8,7 +8,8 @@ use frictiongen_kernel::number::dd::Dd;
 use frictiongen_kernel::number::dual::Dual;
 
 impl RelativeChange {
-    /// Sets the derivatives of φᵀΓ1 and φᵀK_w1, which exist if damping acts on velocities relative to the base.
+    /// Sets the derivatives of the participation factors φᵀΓ1 and of the modal forces φᵀK_w1 of the springs to the
+    /// wall. They exist if damping acts on velocities relative to the base.
     pub(super) fn project_base(
         &self,
         scene: &Scene,

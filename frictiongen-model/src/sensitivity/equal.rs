@@ -14,8 +14,8 @@ pub(super) fn equal(a: Dd, b: Dd) -> bool {
     (a - b).abs() <= Dd::from(EQUAL) * (a + b)
 }
 
-/// Rotates each group of equal modes to the basis in which the change of the scene does not couple them. Every basis of
-/// the group is valid, but only this basis changes smoothly with the scene.
+/// Rotates each group of modes with equal frequencies to the basis in which the change of the scene does not couple
+/// these modes. Every basis of the group is valid, but only this basis changes smoothly with the scene.
 ///
 /// Returns one flag for each mode, which is true if the function rotated the mode.
 pub(super) fn adapt_equal_modes(

@@ -107,7 +107,7 @@ impl<S: Float> Cover<'_, '_, S> {
                 if seen.error > worst.error {
                     worst = seen;
                 }
-                // If several pieces have the same start after rounding, only the last piece is used.
+                // If several pieces have the same start after rounding, the code uses only the last of these pieces.
                 if pieces
                     .last()
                     .is_some_and(|last: &Fitted<S>| last.from == piece.from)

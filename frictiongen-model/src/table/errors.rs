@@ -76,8 +76,8 @@ impl<S: Float> Comparison<'_, '_, S> {
         worst
     }
 
-    /// Returns the error of a polynomial piece at the number of the type `S` that is nearest to r and within the
-    /// piece, divided by the allowed error. Returns 0 if the piece contains no number of the type `S`.
+    /// Returns the error of a polynomial piece, divided by the allowed error. The error is that at the number of the
+    /// type `S` within the piece that is nearest to r. Returns 0 if the piece contains no number of the type `S`.
     fn error_within(
         &mut self,
         piece: &Fitted<S>,
@@ -182,7 +182,8 @@ impl<S: Float> Comparison<'_, '_, S> {
     }
 
     /// Returns the values of the contact at r that a polynomial piece and the product for |V| give: β_lim, a =
-    /// β_lim·U/|V|, g = β_lim·G/|V|, arg V and |V|.
+    /// β_lim·U/|V|, g = β_lim·G/|V|, arg V and |V|. V is the response of the contact to the load. U and G are the
+    /// velocity and displacement of the contact that friction causes at a reversal.
     fn answer(&self, piece: &Fitted<S>, r: S) -> ContactTable<S> {
         let [limit, quadrature, displacement, direction] =
             [0, 1, 2, ANGLE].map(|function| piece.value(function, r));

@@ -10,9 +10,11 @@ use frictiongen_kernel::response::At;
 use frictiongen_kernel::table::ContactTable;
 use std::collections::HashMap;
 
-/// Index of arg V among the functions of a table. The lower indices are those of β_lim, β_lim·U/|V| and β_lim·G/|V|.
+/// Index of arg V among the functions of a table, where V is the response of the contact to the load. The lower indices
+/// are those of β_lim, β_lim·U/|V| and β_lim·G/|V|.
 pub const ANGLE: usize = 3;
-/// Index of |V| among the functions of a table, if the table has this function.
+/// Index of |V| among the functions of a table, if the table has this function. V is the response of the contact to the
+/// load.
 pub const SIZE: usize = 4;
 /// A sum has lost significant digits by cancellation if it is smaller than this fraction of its terms.
 const CANCELS: f64 = 1e-2;
@@ -97,7 +99,8 @@ impl<'a> Exact<'a> {
         let mut limit = self.reduced.chain.continuous_limit(contact, constraint);
         let mut negative = contact.v.re < 0.0;
         if self.cancels(&at) {
-            // The sum over the modes in double precision has lost digits of V, so V is computed in double-double.
+            // The sum for V, the response of the contact to the load, has lost digits in double precision. The code
+            // therefore computes V in double-double.
             negative = self.excitation(r) < 0.0;
             let square = at.inverse_ratio() * at.inverse_ratio();
             let own = complex::modulus(contact.v, self.damped());

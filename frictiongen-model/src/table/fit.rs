@@ -67,8 +67,8 @@ pub(super) struct FitSettings {
     pub functions: usize,
     /// Number of coefficients of each function's polynomial.
     pub terms: usize,
-    /// Factor by which the fitted β_lim differs from the exact β_lim. The fitted functions a = β_lim·U/|V| and g =
-    /// β_lim·G/|V| contain the same factor.
+    /// Factor by which the fitted β_lim differs from the exact β_lim. The functions a = β_lim·U/|V| and g =
+    /// β_lim·G/|V|, from which the motion of the contact follows, contain the same factor.
     pub side_factor: f64,
     /// Largest change of a function, relative to β_lim, that may result if one coefficient is rounded to decimals.
     pub rounding: f64,

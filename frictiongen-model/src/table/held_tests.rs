@@ -39,15 +39,16 @@ fn of_single_precision() {
     of_chains::<f32>(1e-5);
 }
 
-/// Checks two masses that rub on each other and that the base drives. Stuck together, they are a mass of 2 on a
-/// spring of 1, under any damping that treats both modes alike. For the undamped chain the table must keep the exact
-/// formulas.
+/// Checks two masses that rub on each other and that the base drives. Stuck together, they are a mass of 2 on a spring
+/// of 1, with a damper of 0.1 in the damped case. For the undamped chain `Held::of` must return `None`, so that the
+/// table uses the exact formulas.
 #[test]
 fn driven_by_the_base() {
     let mut modal = scene("Pair", 2, 0.0, 1.0);
     modal.loads = modal.shapes.iter().map(|shape| shape[0]).collect();
     assert!(Held::<f64>::of(&modal, RANGE).is_none());
-    // With 2ζ_iσ_i = 0.1σ_i², each spring has its own damper.
+    // With 2ζ_iσ_i = 0.1σ_i² the damping is proportional to the stiffness, so that each spring has a damper in
+    // parallel.
     modal.damping_ratios = modal
         .resonances
         .iter()
@@ -87,7 +88,7 @@ fn two_masses_by_hand() {
         assert_eq!(held.masses[1].response().value(r).re, 0.0);
     }
     assert!(held.resonances.is_empty());
-    // This resonance of the stuck chain equals a number of the type exactly.
+    // The resonance r = 1 of this stuck chain is exactly a number of the type `f64`.
     let on = Held::<f64>::of(&scene("Pair", 16, 0.0, 1.0), RANGE).unwrap();
     assert_eq!(on.resonances, [1.0]);
 }

@@ -13,8 +13,8 @@ use frictiongen_kernel::{Complex, Float};
 /// lose half of their 30 digits.
 const ON_RESONANCE: f64 = 1e-12;
 
-/// Upper bound on the number of corrections of a zero, and the relative correction at which the iteration ends, for
-/// the first part of the iteration in double precision. `LAST_STEPS` has these values for the second part, in
+/// Upper bound on the number of corrections of a zero, and the relative correction at which the iteration ends. These
+/// values are for the first part of the iteration, in double precision. `LAST_STEPS` are for the second part, in
 /// double-double.
 const FIRST_STEPS: (usize, f64) = (100, 1e-11);
 /// Upper bound on the number of corrections of a zero in double-double, and the relative correction at which the
@@ -43,7 +43,8 @@ fn denominator(modal: &Modal, mode: usize, s: Complex<Dd>) -> Option<Complex<Dd>
 
 /// The contact force and the modal amplitudes at one frequency ratio while the contact is stuck, in double-double.
 pub(super) struct HeldAt {
-    /// V/H, the force that keeps the contact stuck.
+    /// V/H, the force that keeps the contact stuck. V and H are the responses of the contact to the load and to a
+    /// contact force.
     pub force: Complex<Dd>,
     /// False at an undamped resonance of the sliding chain. A modal amplitude is then a quotient of rounding errors,
     /// although the responses are finite.
@@ -62,7 +63,8 @@ impl HeldAt {
         let drives = || modal.loads.iter().zip(&modal.contacts);
         let modes = modal.resonances.iter().zip(&modal.damping_ratios);
         for ((sigma, zeta), (load, contact)) in modes.zip(drives()) {
-            // With this form of the denominator, both of its parts keep their digits near the resonance.
+            // (σ − r)(σ + r) keeps all digits of σ² − r² near the resonance σ, where the difference of the squares
+            // would cancel.
             let re = (*sigma - r) * (*sigma + r);
             let im = two * *zeta * *sigma * r;
             let size = re.abs() + im.abs();
@@ -86,7 +88,8 @@ impl HeldAt {
     }
 
     /// Returns x̄*_k = V_k − H_kV/H, the complex amplitude of mass k while the contact is stuck (section 4 of
-    /// `docs/derivation.md`). V/H is the force that keeps the contact stuck.
+    /// `docs/derivation.md`). V/H is the force that keeps the contact stuck. V_k and V are the responses of mass k and
+    /// of the contact to the load. H_k and H are their responses to a contact force.
     pub fn mass(&self, modal: &Modal, mass: usize) -> Complex<Dd> {
         let mut sum = complex::real(Dd::ZERO);
         for (shape, moved) in modal.shapes.iter().zip(&self.modes) {

@@ -12,8 +12,8 @@ const BUCKETS: [usize; 8] = [FEWEST, 16, 32, 64, 128, 256, 512, 1024];
 /// Largest number of buckets of r, as a multiple of the count of numbers in the polynomial pieces. More buckets would
 /// save too few comparisons for their memory.
 const CROWDED: usize = 1;
-/// Number of comparisons in a lookup that is small enough. More buckets would reduce it further, but would need too
-/// much memory.
+/// Number of comparisons in a lookup that the code does not reduce further. More buckets would reduce this number, but
+/// would need too much memory.
 const FEW: u32 = 2;
 
 /// Buckets that divide a range of r into equal parts, by which a lookup finds the polynomial piece that contains r.

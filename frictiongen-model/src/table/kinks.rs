@@ -6,7 +6,7 @@ use super::exact::Exact;
 /// Step of the search for kinks of β_lim, in units of √λ/r: the natural frequency of the fastest mode divided by the
 /// excitation frequency.
 const STEP: f64 = 0.005;
-/// Distance in τ, in rad. Two maxima of the velocity constraint that are farther apart count as different.
+/// Phase difference in τ, in rad, above which two maxima of the velocity constraint count as different maxima.
 const JUMP: f64 = 0.1;
 /// Smallest number of steps in the search for kinks of β_lim in the range of r.
 const FEWEST: usize = 64;

@@ -1,9 +1,10 @@
 //! Tables with a declared accuracy, built from the exact functions of a scene.
 //!
 //! Polynomials approximate β_lim over pieces of r that are as long as the accuracy allows. Near a known zero r₀ of
-//! β_lim the code fits a polynomial to β_lim/(r − r₀). β*_lim, |V| and the responses while the contact is stuck are
-//! products over their zeros and poles. A check compares the tables with the exact values, at points that the fit did
-//! not use, in the arithmetic of the tables. `frictiongen-proof` proves the accuracy at all r between these points.
+//! β_lim the code fits a polynomial to β_lim/(r − r₀). β*_lim, the amplitude |V| of the contact without friction, and
+//! the responses while the contact is stuck are products over their zeros and poles. A check compares the tables with
+//! the exact values, at points that the fit did not use, in the arithmetic of the tables. `frictiongen-proof` proves
+//! the accuracy at all r between these points.
 
 mod bounds;
 mod check;

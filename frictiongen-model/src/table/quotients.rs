@@ -1,5 +1,5 @@
-//! β*_lim and |V| as products over their zeros and poles, and the comparison of these products with the exact sums
-//! over the modes.
+//! β*_lim and the amplitude |V| of the contact without friction, as products over their zeros and poles. The module
+//! also compares these products with the exact sums over the modes.
 
 use super::bounds::Receptances;
 use super::check;

@@ -34,10 +34,10 @@ const BESIDE: [f64; 13] = [
 /// Largest relative distance from the range of r at which a zero of β_lim outside the range still influences the
 /// table.
 const OUTSIDE: f64 = 1e-2;
-/// Largest damping at which a resonance, a subharmonic or a zero causes a narrow feature of β_lim. For the
-/// subharmonic of order n of a mode the damping is nζ. For a complex zero x + iy of V it is |x|/y.
+/// Largest damping at which a resonance, a subharmonic or a zero causes a narrow feature of β_lim. For the subharmonic
+/// of order n of a mode the damping is nζ. For a complex zero x + iy of the contact's response to the load it is |x|/y.
 const BROAD: f64 = 0.5;
-/// Largest number of sub-harmonics that the code considers for each mode.
+/// Largest number of subharmonics that the code considers for each mode.
 const MOST: usize = 10_000;
 
 /// Frequency ratios that are known before any fit: zeros of β_lim, jumps in the phase of the contact's response, and
@@ -49,8 +49,8 @@ pub struct Landmarks {
     /// Resonances of undamped modes within the range of r. The phase of the contact's response jumps at each of these
     /// resonances.
     pub jumps: Vec<f64>,
-    /// Frequency ratios, in ascending order, at which the error of a table is checked, in addition to the points of
-    /// the fit and of the check. They are at and near zeros of β_lim, resonances and subharmonics.
+    /// Frequency ratios, in ascending order, at which the code evaluates the error of a table, in addition to the
+    /// points of the fit and of the check. They are at and near zeros of β_lim, resonances and subharmonics.
     pub closely: Vec<f64>,
 }
 
@@ -68,7 +68,8 @@ impl Landmarks {
         self.closely.insert(place, r);
     }
 
-    /// Returns the landmarks in a range of r. `zeros` is `None` if the zeros of V and H could not be separated.
+    /// Returns the landmarks in a range of r. `zeros` is `None` if the zeros of the contact's responses V and H (to the
+    /// load and to a contact force) could not be separated.
     #[must_use]
     pub fn of(modal: &Modal, zeros: Option<&Zeros>, (low, high): (f64, f64)) -> Self {
         let within = |r: f64| low <= r && r <= high;
@@ -84,8 +85,8 @@ impl Landmarks {
                 if zeta.to_f64() * order > BROAD {
                     break;
                 }
-                // At this r the response U of an undamped mode is infinite, whatever the damping of the other modes.
-                // β_lim is then 0.
+                // At this r the velocity U of the contact that friction causes at a reversal is infinite, whatever the
+                // damping of the other modes. β_lim is then 0.
                 if zeta.is_zero() && (k > 0 || mode.residue.is_zero()) {
                     edges.push(LimitZero::new(place));
                 }
@@ -106,7 +107,7 @@ impl Landmarks {
                 centres.push(zero.y.to_f64());
             }
         }
-        // A zero just outside the range matters as much as a zero at a bound of the range.
+        // A zero just outside the range influences the table as much as a zero at a bound of the range.
         let beside = |edge: &LimitZero| {
             low * (1.0 - OUTSIDE) <= edge.at && edge.at <= high * (1.0 + OUTSIDE)
         };

@@ -19,9 +19,9 @@ use crate::rounded;
 use crate::scene::{Accuracy, Provide, Proving, Scene};
 use frictiongen_kernel::Float;
 
-/// Divisor of the allowed bytes. The quotient is the largest size of the tables of the stuck responses.
+/// The tables of the stuck responses may take at most the allowed bytes divided by this number.
 const STUCK_PART: usize = 4;
-/// Divisor of the length of the range of r. The quotient is the first length that the construction tries for a piece.
+/// The first length that the construction tries for a piece is the length of the range of r, divided by this number.
 const FIRST: f64 = 16.0;
 /// Largest number of pieces whose indices fit into one byte.
 const IN_A_BYTE: usize = 1 << u8::BITS;
@@ -294,8 +294,8 @@ impl<S: Float> Tables<S> {
         found.ok_or(not_met)
     }
 
-    /// Builds the tables with polynomials of `terms` coefficients. |V|, the amplitude of the contact without
-    /// friction, is one of the polynomials if every mode is damped and the tables fit into the allowed bytes.
+    /// Builds the tables with polynomials of `terms` coefficients. |V| is the amplitude of the contact without
+    /// friction. |V| is one of the polynomials if every mode is damped and the tables fit into the allowed bytes.
     /// Otherwise |V| is a product over zeros and poles. A product needs fewer bytes, but takes a square root and some
     /// operations for every zero and pole.
     fn of_terms(
@@ -342,8 +342,8 @@ impl<S: Float> Tables<S> {
             (low, high),
         );
         let functions = match (&excitation, exact.damped()) {
-            // If the zeros could not be separated, |V| may have a zero at a real r, and so a kink. The pieces then do
-            // not contain |V|.
+            // If the zeros of the contact's response V to the load could not be separated, V may have a zero at a real
+            // r. |V| then has a kink, so that the pieces do not contain |V|.
             _ if with_size && zeros.is_some() => 5,
             (None, _) => 1,
             (Some(_), false) => 2,
@@ -351,7 +351,8 @@ impl<S: Float> Tables<S> {
         };
         let mut kinks = kinks::kinks(exact, (low, high));
         if exact.damped() {
-            // At the resonance of an undamped mode among damped modes, arg V jumps.
+            // The response V of the contact to the load has a jump of arg V at the resonance of an undamped mode among
+            // damped modes.
             kinks.extend(landmarks.jumps.iter().copied());
         }
         let quotient = excitation.as_ref().map(Product::quotient);

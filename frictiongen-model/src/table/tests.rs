@@ -177,7 +177,8 @@ fn a_budget_of_bytes() {
     }
 }
 
-/// Checks that |V| becomes a product if |V| as a polynomial of the pieces needs too many bytes.
+/// Checks that |V|, the amplitude of the contact without friction, becomes a product if its polynomials need too many
+/// bytes.
 #[test]
 fn a_budget_below_the_polynomials() {
     let modal = Modal::of(&chain(2, Damping::Uniform(0.02)));

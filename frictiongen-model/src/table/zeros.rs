@@ -1,4 +1,5 @@
-//! V and H of the contact as rational functions: their zeros and poles in double-double.
+//! The contact's responses V (to the load) and H (to a contact force) as rational functions, by their zeros and poles
+//! in double-double.
 
 use crate::modal::Modal;
 use crate::roots::{DrivenMode, converge, pairs};
@@ -14,8 +15,8 @@ pub(super) const NONE: f64 = 1e-20;
 /// Largest relative difference of two constants (resonance or damping ratio) of modes that count as equal. Rounding in
 /// double-double causes differences of this size.
 pub(super) const EQUAL: f64 = 1e-24;
-/// Largest relative distance of two zeros that count as one common zero of V and H, the responses of the contact to
-/// the load and to a contact force. A scene in doubles cannot separate zeros that are so close.
+/// Largest relative distance of a zero of V and a zero of H that count as one common zero. V and H are the responses of
+/// the contact to the load and to a contact force. A scene in doubles cannot separate zeros that are so close.
 const COMMON: f64 = 1e-13;
 /// Smallest modulus from which the search for zeros starts, as a multiple of the lowest resonance.
 const BELOW: f64 = 0.6;
@@ -114,7 +115,8 @@ pub fn contact_modes(modal: &Modal) -> Vec<ContactMode> {
             continue;
         }
         let (inverse_mass, residue) = (*contact * *contact, *load * *contact);
-        // Equal modes count as one mode in the sums V and H.
+        // Equal modes have the same denominator, so that the code adds their contributions to the responses of the
+        // contact.
         if let Some(last) = contact_modes.last_mut()
             && (*sigma - last.driven.sigma).abs() <= *sigma * Dd::from(EQUAL)
             && (*zeta - last.driven.zeta).abs() <= *zeta * Dd::from(EQUAL)
@@ -169,8 +171,8 @@ impl Zeros {
                 ..mode.driven
             })
             .collect();
-        // At r = 0 a moving base may carry the contact along without relative motion. V then has a zero at s = 0,
-        // which is double without damping.
+        // At r = 0 a moving base may carry the contact along without relative motion. The contact's response V to the
+        // load then has a zero at s = 0, which is double without damping.
         let at_rest = modal.on_moving_base && modal.static_motion.is_zero();
         let known = match (at_rest, damped) {
             (false, _) => 0,

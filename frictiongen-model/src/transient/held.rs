@@ -2,9 +2,10 @@
 //! chain with its contact stuck.
 //!
 //! A pair of roots of s² + 2αs + ω² is one oscillator (y, u), with u = ẏ/ω in the time t√(k₁/m₁). While only this
-//! oscillator moves, mode i of the sliding chain has the modal coordinate η_i = g_i y + h_i u. The participations
-//! follow from w_i/(s² + 2ζ_iσ_i s + λ_i) = g_i + (h_i/ω)s modulo the polynomial of the pair. All numbers are real,
-//! also at a double root.
+//! oscillator moves, mode i of the sliding chain has the modal coordinate η_i = g_i y + h_i u. This mode has the
+//! resonance σ_i = √λ_i, the damping ratio ζ_i and the contact displacement w_i. The participations g_i and h_i follow
+//! from w_i/(s² + 2ζ_iσ_i s + λ_i) = g_i + (h_i/ω)s modulo the polynomial of the pair. All numbers are real, also at a
+//! double root.
 
 use super::plain::SlidingMode;
 use crate::reduced::kind;
@@ -33,7 +34,8 @@ pub(super) fn held<T: Float, S: Scalar>(
     let (mut held, mut participations) = (Vec::new(), Vec::new());
     for (omega, zeta) in pairs.iter().copied() {
         let (own, largest) = participations_of(modes, compliance, (omega, zeta));
-        // Modes a and b of different pairs are orthogonal in the bilinear form B(a, b) = Σ 2ζσ a b + ȧ b + a ḃ.
+        // Modes a and b of different pairs are orthogonal in the bilinear form B(a, b) = Σ 2ζσ a b + ȧ b + a ḃ. The sum
+        // is over the modes of the sliding chain, with damping ratios ζ and resonances σ.
         let (mut first, mut mixed, mut second) = (zero, zero, zero);
         let mut force = zero;
         for (mode, [g, h]) in modes.iter().zip(&own) {
@@ -47,8 +49,8 @@ pub(super) fn held<T: Float, S: Scalar>(
             force = force + mode.contact * (lambda * g + loss * g_rate);
         }
         let determinant = first * second - mixed * mixed;
-        // The participations are those for the contact force −y, divided by the largest of them. If the contact moves,
-        // `force` would also contain the inertia of its motion.
+        // The participations belong to the contact force −y, divided by the largest participation. If an elastic
+        // contact moves, `force` also contains the inertia of the contact. The code then uses `largest` instead.
         let per_y = if compliance.is_zero() {
             force / inverse_mass
         } else {
@@ -84,8 +86,8 @@ fn participations_of<T: Float>(
     // may be only rounding, so its participation must balance the participations of the other modes.
     let (mut nearest, mut part) = (0, zero);
     for (index, (mode, participation)) in modes.iter().zip(&mut own).enumerate() {
-        // The denominator d = s² + 2ζ_iσ_i s + λ_i is as + b modulo the polynomial of the pair. Its inverse is (b − 2αa
-        // − as)/R, with R as `resultant`.
+        // The denominator d = s² + 2ζ_iσ_i s + λ_i is as + b modulo s² + 2αs + ω², the polynomial of the pair. The
+        // inverse of d is (b − 2αa − as)/R, with R as `resultant`.
         let a = (mode.zeta * mode.resonance - zeta * omega) * two;
         let b = (mode.resonance - omega) * (mode.resonance + omega);
         let resultant = b * b - two * zeta * omega * a * b + omega * omega * a * a;

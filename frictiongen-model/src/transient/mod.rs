@@ -16,9 +16,9 @@ use frictiongen_kernel::oscillator::mode::Mode;
 use frictiongen_kernel::{Float, Scalar};
 use plain::{EQUAL, SlidingMode, close, driven, in_contact, plain_modes, sorted, turned};
 
-/// If a modal damping ratio exceeds this value, the frequencies of the held modes (modes of the chain with its contact
-/// stuck) may be close to one another. If no damping ratio exceeds this value, chains of up to 64 masses have rounding
-/// errors of only a few units.
+/// Modal damping ratio above which the frequencies of the held modes may be close to one another. The held modes are
+/// the modes of the chain with its contact stuck. If no damping ratio exceeds this value, chains of up to 64 masses
+/// have rounding errors of only a few units.
 const NEAR_CRITICAL: f64 = 0.9;
 
 /// Returns the largest relative rounding error in a motion of the scene if the contact sticks and is immediately

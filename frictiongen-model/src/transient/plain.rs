@@ -20,7 +20,8 @@ pub(super) struct SlidingMode<T> {
     pub zeta: T,
     pub load: T,
     pub contact: T,
-    /// Participation factor Γ, and the force on the mode from the springs to the wall if all masses move by 1.
+    /// Participation factor of the mode for base motion, and force on the mode from the wall springs if all masses move
+    /// by 1.
     pub base: [T; 2],
     pub shape: Vec<T>,
 }

@@ -34,8 +34,8 @@ fn chain(masses: &[f64], springs: &[f64], contact: usize, damping: Damping) -> S
     }
 }
 
-/// Returns the largest relative displacement of the contact in a held mode (a mode of the chain with its contact
-/// stuck), divided by the participations of the modes. The exact value is 0. Rounding in double-double and close
+/// Returns the largest relative displacement of the contact in a held mode, divided by the participations of the modes.
+/// A held mode is a mode of the chain with its contact stuck. The exact value is 0. Rounding in double-double and close
 /// frequencies cause other values.
 fn worst_slip(scene: &Scene) -> f64 {
     let transient: Transient<Dd> = Transient::of(scene, &Modal::of(scene), |value| value);
@@ -100,8 +100,8 @@ fn many_masses_spread_over_twelve_decades() {
     }
 }
 
-/// Checks that changing from the modes of the sliding chain to the held modes (contact stuck) and back keeps half of
-/// the digits of a motion. Otherwise the transient must report the loss.
+/// Checks the change of a motion from the modes of the sliding chain to the held modes (contact stuck) and back. The
+/// change must keep half of the digits. Otherwise the transient must report the loss.
 #[test]
 fn a_loss_is_seen() {
     let uneven = |n: u32, zeta: f64| {

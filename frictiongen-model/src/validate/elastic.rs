@@ -7,9 +7,9 @@ use super::settings::item_name;
 use crate::modal::Modal;
 use crate::scene::{FrictionLaw, Precision, Provide, Scene};
 
-/// Largest angle, in rad, by which the fastest mode of the stuck chain may turn in a cycle at the lowest resonance.
-/// The rounding of this angle changes the contact force.  10⁶ rad keep an accuracy of 10⁻¹⁰ in `f64`, and 10⁴ rad
-/// keep 10⁻³ in `f32`.
+/// Largest angle, in rad, by which the fastest mode of the stuck chain may turn in a cycle at the lowest resonance. The
+/// rounding of this angle changes the contact force. An angle of 10⁶ rad keeps an accuracy of 10⁻¹⁰ in `f64`, and an
+/// angle of 10⁴ rad keeps 10⁻³ in `f32`.
 fn most_turned(precision: Precision) -> f64 {
     match precision {
         Precision::F64 => 1e6,
@@ -91,7 +91,7 @@ fn rounded_down(value: f64) -> f64 {
     (value / unit).floor() * unit
 }
 
-/// Reports a stiffness with which the contact force would lose digits.  All other checks must have passed.
+/// Reports a stiffness with which the contact force would lose digits. All other checks must have passed.
 pub(super) fn check_digits(scene: &Scene, modal: &Modal, errors: &mut Vec<SceneError>) {
     let Some(value) = scene.stiffness else {
         return;

@@ -67,7 +67,8 @@ fn root(parent: &mut [usize], mass: usize) -> usize {
     top
 }
 
-/// Returns the components that have a spring to a support. `support` selects the kind of support.
+/// Returns the components of the spring graph that have a spring to a support. `support` is true for the nodes that
+/// count as supports.
 fn joined(scene: &Scene, parts: &Parts, support: impl Fn(Node) -> bool) -> HashSet<usize> {
     scene
         .springs
@@ -103,8 +104,8 @@ fn check_held(scene: &Scene, parts: &Parts, errors: &mut Vec<SceneError>) -> boo
     for (index, mass) in scene.masses.iter().enumerate() {
         let part = parts.of(index);
         if !may_name(&mass.name) || !names.insert(mass.name.as_str()) {
-            // No spring can name a mass whose name is invalid. Only the invalid name is reported, not the missing
-            // support.
+            // No spring can name a mass whose name is invalid. The code therefore reports only the invalid name, not
+            // the missing support.
             sound = false;
         } else if !held.contains(&part) {
             floating.entry(part).or_default().push(mass.name.clone());

@@ -83,7 +83,7 @@ fn check_points(scene: &Scene, points: &[[f64; 2]], errors: &mut Vec<SceneError>
         if level < 0.0 {
             errors.push(SceneError::StribeckNegative { path, value: level });
         } else if stiction < level && stiction >= 1.0 {
-            // An invalid μ is reported by another check.
+            // Another check reports a μ that is not at least 1.
             errors.push(SceneError::StribeckAboveStatic {
                 path,
                 value: level,
@@ -115,8 +115,8 @@ fn check_finite(value: f64, path: Path, what: &str, errors: &mut Vec<SceneError>
     false
 }
 
-/// Reports steady states in the emitted code of a scene with several contacts. They take ratios, but the speeds of the
-/// friction law need the amplitude of the load.
+/// Reports `orbit` in a scene with several contacts and a friction law. Emitted steady states take only the ratios r
+/// and β, but the speeds of the friction law need the amplitude of the load.
 fn check_amplitude(scene: &Scene, checks: &Checks, errors: &mut Vec<SceneError>) {
     let orbit = scene
         .provide

@@ -14,13 +14,13 @@ use frictiongen::{Of, Regime};
 /// The quantity of a motion that a curve shows over frequency: amplitude, phase, rate, or one harmonic.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Reading {
-    /// The amplitude of the motion. If the contact is stuck, it is the amplitude of the motion about the centred
-    /// position. The contact may have stopped at many positions, so other amplitudes are possible.
+    /// The amplitude of the motion. For a stuck contact, this amplitude assumes the centred position of the contact.
+    /// The contact may have stopped at other positions, with other amplitudes.
     Amplitude,
     /// The phase of the motion in degrees.
     Phase,
-    /// The value of a [`MotionQuantity`], such as the largest velocity or acceleration of the motion. The curve must
-    /// have been computed with it.
+    /// The value of a [`MotionQuantity`], such as the largest velocity or acceleration of the motion. The request for
+    /// the curve must have included this quantity.
     Rate(MotionQuantity),
     /// The amplitude of one harmonic of the motion. The number is the harmonic's index among the requested harmonics.
     Harmonic(usize),
@@ -40,14 +40,15 @@ pub struct Drawn<'a> {
     pub colour: Colour,
 }
 
-/// Largest difference of phase between two neighbouring points of a phase curve that a line joins, in rad.
+/// Largest difference of phase, in rad, between two neighbouring points that a line joins. A larger difference is a
+/// jump of the phase.
 const TURN: f64 = 0.6;
-/// A figure shows a phase only if the amplitude is at least this fraction of the median amplitude of the piece. At a
-/// smaller amplitude the phase is mostly rounding error, because an amplitude has an error of about 1e-13 of the
+/// Smallest amplitude at which a figure shows the phase, as a fraction of the median amplitude of the curve piece. At a
+/// smaller amplitude the phase is mostly rounding error, because the amplitude has an error of about 1e-13 of the
 /// largest term of its sum.
 const VANISHING: f64 = 1e-10;
 
-/// Returns the stroke of a line, such as dotted, in which curves show a regime.
+/// Returns the stroke that marks a regime in the curves, such as dotted for a stuck contact.
 pub(super) fn stroke(regime: Regime) -> Stroke {
     match regime {
         Regime::Stuck => Stroke::Dotted,
@@ -160,7 +161,8 @@ fn phases(piece: &CurvePiece, part: usize, reading: Reading, scales: &Scales) ->
     let sizes: Vec<Point> = sizes
         .filter_map(|point| Some((point.r, reading.polar(point, part)?.0)))
         .collect();
-    // Points are dense near a pole. The median is therefore taken over the frequency range, not over the points.
+    // Near a pole the points are dense. The code therefore takes the median over the frequency range, not over the
+    // points.
     let least = VANISHING * exceeded(&sizes, 0.5);
     let mut runs: Vec<Vec<Point>> = vec![Vec::new()];
     let mut before: Option<f64> = None;
@@ -194,8 +196,7 @@ fn phases(piece: &CurvePiece, part: usize, reading: Reading, scales: &Scales) ->
 const FULL: f64 = std::f64::consts::TAU;
 
 /// Returns the layers that draw the motion `part` of a curve: one line for each regime, and dots for motions that do
-/// not settle. All lines have the same name in the legend. If their strokes differ, the legend shows the colour
-/// alone.
+/// not become periodic. All lines have the same legend name. If their strokes differ, the legend shows only the colour.
 #[must_use]
 pub fn lines(
     drawn: &Drawn<'_>,
@@ -214,8 +215,8 @@ pub fn lines(
         layers.push(Line::new(drawn.name.clone(), drawn.colour, stroke(regime), runs).into());
     }
     if !reading.is_phase() {
-        // The amplitudes of a motion that does not settle lie irregularly. Each of them is a piece with a single
-        // point, which is drawn as a dot.
+        // A motion that does not become periodic has irregular amplitudes, which no line should join. Each amplitude is
+        // a piece with a single point, and the figure shows it as a dot.
         let lone = drawn
             .curve
             .pieces
@@ -236,8 +237,8 @@ pub fn lines(
     layers
 }
 
-/// Returns a panel that shows the motion `part` of several curves over frequency. The ranges of the axes are fitted
-/// to the curves.
+/// Returns a panel that shows the motion `part` of several curves over frequency. The axes have the range of the
+/// curves.
 #[must_use]
 pub fn panel(
     title: impl Into<Label>,
@@ -295,9 +296,9 @@ fn phase_axis(drawn: &[Drawn<'_>], part: usize, reading: Reading, scales: &Scale
     Axis::new("phase *φ* (degrees)", low, high).degrees()
 }
 
-/// Returns the upper end of the amplitude axis of several curves. The axis shows all amplitudes of a curve without a
-/// pole. For a curve with a pole, at which the amplitude is unbounded, it shows the amplitudes over nine tenths of
-/// the frequency range.
+/// Returns the upper end of the amplitude axis of several curves. For a curve without a pole, the axis shows all
+/// amplitudes. For a curve with a pole, where the amplitude is unbounded, the axis shows the amplitudes over at least
+/// nine tenths of the frequency range.
 fn top(drawn: &[Drawn<'_>], part: usize, reading: Reading, scales: &Scales) -> f64 {
     let mut largest = 0.0_f64;
     for drawn in drawn {
@@ -314,7 +315,7 @@ fn top(drawn: &[Drawn<'_>], part: usize, reading: Reading, scales: &Scales) -> f
         };
         let most = points().fold(0.0, |most, (_, size)| size.max(most));
         let shown = if pole {
-            // A curve exceeds this amplitude over less than a tenth of its frequency range.
+            // With this upper end, the axis cuts off a curve over less than a tenth of its frequency range.
             (1.3 * exceeded(&points().collect::<Vec<_>>(), 0.1)).min(most)
         } else {
             most
@@ -324,8 +325,8 @@ fn top(drawn: &[Drawn<'_>], part: usize, reading: Reading, scales: &Scales) -> f
     if largest > 0.0 { 1.06 * largest } else { 1.0 }
 }
 
-/// Returns the amplitude that a curve exceeds over the fraction `share` of its frequency range. Each point is a
-/// frequency ratio with an amplitude.
+/// Returns the amplitude that a curve exceeds over the fraction `share` of its frequency range. Each point of the curve
+/// has a frequency ratio r and an amplitude.
 fn exceeded(points: &[Point], share: f64) -> f64 {
     let mut parts: Vec<Point> = points
         .windows(2)
@@ -346,8 +347,8 @@ fn exceeded(points: &[Point], share: f64) -> f64 {
     0.0
 }
 
-/// Returns a figure of response curves, with one row of panels for each requested motion: the amplitude on the left,
-/// the phase on the right. A velocity, an acceleration and other values of [`MotionQuantity`] have a panel without a
+/// Returns a figure of response curves, with one row of panels for each requested motion. The left panel shows the
+/// amplitude, the right panel the phase. A velocity, an acceleration or another [`MotionQuantity`] has no panel for a
 /// phase.
 #[must_use]
 pub fn curve_figure(
@@ -385,8 +386,8 @@ mod tests {
     use frictiongen::study::response::MotionQuantity;
     use frictiongen::{Of, System};
 
-    /// Checks that the figure shows a phase wherever it has significant digits. The test uses the last mass of a long
-    /// chain, which hardly moves at high frequency.
+    /// Checks that the figure shows a phase wherever the phase has significant digits. The test uses the last mass of a
+    /// long chain, which hardly moves at high frequency.
     #[test]
     fn phases_are_drawn_as_far_as_they_are_known() -> Result<(), Box<dyn std::error::Error>> {
         let chain: System = "struct Chain {
@@ -408,8 +409,8 @@ mod tests {
         Ok(())
     }
 
-    /// Checks the phases of a long chain, which lag by several turns. The figure must show them in (−180, 180] as well.
-    /// The legend must list the regimes that occur.
+    /// Checks the phases of a long chain, which lag by several turns. The figure must show these phases in (−180,
+    /// 180]. The legend must list the regimes that occur, and no others.
     #[test]
     fn pictures_have_one_turn_and_their_own_regimes() -> Result<(), Box<dyn std::error::Error>> {
         let chain: System = "struct Chain {

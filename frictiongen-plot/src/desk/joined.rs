@@ -13,7 +13,7 @@ pub struct ContactTrack {
     pub name: String,
     /// Relative displacement of the two sides of the contact, at each sample.
     pub displacement: Vec<f64>,
-    /// Force of the contact, at each sample.
+    /// Force of the contact at each sample, in the unit of the force axis.
     pub force: Vec<f64>,
     /// True at each sample at which the contact sticks.
     pub sticks: Vec<bool>,
@@ -91,7 +91,8 @@ impl JoinedMotion {
         panel
     }
 
-    /// Returns the panel with the hysteresis loop of a contact: its force against its relative displacement.
+    /// Returns the panel with the hysteresis loop of a contact, which is the contact force against the relative
+    /// displacement.
     fn hysteresis(&self, contact: &ContactTrack, colour: Colour) -> Panel {
         let x = contact.displacement.iter().copied();
         let f = contact.force.iter().copied();
@@ -105,8 +106,8 @@ impl JoinedMotion {
 }
 
 impl ContactTrack {
-    /// Returns the lines that draw a curve of the contact: solid where the contact slides, and dotted where it
-    /// sticks.
+    /// Returns the lines that draw a curve of the contact. The stroke is solid while the contact slides, and dotted
+    /// while it sticks.
     fn lines(&self, path: &[Point], colour: Colour) -> Vec<Line> {
         let name = || Label::verbatim(&self.name);
         let lines = [(false, Stroke::Solid), (true, Stroke::Dotted)];
@@ -119,9 +120,8 @@ impl ContactTrack {
     }
 }
 
-/// Returns the pieces of a path in which the contact sticks if `wanted` is true, and otherwise the pieces in which it
-/// slides. The contact sticks in an interval if it sticks at both samples. An interval in which sticking begins or ends
-/// therefore counts as sliding.
+/// Returns the pieces of a path in which the contact sticks if `wanted` is true, and otherwise the pieces in which the
+/// contact slides. Between two samples the contact counts as sticking only if it sticks at both samples.
 fn pieces(path: &[Point], sticks: &[bool], wanted: bool) -> Vec<Vec<Point>> {
     let mut pieces: Vec<Vec<Point>> = Vec::new();
     let mut open = false;
@@ -179,15 +179,15 @@ pub fn joined_motion_figure(title: impl Into<Label>, motion: &JoinedMotion) -> F
 pub struct JoinedCurve {
     /// Name of the curve in the legend, such as the friction.
     pub name: Label,
-    /// For each frequency, its value on the axis and the regime of the steady state. Without a steady state the
-    /// regime is `None`.
+    /// For each frequency, the value on the frequency axis and the regime of the steady state. The regime is `None` if
+    /// no steady state was found.
     pub points: Vec<(f64, Option<Regime>)>,
-    /// For each panel, a list with the value at each frequency. Without a steady state the value is NaN.
+    /// For each panel, a list with the value at each frequency. The value is NaN if no steady state was found.
     pub values: Vec<Vec<f64>>,
 }
 
-/// Returns a figure of responses over frequency, with one panel for each pair of title and axis label. The stroke of
-/// a line shows whether all contacts slide, some stick, or all are stuck.
+/// Returns a figure of responses over frequency. The figure has one panel for each pair of title and axis label. The
+/// stroke of a line shows the regime: all contacts slide, some stick, or all are stuck.
 #[must_use]
 pub fn joined_curve_figure(
     title: impl Into<Label>,

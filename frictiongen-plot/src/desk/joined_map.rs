@@ -4,15 +4,17 @@ use super::map::{AxisCells, upper};
 use super::scales::Scales;
 use crate::{Axis, Cells, Colour, Figure, Fill, Label, Line, Panel, Point, Raster, Stroke};
 
-/// If a map has more classes than this number, all further sets of contacts that never slide share one class.
+/// Largest number of classes of which each has its own colour. In a map with more classes, all further sets of contacts
+/// that never slide share one class.
 const CLASSES: usize = 6;
 
-/// The class of one cell of a map: which contacts slide in the steady state at its frequency and friction.
+/// The class of one cell of a map. It says which contacts slide in the steady state at the cell's frequency and
+/// friction.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub enum JoinedClasses {
     /// All contacts slide all the time.
     Slide,
-    /// Some contacts stick for a part of the period, and every contact slides for a part of it.
+    /// Some contacts stick during a fraction of the period, but every contact slides at some time.
     Stick,
     /// The named contacts never slide, and all other contacts slide.
     Held(String),
@@ -28,7 +30,7 @@ pub enum JoinedClasses {
 pub enum JoinedCells {
     /// The class of each cell.
     Regimes(Vec<JoinedClasses>),
-    /// The value of each cell, after the label of the colour bar.
+    /// The value of each cell. The first field is the label of the colour bar.
     Values(Label, Vec<f64>),
 }
 

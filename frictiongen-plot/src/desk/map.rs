@@ -19,8 +19,8 @@ pub enum Shade {
     Amplitude(usize),
 }
 
-/// Number of cells along an axis of a map whose sampled values are not evenly spaced. An axis with evenly spaced
-/// values has one cell for each value.
+/// Number of cells along an axis of a map, if the sampled values on this axis are not evenly spaced. If they are evenly
+/// spaced, the axis has one cell for each value.
 const CELLS: usize = 400;
 
 /// Returns a figure of a map over frequency and friction. Lines over the map show the limits of [`LimitLines`] and
@@ -116,7 +116,7 @@ pub fn map_panel(
     panel.with(continuous).with(sliding)
 }
 
-/// The cells of a map along one axis: cells of equal width, each with the sampled value that it shows.
+/// The cells of a map along one axis. All cells have the same width, and each cell shows one sampled value.
 pub(super) struct AxisCells {
     /// Lower and upper end of the range that the cells cover.
     pub ends: (f64, f64),
@@ -141,7 +141,8 @@ impl AxisCells {
         });
         if even {
             let half = 0.5 * step;
-            // The outer cells reach half a cell beyond the first and the last value, but not below 0.
+            // The first and the last value are in the middle of their cells. The cells therefore extend beyond these
+            // values by half a cell, but not below 0.
             return Self {
                 ends: ((low - half).max(0.0), high + half),
                 places: (0..values.len()).collect(),
@@ -170,9 +171,9 @@ fn values(places: &SampledPlaces<'_>, read: impl Fn(&MapPoint) -> f64) -> Vec<f6
     places.iter().map(value).collect()
 }
 
-/// Returns the upper end of a map's colour scale, and the largest value of its cells. The end is at most twice the
-/// value that nine tenths of the cells do not exceed. Without this bound, large values near a pole would give all
-/// other cells the same colour.
+/// Returns the upper end of a map's colour scale, and the largest value of its cells. The upper end is at most twice
+/// the value that nine tenths of the cells do not exceed. Otherwise large values near a pole would give all other cells
+/// the same colour.
 pub(super) fn upper(cells: &[f64]) -> (f64, f64) {
     let mut finite: Vec<f64> = cells
         .iter()
@@ -221,8 +222,8 @@ fn classes(places: &SampledPlaces<'_>) -> Cells {
     }
 }
 
-/// Classes of a map that shows numbers of stops. Each class has its name and the index of its colour. The classes for
-/// continuous motion, two stops and stuck have the same colours as in a map of regimes.
+/// Classes of a map that shows the number of stops in a period. Each class has its name and the index of its colour.
+/// The classes for continuous motion, two stops and stuck have the same colours as in a map of regimes.
 const STOPS: [(&str, usize); 8] = [
     ("continuous", 0),
     ("reversals only", 7),
@@ -257,8 +258,7 @@ fn stops(places: &SampledPlaces<'_>) -> Cells {
     }
 }
 
-/// Returns the name in the legend of a map for the class of a motion. Motions with rare numbers of stops share a
-/// class.
+/// Returns the legend name of the class to which a motion belongs. Motions with rare numbers of stops share a class.
 fn class(pattern: Pattern) -> String {
     match (pattern.regime, pattern.period, pattern.stops) {
         (Regime::Continuous, ..) => "continuous".to_owned(),
@@ -294,8 +294,8 @@ fn trace(map: &Map, boundaries: &[Boundary], scales: &Scales) -> Vec<Vec<Point>>
             .filter(inner)
             .filter(|boundary| boundary.r == column.r)
         {
-            // A boundary continues the nearest line that ends in the previous column and separates the same two
-            // motions.
+            // A boundary continues a line that ends in the previous column and separates the same two motions. The code
+            // takes the nearest such line.
             let fits = |(at, line): &(usize, Vec<&Boundary>)| {
                 let last = line.last()?;
                 let same = last.below == boundary.below && last.above == boundary.above;

@@ -5,13 +5,13 @@ use crate::{Across, Axis, Colour, Figure, Guide, Label, Line, Panel, Point, Stro
 use frictiongen::study::history::{History, Spectrum, Track};
 use std::f64::consts::PI;
 
-/// A figure of a spectrum shows the lines with at least this fraction of the amplitude of the largest line.
+/// Smallest amplitude of a spectral line that a figure shows, as a fraction of the amplitude of the largest line.
 const FLOOR: f64 = 1e-5;
 
-/// Returns a figure of a motion: the displacements and the friction force against time, and the phase portraits. If
-/// the contact is among the motions, the figure also shows its hysteresis loop, the friction force against the slip.
-/// The area of the loop of one period is the energy that the contact dissipates in that period. If `turned` is true,
-/// the figure shows the contact's displacement and force with the opposite sign.
+/// Returns a figure of a motion: displacements and friction force against time, and phase portraits. If the contact is
+/// among the motions, the figure also shows the hysteresis loop, which is the friction force against the slip. The area
+/// of the loop of one period is the energy that the contact dissipates in that period. If `turned` is true, the figure
+/// reverses the signs of the contact's displacement and force.
 #[must_use]
 pub fn history_figure(
     title: impl Into<Label>,
@@ -135,7 +135,7 @@ fn loop_panel(slip: &[f64], force: &[f64], scales: &Scales) -> Panel {
     Panel::new(title, across, up).with(Line::unnamed(Colour::Black, Stroke::Solid, vec![path]))
 }
 
-/// Returns the panel with the lines added as its top layers.
+/// Returns the panel with these lines added on top of its other layers.
 fn with_lines(panel: Panel, lines: Vec<Line>) -> Panel {
     lines
         .into_iter()

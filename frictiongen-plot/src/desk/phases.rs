@@ -2,17 +2,18 @@
 
 use crate::Point;
 
-/// Differences of phase up to this angle, in degrees, count as rounding errors.
+/// Largest difference of two phases, in degrees, that counts as a rounding error.
 const SEAM: f64 = 1e-6;
 
-/// Adds whole turns to a phase in degrees, so that it lies in (−180, 180]. The tables of the program show this value.
+/// Adds whole turns to a phase in degrees, so that the result lies in (−180, 180]. The tables of the program show the
+/// same value.
 #[must_use]
 pub fn principal(phase: f64) -> f64 {
     phase - 360.0 * ((phase - 180.0 - SEAM) / 360.0).ceil()
 }
 
-/// Folds phase curves in degrees into (−180, 180]. Each run is a list of points that a line joins. A line that leaves
-/// the range at one end continues as a new run at the other end. The function leaves out runs of a single point,
+/// Folds phase curves in degrees into (−180, 180]. Each list of points in `runs` is a curve. A curve that leaves the
+/// range at one end continues as a new curve at the other end. The function leaves out curves of a single point,
 /// because no line can show them.
 #[must_use]
 pub fn folded(runs: &[Vec<Point>]) -> Vec<Vec<Point>> {
@@ -25,7 +26,7 @@ pub fn folded(runs: &[Vec<Point>]) -> Vec<Vec<Point>> {
             if let Some(((last_x, last_phase), last_turn)) = last
                 && last_turn != turn
             {
-                // The end of the range that the line crosses before it continues at the other end.
+                // The line crosses this end of the range, and then continues at the opposite end.
                 let border = if last_phase < phase { 180.0 } else { -180.0 };
                 let share = (border - last_turn - last_phase) / (phase - last_phase);
                 let middle = last_x + share.clamp(0.0, 1.0) * (x - last_x);
@@ -42,8 +43,7 @@ pub fn folded(runs: &[Vec<Point>]) -> Vec<Vec<Point>> {
     folded
 }
 
-/// Returns the range of an axis for these phases in degrees: 0 to 180 if no phase is negative, and otherwise −180 to
-/// 180.
+/// Returns the range of a phase axis in degrees: 0 to 180 if no phase is negative, otherwise −180 to 180.
 #[must_use]
 pub fn phase_ends(phases: impl Iterator<Item = f64>) -> (f64, f64) {
     // A phase may differ from 0 by rounding.

@@ -4,13 +4,13 @@ use super::scales::Scales;
 use crate::{Axis, Colour, Fill, Label, Line, Panel, Point, Region, Stroke};
 use frictiongen::study::map::LimitLines;
 
-/// Name of the area above β*_lim and below β_lim, where the motion depends on the initial state.
+/// Name of the area above β*_lim and below β_lim. In this area the initial state decides if the contact slides or
+/// sticks.
 const BISTABLE: &str = "sliding or stuck, by the start";
-/// A figure shows the area whose motion depends on the initial state only if its height is at least this fraction of
-/// the height of the axis.
+/// Smallest height of the area with two possible regimes that a figure shows, as a fraction of the height of the axis.
 const SEEN: f64 = 1e-3;
 
-/// Returns the limits β_lim and β*_lim as lines over frequency. The lines are cut off at four times the friction
+/// Returns the limits β_lim and β*_lim as lines over frequency. The code caps both limits at four times the friction
 /// ratio `top`.
 #[must_use]
 pub fn limit_lines(lines: &LimitLines, top: f64, scales: &Scales, colour: Colour) -> [Line; 2] {
@@ -36,8 +36,8 @@ pub fn limit_lines(lines: &LimitLines, top: f64, scales: &Scales, colour: Colour
     ]
 }
 
-/// Returns a panel of the regimes over frequency, up to the friction ratio `top`. It shows named areas and the lines
-/// of the limits β_lim and β*_lim.
+/// Returns a panel of the regimes over frequency, up to the friction ratio `top`. The panel shows named areas and the
+/// lines of the limits β_lim and β*_lim.
 #[must_use]
 pub fn regimes(title: impl Into<Label>, lines: &LimitLines, top: f64, scales: &Scales) -> Panel {
     let low = lines.points.first().map_or(0.0, |point| point.0);
@@ -76,7 +76,7 @@ pub fn regimes(title: impl Into<Label>, lines: &LimitLines, top: f64, scales: &S
             continue;
         }
         let mut region = Region::between(name, Fill::Class(fill), &drawn);
-        // The area whose motion depends on the initial state is a narrow wedge, without space for its long name.
+        // The area with two possible regimes is a narrow wedge, without space for its long name.
         let room = (name != BISTABLE).then(|| roomiest(&places, top)).flatten();
         if let Some((r, beta)) = room {
             region = region.named_at((scales.frequency(r), scales.friction(beta)));
@@ -110,9 +110,9 @@ impl AreaEdge {
     }
 }
 
-/// Returns the position in an area that has the most space for its name, or `None` if no position has enough. Each
-/// item of `places` is a frequency ratio with the lower and the upper edge of the area. The area is cut off at the
-/// friction ratio `top`.
+/// Returns the frequency ratio and friction ratio at which an area has the most space for its name, or `None` without
+/// enough space. Each item of `places` is a frequency ratio with the lower and the upper edge of the area. The area
+/// counts only up to the friction ratio `top`.
 fn roomiest(places: &[(f64, f64, f64)], top: f64) -> Option<(f64, f64)> {
     let first = places.first()?.0;
     let width = places.last()?.0 - first;
@@ -124,8 +124,8 @@ fn roomiest(places: &[(f64, f64, f64)], top: f64) -> Option<(f64, f64)> {
             (low.max(place.1), high.min(place.2))
         });
         let height = high - low;
-        // Several positions may have nearly the same space. The code prefers the position nearest to the middle of
-        // the area.
+        // Several positions may have nearly the same space. The code then prefers the position nearest to the middle of
+        // the frequency range.
         let aside = (2.0 * (at - first) / width - 1.0).abs();
         let room = height * (1.0 - 0.7 * aside);
         if 0.06 * top < height && best.is_none_or(|best| best.2 < room) {

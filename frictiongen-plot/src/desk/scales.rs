@@ -6,8 +6,8 @@ use frictiongen::{Of, System};
 
 /// Smallest value at the lower end of a logarithmic amplitude axis, as a fraction of the value at the upper end.
 const DECADES: f64 = 1e-6;
-/// Margin of a logarithmic amplitude axis, as a factor. The upper end is the largest value times this factor, and the
-/// lower end is the smallest value divided by it.
+/// Margin of a logarithmic amplitude axis, as a factor. The upper end is the largest value times this factor. The lower
+/// end is the smallest value divided by this factor.
 const LOG_ROOM: f64 = 1.2;
 
 /// Units in which a figure shows frequencies, frictions, displacements and times: the non-dimensional groups, or
@@ -21,12 +21,11 @@ pub struct Scales {
     base_motion: bool,
     /// Angular frequency at the frequency ratio r = 1, in rad/s.
     reference: f64,
-    /// Exponent n of the load, whose amplitude is proportional to r⁻ⁿ, with the frequency ratio r.
+    /// Exponent n of the load: its amplitude is proportional to r⁻ⁿ. For a load of constant amplitude n is 0.
     fall: i32,
     /// True if the amplitudes of the figure are forces, such as those of a spring.
     force: bool,
-    /// Angular frequency ω of the motion in rad/s, with which the figure shows seconds. `None` if the figure shows τ
-    /// = ωt.
+    /// Angular frequency ω of the motion in rad/s, which converts τ to seconds. `None` if the figure shows τ = ωt.
     omega: Option<f64>,
     /// True for a logarithmic frequency axis.
     log_frequency: bool,
@@ -52,7 +51,7 @@ impl Scales {
         }
     }
 
-    /// Returns these units, but with frequencies in Hz.
+    /// Returns a copy of these units, but with frequencies in Hz.
     #[must_use]
     pub fn in_hertz(self, system: &System) -> Self {
         Self {
@@ -61,7 +60,7 @@ impl Scales {
         }
     }
 
-    /// Returns these units, but with forces in N and displacements in mm, under the given load.
+    /// Returns a copy of these units, but with forces in N and displacements in mm, under the given load.
     #[must_use]
     pub fn under(self, load: LoadScale) -> Self {
         Self {
@@ -70,9 +69,8 @@ impl Scales {
         }
     }
 
-    /// Returns these units, but for a load whose amplitude depends on the frequency ratio r. The amplitude is
-    /// proportional to r⁻ⁿ, where n is `fall`. [`under`](Self::under) sets the amplitude at r = 1. Other `Scales` are
-    /// for a load of constant amplitude (n = 0).
+    /// Returns a copy of these units for a load whose amplitude is proportional to r⁻ⁿ, where n is `fall`.
+    /// [`under`](Self::under) sets the amplitude at r = 1. Without this call the load has a constant amplitude (n = 0).
     #[must_use]
     pub fn falling(self, fall: i32) -> Self {
         Self { fall, ..self }
@@ -84,8 +82,8 @@ impl Scales {
         self.length(ratio * self.unit_at(r))
     }
 
-    /// Returns the amplitude of the load at the frequency ratio r, divided by its amplitude at r = 1. Returns 1 in
-    /// non-dimensional groups.
+    /// Returns the amplitude of the load at the frequency ratio r, divided by the amplitude of the load at r = 1.
+    /// Returns 1 in non-dimensional groups.
     fn unit_at(&self, r: f64) -> f64 {
         match self.load {
             Some(_) => r.powi(-self.fall),
@@ -93,7 +91,8 @@ impl Scales {
         }
     }
 
-    /// Returns these units, but with times in seconds. `omega` is the angular frequency of the motion in rad/s.
+    /// Returns a copy of these units, but with times in seconds. `omega` is the angular frequency of the motion in
+    /// rad/s.
     #[must_use]
     pub fn at(self, omega: f64) -> Self {
         Self {
@@ -102,7 +101,7 @@ impl Scales {
         }
     }
 
-    /// Returns these units, but for the amplitudes of the motion `of`. The amplitudes of a spring and of the base
+    /// Returns a copy of these units for the amplitudes of the motion `of`. The amplitudes of a spring and of the base
     /// shear are forces.
     #[must_use]
     pub fn showing(self, of: Of) -> Self {
@@ -112,8 +111,8 @@ impl Scales {
         }
     }
 
-    /// Returns these units with the given scales of the axes. A true `frequency` makes the frequency axis
-    /// logarithmic, and a true `amplitude` the amplitude axes.
+    /// Returns a copy of these units with other scales of the axes. If `frequency` is true, the frequency axis is
+    /// logarithmic. If `amplitude` is true, the amplitude axes are.
     #[must_use]
     pub fn with_log(self, frequency: bool, amplitude: bool) -> Self {
         Self {
@@ -129,13 +128,13 @@ impl Scales {
         let label = self.frequency_label();
         match self.log_frequency {
             true => Axis::log(label, low, high),
-            // A linear axis begins at 0 if its least value is less than a fourth of its largest.
+            // If the smallest frequency is less than a fourth of the largest, a linear axis begins at 0.
             false => Axis::new(label, if low < 0.25 * high { 0.0 } else { low }, high),
         }
     }
 
-    /// Returns an axis of amplitudes up to `high`. A linear axis begins at 0. A logarithmic axis begins somewhat
-    /// below the smallest positive value, or about six decades below `high` if that is higher.
+    /// Returns an axis of amplitudes up to `high`. A linear axis begins at 0. A logarithmic axis begins just below the
+    /// smallest positive value, but at most about six decades below `high`.
     #[must_use]
     pub fn amplitude_axis(
         &self,
@@ -266,7 +265,7 @@ impl Scales {
         self.swept_name(beta, "")
     }
 
-    /// Returns the name of a friction ratio in the legend, followed by the text `what`, such as `, swept up`.
+    /// Returns the legend name of a friction ratio, followed by the text `what`, such as `, swept up`.
     #[must_use]
     pub fn swept_name(&self, beta: f64, what: &str) -> Label {
         let value = short(self.friction(beta));
@@ -276,16 +275,16 @@ impl Scales {
         }
     }
 
-    /// Returns the name of a limit in the legend: F_lim in newtons, or β_lim as a ratio. `mark` follows the symbol,
-    /// and `what` explains the limit.
+    /// Returns the legend name of a limit: F_lim in newtons, or β_lim as a ratio. `mark` follows the symbol, and
+    /// `what` explains the limit.
     #[must_use]
     pub(super) fn limit_name(&self, mark: &str, what: &str) -> Label {
         let symbol = if self.load.is_some() { "F" } else { "β" };
         format!("*{symbol}*_lim{mark}, {what}").into()
     }
 
-    /// Converts the non-dimensional displacement or force `ratio` to the unit of its axis. With a load this is mm or
-    /// N. Without a load the number stays.
+    /// Converts the non-dimensional displacement or force `ratio` to the unit of its axis. With a load this unit is mm
+    /// or N. Without a load the function returns `ratio` unchanged.
     #[must_use]
     pub fn length(&self, ratio: f64) -> f64 {
         if self.force {
@@ -296,7 +295,7 @@ impl Scales {
     }
 
     /// Converts the value `ratio` of a [`MotionQuantity`] at the frequency ratio r to the unit of its axis. In
-    /// non-dimensional groups the number stays.
+    /// non-dimensional groups the function returns `ratio` unchanged.
     #[must_use]
     pub fn rate_at(&self, size: MotionQuantity, r: f64, ratio: f64) -> f64 {
         let Some(load) = self.load else {

@@ -3,8 +3,8 @@
 use crate::{End, Excitation, Label, Sketch, SketchContact, Slider, Spring};
 use frictiongen::study::scene::{self, Node, Scene};
 
-/// Returns the sketch of a scene whose excitation is a recording. The sketch shows *y*(*t*) or *f*(*t*) instead of a
-/// cosine, and the masses have the names of the scene.
+/// Returns the sketch of a scene whose excitation is a recording. The masses have the names of the scene. The label of
+/// the excitation is *y*(*t*) or *f*(*t*) instead of a cosine.
 #[must_use]
 pub fn sketch_under_record(scene: &Scene) -> Sketch {
     let mut sketch = sketch(scene, true);
@@ -16,8 +16,8 @@ pub fn sketch_under_record(scene: &Scene) -> Sketch {
     sketch
 }
 
-/// Returns the sketch of a scene. If `own_names` is true, the masses have the names of the scene, and otherwise the
-/// symbols of the theory, such as *m*₁. Springs are numbered in the order of the description.
+/// Returns the sketch of a scene. If `own_names` is true, the masses have the names of the scene. Otherwise they have
+/// the symbols of the theory, such as *m*₁. Springs are numbered in the order of the description.
 #[must_use]
 pub fn sketch(scene: &Scene, own_names: bool) -> Sketch {
     let end = |node: Node| match node {

@@ -207,7 +207,8 @@ impl<const N: usize> IntervalSeries<N> {
         let counted = Self::trimmed(&counted.terms);
         let mut series = Self::fixed(self.value().exp());
         for k in 1..N {
-            // k·e_k = Σ j a_j e_{k−j}.
+            // The coefficients e_k of the exponential follow from k·e_k = Σ j a_j e_{k−j}, with the coefficients a_j of
+            // this series.
             let sum = Self::convolved(counted, &series.terms, k, 1);
             if let Some(term) = series.terms.get_mut(k) {
                 *term = sum.divided_by(k as f64);
@@ -243,7 +244,8 @@ impl<const N: usize> IntervalSeries<N> {
         let mut root = Self::fixed(self.value().sqrt());
         let inverse = Interval::ONE / root.value().doubled();
         for k in 1..N {
-            // a_k = 2 b_0 b_k + Σ_{0<j<k} b_j b_{k−j}. At this point b_k is still 0 in the convolution.
+            // The coefficients b_k of the root follow from a_k = 2 b_0 b_k + Σ_{0<j<k} b_j b_{k−j}. At this point b_k
+            // is still 0 in the convolution.
             let known = Self::convolved(&root.terms, &root.terms, k, 1);
             if let Some(term) = root.terms.get_mut(k) {
                 *term = (self.term(k) - known) * inverse;
@@ -271,7 +273,8 @@ impl<const N: usize> IntervalSeries<N> {
             let next = ((2 * j + 2) * (2 * j + 3)) as f64;
             weight = -(weight * square / Interval::point(next));
         }
-        // Horner's scheme gives each derivative divided by k!, from the highest order down.
+        // Horner's scheme gives each derivative of the power series, divided by k! for order k, from the highest order
+        // down.
         let away = {
             let mut away = *self;
             if let Some(first) = away.terms.first_mut() {
@@ -327,8 +330,8 @@ impl<const N: usize> IntervalSeries<N> {
         refined
     }
 
-    /// Returns bounds on the polynomial's values for all t in an interval: the intersection of two bounds, by the
-    /// mean value form at the middle and by plain interval evaluation.
+    /// Returns bounds on the polynomial's values for all t in an interval. The result is the intersection of two
+    /// bounds. They come from the mean value form at the middle and from plain interval evaluation.
     #[must_use]
     pub fn range(&self, t: Interval) -> Interval {
         let middle = Interval::point(t.middle());

@@ -71,8 +71,8 @@ impl<const N: usize> Div for IntervalSeries<N> {
         let divisor = Self::trimmed(&other.terms);
         let inverse = Interval::ONE / other.value();
         for k in 0..N {
-            // Divisor times quotient is the numerator: a_k = Σ b_j q_{k−j}. The sum over j ≥ 1 is already known, so
-            // the equation gives q_k.
+            // The numerator a is the divisor b times the quotient q, so a_k = Σ b_j q_{k−j}. The sum over j ≥ 1 is
+            // already known, so the equation gives q_k.
             let known = Self::convolved(divisor, &quotient.terms, k, 1);
             if let Some(term) = quotient.terms.get_mut(k) {
                 *term = (self.term(k) - known) * inverse;

@@ -64,7 +64,7 @@ fn coefficients() {
             .map(|k| formula_at(Dd::from(low + step * f64::from(k))))
             .collect();
         for order in 0..6 {
-            // f[x_0, …, x_k] is f⁽ᵏ⁾/k! at some point between x_0 and x_k.
+            // The divided difference f[x_0, …, x_k] is f⁽ᵏ⁾/k! at some point between x_0 and x_k.
             let interval = over.term(order);
             let slack = 1e-12 * 100_f64.powi(order as i32);
             for difference in &differences {

@@ -6,7 +6,7 @@ use frictiongen_model::validate::Path;
 use super::resolve::Lowering;
 use crate::parse::syntax::{Fields, JointEntry, SpringEntry};
 
-/// Contacts and dashpots of a scene. Each has a reference to its entry in the description.
+/// The contacts and dashpots of a scene, each with a reference to its entry in the description.
 pub(super) struct LoweredJoints<'s> {
     pub(super) joints: Joints,
     pub(super) contacts: Vec<&'s JointEntry>,
@@ -14,7 +14,7 @@ pub(super) struct LoweredJoints<'s> {
 }
 
 impl<'s> Lowering<'s, '_> {
-    /// Returns those contacts and dashpots of the description whose nodes exist.
+    /// Returns the contacts and dashpots of the description, except those with a node that does not exist.
     pub(super) fn joints(&mut self, fields: &'s Fields) -> LoweredJoints<'s> {
         let mut lowered = LoweredJoints {
             joints: Joints::default(),
@@ -45,7 +45,7 @@ impl<'s> Lowering<'s, '_> {
 
     fn named_contact(&mut self, entry: &'s JointEntry, lowered: &mut LoweredJoints<'s>) {
         self.checks.joints &= entry.complete;
-        // The code looks up both nodes before it stops at an error, so that errors in both nodes are reported.
+        // The code looks up both nodes before it returns an error, so that it reports errors in both nodes.
         let (from, to) = (self.node(&entry.from), self.node(&entry.to));
         let (Ok(from), Ok(to)) = (from, to) else {
             self.checks.joints = false;

@@ -31,8 +31,7 @@ impl Located<'_> {
         self.places.of(path)
     }
 
-    /// Returns the position of the field `contacts`. If the description does not have it, returns that of the field
-    /// `dampers`.
+    /// Returns the position of the field `contacts`. Without this field, returns the position of the field `dampers`.
     #[must_use]
     pub fn joints(&self) -> TokenPosition {
         self.places.joints()

@@ -8,10 +8,10 @@ use crate::parse::syntax::{
     AccuracyEntry, DampingKind, JointEntry, LawEntry, ProvideEntry, SpringEntry, Syntax,
 };
 
-/// Links from the items of a scene to their entries in the description.
+/// The entries of a description from which the items of a scene come.
 pub(super) struct Places<'s> {
     pub(super) syntax: &'s Syntax,
-    /// Entry in the description for each spring of the scene. Faulty springs are missing here, as in the scene.
+    /// Entry in the description for each spring of the scene. Springs with errors are in neither list.
     pub(super) springs: Vec<&'s SpringEntry>,
     /// Entry in the description for each contact of the field `contacts`.
     pub(super) contacts: Vec<&'s JointEntry>,
@@ -19,7 +19,8 @@ pub(super) struct Places<'s> {
     pub(super) dampers: Vec<&'s SpringEntry>,
     /// Entry in the description for each item of the field `provide`.
     pub(super) provide: Vec<&'s ProvideEntry>,
-    /// Name, as written, of each mass in the field `force`: the masses on which the stepper may apply a force.
+    /// Name, as written in the description, of each mass in the field `force`. The stepper may apply a force to these
+    /// masses.
     pub(super) force: Vec<&'s Name>,
 }
 
@@ -97,8 +98,7 @@ impl Places<'_> {
         }
     }
 
-    /// Returns the position of the field `contacts`. If the description does not have it, returns that of the field
-    /// `dampers`.
+    /// Returns the position of the field `contacts`. Without this field, returns the position of the field `dampers`.
     pub(super) fn joints(&self) -> TokenPosition {
         let fields = &self.syntax.fields;
         let contacts = fields.contacts.given().map(|placed| placed.place);

@@ -1,4 +1,4 @@
-//! Reads as much of a faulty description as is needed to determine the methods of the type that it describes.
+//! Reads a description with errors as far as necessary to find out which methods its type has.
 
 use std::collections::HashSet;
 
@@ -8,7 +8,7 @@ use frictiongen_model::validate::may_name;
 use crate::parse::Name;
 use crate::parse::syntax::Syntax;
 
-/// The fields of a faulty description that determine the methods of its type.
+/// The fields of a description with errors that determine the methods of its type.
 pub struct Readable<'s> {
     /// The masses whose names are valid method names.
     pub mass_names: Vec<&'s Name>,
@@ -16,7 +16,7 @@ pub struct Readable<'s> {
     pub precision: Precision,
     /// True if the excitation is a motion of the base.
     pub on_base: bool,
-    /// Masses on which the stepper may apply a force. The entries are indices into `mass_names`.
+    /// Masses on which the stepper may apply a force, as indices into `mass_names`.
     pub forces: Vec<usize>,
     /// True if the description declares the step of a stepper.
     pub has_step: bool,

@@ -1,4 +1,4 @@
-//! Resolves names to masses, and checks those parts of the scene that the parser could read.
+//! Resolves names to masses, and checks the scene as far as the parser could read it.
 
 use std::collections::{HashMap, HashSet};
 
@@ -12,7 +12,7 @@ use crate::parse::suggest;
 use crate::parse::syntax::{Fields, SpringEntry, Syntax};
 use crate::parse::{Name, Number};
 
-/// Returns the scene of a description and reports all errors.
+/// Returns the scene of a description, and reports all errors that the names and values cause.
 pub(super) fn resolve<'s>(
     syntax: &'s Syntax,
     most_masses: usize,
@@ -87,8 +87,8 @@ pub(super) fn resolve<'s>(
     };
     if let Err(errors) = validate_known(&scene, &checks) {
         for error in errors {
-            // The scene has NaN in place of a number that the parser could not read. The parser has already reported
-            // this error.
+            // The parser has already reported every number that it could not read. The scene has NaN instead of such a
+            // number, and needs no second error.
             if !unread.contains(&error.path()) {
                 problems.report(places.of(error.path()), error.to_string());
             }
@@ -103,7 +103,7 @@ fn report_missing(syntax: &Syntax, problems: &mut Problems) {
         .name
         .as_ref()
         .map_or("the scene".to_owned(), |name| format!("`{}`", name.text));
-    // The advice names a mass of the scene, if one exists.
+    // The error message advises the user with the name of a mass of the scene, if a mass exists.
     let entries = fields
         .masses
         .given()
@@ -169,7 +169,7 @@ impl<'s> Names<'s> {
                 place
             });
         }
-        // A description without any mass gets one error in total, not one for each name that it uses.
+        // A description without masses gets one error in total, not an error for each name in it.
         let complete = masses.list.complete && !order.is_empty();
         Self {
             index,
@@ -179,7 +179,7 @@ impl<'s> Names<'s> {
     }
 }
 
-/// The conversion of a syntax tree to a scene, while it is under way.
+/// The state of a conversion from a syntax tree to a scene.
 pub(super) struct Lowering<'s, 'p> {
     names: Names<'s>,
     pub(super) problems: &'p mut Problems,
@@ -189,8 +189,8 @@ pub(super) struct Lowering<'s, 'p> {
 }
 
 impl<'s> Lowering<'s, '_> {
-    /// Returns the value of a number. If the parser could not read the number, returns NaN and stores the path of the
-    /// number. The parser has then already reported the error.
+    /// Returns the value of a number. If the parser could not read the number, it has already reported the error. The
+    /// function then returns NaN and stores the path of the number.
     pub(super) fn number(&mut self, number: Number, path: Path) -> f64 {
         number.value.unwrap_or_else(|| {
             self.unread.insert(path);
@@ -198,7 +198,8 @@ impl<'s> Lowering<'s, '_> {
         })
     }
 
-    /// Returns the index of the mass with this name. `supports` lists the other words that are valid in its place.
+    /// Returns the index of the mass with this name. `supports` lists the other words (`base`, `wall`) that the field
+    /// accepts instead of a mass.
     pub(super) fn mass(&mut self, name: &Name, supports: &[&str]) -> Result<usize, Reported> {
         let text = name.text.as_str();
         if let Some(&index) = self.names.index.get(text) {
@@ -264,7 +265,7 @@ impl<'s> Lowering<'s, '_> {
             .collect()
     }
 
-    /// Returns the springs whose two nodes exist. With each spring comes its entry in the description.
+    /// Returns the springs whose two nodes exist, and the entry of each spring in the description.
     fn springs(&mut self, fields: &'s Fields) -> (Vec<Spring>, Vec<&'s SpringEntry>) {
         let (mut springs, mut entries) = (Vec::new(), Vec::new());
         let Some(written) = fields.springs.given() else {
@@ -275,7 +276,7 @@ impl<'s> Lowering<'s, '_> {
         };
         self.checks.springs = written.list.complete;
         for entry in &written.list.entries {
-            // The code looks up both nodes before it stops at an error, so that errors in both nodes are reported.
+            // The code looks up both nodes before it returns an error, so that it reports errors in both nodes.
             let (from, to) = (self.node(&entry.from), self.node(&entry.to));
             let (Ok(from), Ok(to)) = (from, to) else {
                 self.checks.springs = false;

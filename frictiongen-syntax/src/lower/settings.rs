@@ -44,7 +44,7 @@ impl<'s> Lowering<'s, '_> {
             || matches!(fields.beyond, Slot::Broken)
             || matches!(fields.proof, Slot::Broken);
         if broken {
-            // The parser has already reported the error. Without this field the other declarations cannot be checked.
+            // The parser has already reported the error. The other declarations cannot be checked without this field.
             return Declared::default();
         }
         let accuracy = match fields.accuracy.given() {
@@ -101,8 +101,8 @@ impl<'s> Lowering<'s, '_> {
         let Slot::Given(Placed { list, .. }) = &fields.provide else {
             return default();
         };
-        // A list whose entries are all faulty counts as missing. Only a list without any written entry is a separate
-        // error.
+        // A list whose entries all have errors counts as missing. Only a list without any written entry is an error of
+        // its own.
         if list.entries.is_empty() && !list.complete {
             return default();
         }
@@ -145,7 +145,7 @@ impl<'s> Lowering<'s, '_> {
                 Err(Reported) => sound = false,
             }
         }
-        // If all entries of a list are faulty, the list becomes empty. This is not a separate error.
+        // If all entries of a list have errors, the list becomes empty. This is not an error of its own.
         Provide::Motion((sound || !masses.is_empty()).then_some(masses))
     }
 }

@@ -25,8 +25,8 @@ impl<'s> Lowering<'s, '_> {
         FrictionLaw::Stribeck(points.collect())
     }
 
-    /// Returns the settings of the stepper. The list has the name, as written, of each mass in the field `force`: the
-    /// masses on which the stepper may apply a force.
+    /// Returns the settings of the stepper, and the names of the masses in the field `force`, as written in the
+    /// description. The stepper may apply a force to these masses.
     pub(super) fn stepping(&mut self, fields: &'s Fields) -> (StepperOptions, Vec<&'s Name>) {
         let (mut forces, mut entries) = (Vec::new(), Vec::new());
         let written = fields.force.given();

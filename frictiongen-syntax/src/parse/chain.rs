@@ -87,7 +87,8 @@ fn spring(
     )
 }
 
-/// Parses `node - node: number`. Messages name the entry by `what`, and the two sides of its colon by `parts`.
+/// Parses `node - node: number`. In error messages, `what` names the entry, and `parts` names the two sides of the
+/// entry's colon.
 pub(crate) fn link(
     reader: &mut TokenReader<'_>,
     problems: &mut Problems,
@@ -182,7 +183,7 @@ pub(crate) fn excitation(reader: &mut TokenReader<'_>, problems: &mut Problems) 
         .into()
 }
 
-/// Parses a list in braces, `{ …, … }`. `read` parses the entries of the list.
+/// Parses a list in braces, `{ …, … }`. The function `read` parses each entry.
 pub(crate) fn braces<T>(
     reader: &mut TokenReader<'_>,
     problems: &mut Problems,

@@ -111,7 +111,7 @@ fn part(
         );
         return Err(problems.report(dots, message));
     }
-    // `..=` is accepted as `..`, because the range includes both bounds in either case.
+    // The range includes both bounds, so `..=` means the same as `..` here.
     let _ = reader.take_punct('=');
     let high = number(reader, problems);
     if !high.clean {
@@ -123,7 +123,7 @@ fn part(
     Ok(())
 }
 
-/// Parses the side of the declared accuracy: `near` or `safe`.
+/// Parses the side on which limits may err: `near` (either side) or `safe` (only the safe side).
 pub(crate) fn side(reader: &mut TokenReader<'_>, problems: &mut Problems) -> Read<Choice<Side>> {
     choice(
         reader,
@@ -133,7 +133,7 @@ pub(crate) fn side(reader: &mut TokenReader<'_>, problems: &mut Problems) -> Rea
     )
 }
 
-/// Parses what the emitted code does outside the declared range: `error` or `exact`.
+/// Parses the behaviour of the emitted code outside the declared range: `error`, or `exact` for the exact formulas.
 pub(crate) fn beyond(
     reader: &mut TokenReader<'_>,
     problems: &mut Problems,

@@ -80,7 +80,7 @@ fn names() -> impl Iterator<Item = &'static str> {
     FIELDS.iter().map(|&(name, _)| name)
 }
 
-/// Returns true if the next tokens begin a known field. `crate: …` begins a field, even before a path as in `crate:
+/// Returns true if a known field begins at the next token. `crate: …` begins a field, even with a path as in `crate:
 /// ::path`. `crate::path` does not begin a field.
 pub(crate) fn begins(reader: &TokenReader<'_>) -> bool {
     matches!(reader.peek(0), Some(Token { kind: TokenKind::Word(text), .. }) if known(text).is_some())
@@ -121,7 +121,7 @@ fn field(
         let message = "`contact` takes one contact; write both as `contacts: { pads: m1 - wall, brace: base - m1 }`, or delete this one";
         return Err(problems.report(place, message));
     }
-    // An unknown field without a colon gets only the error for its name.
+    // If the name of a field is unknown and the colon is missing, the parser reports only the unknown name.
     let field = recognise(&word, reader, problems).ok_or(Reported)?;
     reader.take_colon(problems, "the name of a field and its value")?;
     match field {
@@ -217,11 +217,11 @@ fn field(
     }
 }
 
-/// Words that users may take for the name of a field with the friction force or friction ratio. A description must not
-/// contain a field with this name, because the user gives the friction with each computation.
+/// Wrong names of fields for the friction force or the friction ratio. A description must not contain the friction,
+/// because the user gives it with each computation.
 const AMOUNTS: [&str; 4] = ["friction_force", "friction_ratio", "beta", "coulomb"];
 
-/// Words that users write by mistake in place of a field's name. Each group of words has its own message.
+/// Words that users write by mistake instead of the name of a field, in groups with a common message.
 const ASKED: [(&[&str], &str); 2] = [
     (
         &["frequency", "frequency_ratio", "omega", "r"],
@@ -230,8 +230,8 @@ const ASKED: [(&[&str], &str); 2] = [
     (&["mu", "static_friction"], "did you mean `stiction`?"),
 ];
 
-/// Returns the field that a word names. For a misspelt word, reports the error and returns the intended field, so
-/// that the parser does not also report this field as missing.
+/// Returns the field that a word names. For a misspelt word, the function reports the error and returns the intended
+/// field. The parser then does not also report this field as missing.
 fn recognise(word: &Name, reader: &TokenReader<'_>, problems: &mut Problems) -> Option<Field> {
     let text = word.text.as_str();
     if AMOUNTS.contains(&text) {
@@ -258,7 +258,8 @@ fn recognise(word: &Name, reader: &TokenReader<'_>, problems: &mut Problems) -> 
     })
 }
 
-/// Parses the value of a field and stores it. If the description has the field twice, the first value is kept.
+/// Parses the value of a field and stores it. If the description has the field twice, the function keeps the first
+/// value.
 fn store<'t, T>(
     slot: &mut Slot<T>,
     word: &Name,
@@ -319,7 +320,7 @@ fn facade(reader: &mut TokenReader<'_>, problems: &mut Problems) -> Read<RustPat
     )
 }
 
-/// Parses words joined by `::`. Returns `None` if Rust does not accept a path here.
+/// Parses words joined by `::`. Returns `None` if the words are not a path that Rust accepts.
 pub(crate) fn path(reader: &mut TokenReader<'_>) -> Option<RustPath> {
     let mut path = RustPath {
         segments: Vec::new(),

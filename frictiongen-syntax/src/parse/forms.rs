@@ -21,7 +21,8 @@ const PROVIDE: [&str; 7] = [
     "self_check",
 ];
 
-/// Parses what the velocities of damping are relative to: `rest` or `base`.
+/// Parses the reference of the velocities in the damping: `rest` for absolute velocities, or `base` for velocities
+/// relative to the moving base.
 pub(crate) fn damping_from(
     reader: &mut TokenReader<'_>,
     problems: &mut Problems,
@@ -61,7 +62,8 @@ pub(crate) fn damping(reader: &mut TokenReader<'_>, problems: &mut Problems) -> 
             };
         }
     };
-    // The parser consumes the bracket even if its numbers are faulty, so that the reader is at the end of the entry.
+    // The parser consumes the bracket even if the numbers in it have errors, so that the reader is at the end of the
+    // entry.
     Read {
         value: kind.ok().map(|kind| DampingEntry { place, kind }),
         clean: true,
@@ -139,7 +141,7 @@ fn rayleigh(
     }
 }
 
-/// Parses the numbers in parentheses. Fails if, after an error, the index of a number in the list is uncertain.
+/// Parses the numbers in parentheses. Fails if an error leaves it uncertain which number has which index.
 fn arguments(mut inside: Inside<'_>, problems: &mut Problems) -> Result<Vec<Number>, Reported> {
     let list = numbers(&mut inside.reader, problems);
     if list.complete {

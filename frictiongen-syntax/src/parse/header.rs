@@ -11,8 +11,8 @@ use crate::diagnostics::{Problems, TokenPosition};
 const FORM: &str =
     "write `struct Name { masses: { … }, springs: { … }, contact: …, excitation: … }`";
 
-/// Attributes that may precede a description: documentation, lint levels and deprecation. The macro replaces the struct
-/// by several items, and any other attribute would apply to only one of the items.
+/// Attributes that may precede a description: documentation, lint levels and deprecation. The parser rejects all
+/// others, because the macro replaces the struct by several items, and an attribute would apply to only one of them.
 const ATTRIBUTES: [&str; 7] = [
     "doc",
     "allow",
@@ -97,8 +97,8 @@ fn attribute(
     }
 }
 
-/// Returns, in the words of `syn`, the reason why the form of an attribute is wrong. Ignores numbers and comments.
-/// Does not check the expression after `=`, because only emitted code contains it.
+/// Returns the reason, in the words of `syn`, why the form of an attribute is wrong. The function ignores numbers and
+/// comments. It does not check the expression after `=`, because this expression appears only in emitted code.
 fn fault(mut reader: TokenReader<'_>) -> Option<&'static str> {
     reader.next();
     let ignored = |token: &&Token| {
@@ -188,7 +188,7 @@ pub(crate) fn name(reader: &mut TokenReader<'_>, problems: &mut Problems) -> Opt
                 format!("a scene begins with `struct`, but here is {found}; {FORM}")
             },
         );
-        // `enum Name {` and `Name {` resemble a description enough for the parser to continue.
+        // The user probably means a struct by `enum Name {` or `Name {`. The parser reports the error and continues.
         if is_kind {
             reader.next();
         } else if !is_name {

@@ -62,7 +62,7 @@ pub(crate) fn dampers(
     )
 }
 
-/// Reports the error `message` if a list is empty, and returns the list.
+/// Returns the list, and reports the error `message` if the list is empty.
 fn filled<T>(read: Read<Placed<T>>, problems: &mut Problems, message: &str) -> Read<Placed<T>> {
     match &read.value {
         Some(placed) if placed.list.entries.is_empty() && placed.list.complete => {

@@ -1,7 +1,7 @@
 //! Splits the text of a description into tokens.
 //!
-//! The compiler's lexer is not used here. Within a macro it gives every token of a text the position of the macro
-//! call. Outside a macro it keeps every text in memory, and its errors have no messages.
+//! The module does not use the compiler's lexer. Within a macro, that lexer gives every token of a text the position of
+//! the macro call. Outside a macro it keeps every text in memory, and its errors have no messages.
 
 use core::str::Chars;
 
@@ -10,8 +10,8 @@ use unicode_ident::{is_xid_continue, is_xid_start};
 use super::token::{DEEPEST, Delimiter, TOO_DEEP, Token, TokenKind};
 use crate::diagnostics::{Problems, Reported, TokenPosition};
 
-/// Returns the tokens of a text, and the position of its end. Fails only if a bracket or a comment is not closed.
-/// Reports and skips stray characters.
+/// Returns the tokens of a text, and the position of the end of the text. Fails only if a bracket or a comment is not
+/// closed. Reports and skips stray characters.
 pub(crate) fn lex(
     text: &str,
     problems: &mut Problems,
@@ -38,7 +38,7 @@ struct Lexer<'t, 'p> {
 struct Open {
     bracket: Delimiter,
     place: TokenPosition,
-    /// The tokens before the bracket, on the same level.
+    /// The tokens before this bracket, in the list that contains the bracket.
     before: Vec<Token>,
 }
 
@@ -46,8 +46,8 @@ impl Lexer<'_, '_> {
     fn run(&mut self) -> Result<Vec<Token>, Reported> {
         let mut open: Vec<Open> = Vec::new();
         let mut tokens = Vec::new();
-        // The braces of a description are nested at most two deep. If a third level occurs, the second brace was
-        // probably never closed.
+        // A valid description nests braces at most two deep. At a third level, the user has probably forgotten to close
+        // the second brace.
         let mut suspect = None;
         while let Some(next) = self.peek(0) {
             let place = self.place();

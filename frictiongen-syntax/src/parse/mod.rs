@@ -1,7 +1,7 @@
 //! Parses a description into a syntax tree with positions. The parser does not resolve names.
 //!
-//! The parser reports every error and then continues: within a list with the next entry, otherwise with the next
-//! field.
+//! After each error the parser continues, so that it reports every error. Within a list it continues with the next
+//! entry, outside a list with the next field.
 
 mod chain;
 mod declared;
@@ -65,8 +65,8 @@ pub fn parse_tokens(tokens: &[Token], end: TokenPosition, problems: &mut Problem
     syntax
 }
 
-/// Parses a description of which only the names count, because the caller has already reported an error that makes
-/// all further errors meaningless. The result counts as a description without fields.
+/// Parses only the names in a description. The caller has already reported an error that makes all further errors
+/// meaningless, so the function reports none. The result counts as a description without fields.
 #[must_use]
 pub fn parse_faulty(tokens: &[Token], end: TokenPosition) -> Syntax {
     let mut syntax = parse_tokens(tokens, end, &mut Problems::default());
@@ -74,7 +74,7 @@ pub fn parse_faulty(tokens: &[Token], end: TokenPosition) -> Syntax {
     syntax
 }
 
-/// Returns the tokens within the brackets of a macro call, if the whole text is a macro call around a description.
+/// Returns the tokens within the brackets of a macro call, if the text is a macro call around a description.
 fn call<'t>(reader: &mut TokenReader<'t>, problems: &mut Problems) -> Option<TokenReader<'t>> {
     const NAME: &str = "friction_system";
     let mut ahead = *reader;

@@ -11,7 +11,7 @@ pub(crate) struct Number {
     pub(crate) place: TokenPosition,
 }
 
-/// Parses a number. The result for a faulty number has a position but no value.
+/// Parses a number. If the number has an error, the result has a position but no value.
 pub(crate) fn number(reader: &mut TokenReader<'_>, problems: &mut Problems) -> Read<Number> {
     let place = reader.place();
     let result = sum(reader, problems).and_then(|value| {
@@ -68,8 +68,8 @@ fn product(reader: &mut TokenReader<'_>, problems: &mut Problems) -> Result<f64,
     }
 }
 
-/// Parses a number with signs before it. A loop reads the signs, because recursion over a million signs would exhaust
-/// the stack.
+/// Parses a number with any signs before it. The function reads the signs in a loop, because recursion over a million
+/// signs would exhaust the stack.
 fn signed(reader: &mut TokenReader<'_>, problems: &mut Problems) -> Result<f64, Reported> {
     let mut negative = false;
     loop {
@@ -133,7 +133,7 @@ fn single(reader: &mut TokenReader<'_>, problems: &mut Problems) -> Result<f64, 
 const NO_POWERS: &str =
     "there are no powers in a number; multiply instead, for example `2.0 * 2.0`";
 
-/// Reports frequent errors directly after the number `value`, each with advice.
+/// Reports frequent errors directly after the number `value`, such as a unit, each with advice.
 fn check_after(
     reader: &mut TokenReader<'_>,
     value: f64,
@@ -148,8 +148,8 @@ fn check_after(
             "a percentage is written as a fraction; write `{}` for {value} %",
             hundredth(value)
         ),
-        // A name before a colon or a hyphen begins the next entry. It is not a unit of the number. Only the comma
-        // before it is missing.
+        // A name before a colon or a hyphen begins the next entry, because the comma before the name is missing. The
+        // name is not a unit.
         TokenKind::Word(text) if !reader.is_punct(1, ':') && !reader.is_punct(1, '-') => {
             no_unit(text)
         }
@@ -165,7 +165,8 @@ fn no_unit(unit: &str) -> String {
     )
 }
 
-/// Returns a hundredth of a number. The function shifts the decimal point of the text, so that 7 gives exactly 0.07.
+/// Returns a number divided by 100. The function shifts the decimal point in the text of the number, so that 7 gives
+/// exactly 0.07.
 pub(crate) fn hundredth(value: f64) -> f64 {
     format!("{value}e-2").parse().unwrap_or(value / 100.0)
 }
@@ -175,7 +176,7 @@ fn unit_of(digits: &str) -> Option<&str> {
     let end = digits.find(|sign: char| sign.is_ascii_alphabetic())?;
     let (number, unit) = digits.split_at_checked(end)?;
     let (number, unit) = match unit.strip_prefix(['e', 'E']) {
-        // In `2e6N` the unit begins only after the exponent.
+        // In `2e6N` the letter e belongs to the exponent, and the unit begins after it.
         Some(rest) => {
             let power = rest.find(|sign: char| sign.is_ascii_alphabetic())?;
             digits.split_at_checked(number.len() + 1 + power)?
@@ -209,7 +210,7 @@ fn literal(text: &str, place: TokenPosition, problems: &mut Problems) -> Result<
     nonzero(value, !is_zero, place, problems)
 }
 
-/// Reports an error if the result of a computation overflows, or underflows to zero.
+/// Reports an error if a computation overflows, or if its nonzero result underflows to zero.
 fn nonzero(
     value: f64,
     expected: bool,

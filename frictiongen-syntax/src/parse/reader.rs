@@ -12,7 +12,7 @@ pub struct Name {
     pub place: TokenPosition,
 }
 
-/// The tokens of a bracket, or of the whole description, that are not yet read.
+/// The unread tokens in a bracket, or in the whole description.
 #[derive(Clone, Copy)]
 pub(crate) struct TokenReader<'t> {
     rest: &'t [Token],
@@ -25,7 +25,7 @@ pub(crate) struct Inside<'t> {
     pub(crate) place: TokenPosition,
 }
 
-/// A parsed item. `clean` is false if, after an error, the position of the reader is uncertain.
+/// A parsed item. `clean` is false if an error leaves the position of the reader uncertain.
 pub(crate) struct Read<T> {
     pub(crate) value: Option<T>,
     pub(crate) clean: bool,
@@ -82,7 +82,7 @@ impl<'t> TokenReader<'t> {
         self.rest.is_empty()
     }
 
-    /// Returns the number of unread tokens. A function that leaves this number unchanged has read nothing.
+    /// Returns the number of unread tokens, by which a caller can check that a function has read any tokens.
     pub(crate) fn left(&self) -> usize {
         self.rest.len()
     }
@@ -98,7 +98,7 @@ impl<'t> TokenReader<'t> {
             .map_or_else(|| "the end".to_owned(), Token::describe)
     }
 
-    /// Returns the advice for a number where a name is expected. The usual cause is a decimal comma, because the
+    /// Returns advice about a decimal comma, for an error where a number follows although a name is expected. The
     /// parser reads `1,2` as two entries.
     pub(crate) fn comma_hint(&self) -> &'static str {
         match self.peek(0).map(|token| &token.kind) {
@@ -143,7 +143,7 @@ impl<'t> TokenReader<'t> {
         })
     }
 
-    /// If the next token is a bracket of the kind `wanted`, returns its inside.
+    /// If the next token is a bracket of the type `wanted`, returns the tokens inside the bracket.
     pub(crate) fn take_group(&mut self, wanted: Delimiter) -> Option<Inside<'t>> {
         let token = self.peek(0)?;
         match &token.kind {
@@ -162,7 +162,8 @@ impl<'t> TokenReader<'t> {
         }
     }
 
-    /// Reads the colon between a name and its value. If there is `=` instead, reports it as an error and continues.
+    /// Reads the colon between a name and its value. If the text has `=` instead of the colon, the function reports the
+    /// error and continues.
     pub(crate) fn take_colon(
         &mut self,
         problems: &mut Problems,
@@ -188,14 +189,14 @@ impl<'t> TokenReader<'t> {
         ))
     }
 
-    /// Skips tokens up to the next comma, or up to a token at which `begins` finds the start of an entry.
+    /// Skips tokens up to the next comma, or up to the start of an entry. `begins` returns true at such a start.
     fn recover(&mut self, begins: impl Fn(&Self) -> bool) {
         while !self.is_empty() && !self.is_punct(0, ',') && !begins(self) {
             self.next();
         }
     }
 
-    /// Reports and skips doc comments and attributes where they have no meaning.
+    /// Skips doc comments and attributes in a position where they have no meaning, and reports an error for each.
     fn skip_attributes(&mut self, problems: &mut Problems) {
         loop {
             let place = self.place();
@@ -222,9 +223,9 @@ impl<'t> TokenReader<'t> {
         }
     }
 
-    /// Parses entries that are separated by commas. After a faulty entry the function continues with the next entry.
-    /// `begins` returns true if an entry begins at the next token although the comma before it is missing. After an
-    /// error that leaves the position of the reader uncertain, `begins_after_error` answers this question.
+    /// Parses entries that are separated by commas. After an entry with an error, the function continues with the next
+    /// entry. `begins` returns true if an entry begins at the next token although the comma is missing.
+    /// `begins_after_error` replaces `begins` after an error that leaves the position of the reader uncertain.
     pub(crate) fn list<T>(
         &mut self,
         problems: &mut Problems,

@@ -12,8 +12,8 @@ use super::syntax::{Choice, FrictionEntry, LawEntry, Placed};
 use super::token::{Delimiter, Token, TokenKind};
 use crate::diagnostics::{Problems, Reported, TokenPosition};
 
-/// Returns the advice for a friction force in a description, which must not have one. `amount` is the token of its
-/// number.
+/// Returns advice for a user who gives a friction force in a description, which must not contain one. `amount` is the
+/// token of the force.
 pub(crate) fn how_much(amount: Option<&Token>) -> String {
     let force = match amount.map(|token| &token.kind) {
         Some(TokenKind::Number(text)) => text.as_str(),
@@ -52,14 +52,16 @@ pub(crate) fn friction(
             Err(reported)
         }
     };
-    // The parser consumes the bracket even if its points are faulty, so that the reader is at the end of the entry.
+    // The parser consumes the bracket even if the points in it have errors, so that the reader is at the end of the
+    // entry.
     Read {
         value: law.ok().map(|law| FrictionEntry { place, law }),
         clean: true,
     }
 }
 
-/// Parses the points of a friction law, in parentheses. Fails if, after an error, the index of a point is uncertain.
+/// Parses the points of a friction law, in parentheses. Fails if an error leaves it uncertain which point has which
+/// index.
 fn points(
     reader: &mut TokenReader<'_>,
     problems: &mut Problems,
@@ -105,7 +107,7 @@ fn point(
     })
 }
 
-/// Parses how the stepper interpolates its input: `hold` or `linear`.
+/// Parses the interpolation of the stepper's input within a step: `hold` (constant) or `linear`.
 pub(crate) fn input(
     reader: &mut TokenReader<'_>,
     problems: &mut Problems,

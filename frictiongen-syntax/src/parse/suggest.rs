@@ -1,7 +1,7 @@
 //! Suggests a correction for a misspelt word: "Did you mean …?"
 
-/// Length of the longest word for which a correction is searched. Longer words are hardly misspellings, and the
-/// search would be slow.
+/// Length, in letters, of the longest word for which the function searches a correction. A longer word is hardly a
+/// misspelling, and the search would be slow.
 const LONGEST: usize = 64;
 
 /// Returns the candidate that the author of a misspelt word most likely means, or `None`.
@@ -13,7 +13,8 @@ pub(crate) fn closest<'c>(
     if length > LONGEST {
         return None;
     }
-    // In a word of up to five letters only one may be wrong. With two wrong letters, `brace` would suggest `crate`.
+    // In a word of up to five letters only one letter may differ. With two wrong letters, `brace` would suggest
+    // `crate`.
     let allowed = (length / 3).max(1);
     candidates
         .into_iter()
@@ -24,13 +25,13 @@ pub(crate) fn closest<'c>(
                 candidate,
             )
         })
-        // A candidate that differs in every letter is not a correction.
+        // A candidate that differs from the word in every letter is not a likely correction.
         .filter(|&(steps, candidate)| steps <= allowed && steps < candidate.chars().count())
         .min_by_key(|&(steps, _)| steps)
         .map(|(_, candidate)| candidate)
 }
 
-/// Returns `; did you mean …?`, or the text of `otherwise` if no candidate is close.
+/// Returns `; did you mean …?` with the closest candidate, or the text of `otherwise` if no candidate is close.
 pub(crate) fn hint<'c>(
     word: &str,
     candidates: impl IntoIterator<Item = &'c str>,

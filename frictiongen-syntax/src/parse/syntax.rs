@@ -1,4 +1,5 @@
-//! The syntax tree: the words of a description with their positions. Names in it are not yet resolved.
+//! The syntax tree: the words of a description with their positions. The parser has not yet resolved the names in the
+//! tree.
 
 use frictiongen_model::scene::{Beyond, DampingFrom, Precision, Proving, Side, StepInput};
 
@@ -17,7 +18,7 @@ pub enum Attribute {
         /// The position of the doc comment.
         place: TokenPosition,
     },
-    /// An attribute. The parser checks only its name and its outer form.
+    /// An attribute of the struct. The parser checks only its name and its outer form.
     Other {
         /// The group in square brackets.
         group: Token,
@@ -98,7 +99,7 @@ pub(crate) struct ContactEntry {
     pub(crate) to: Name,
 }
 
-/// A contact of the field `contacts`, as written.
+/// A contact in the field `contacts` of a description.
 pub(crate) struct JointEntry {
     pub(crate) name: Name,
     pub(crate) from: Name,
@@ -170,7 +171,7 @@ pub(crate) enum LawEntry {
     Stribeck(Vec<[Number; 2]>),
 }
 
-/// The word that the description chooses among the allowed ones, with its position.
+/// One of the words that a field allows, as the description chooses it, with its position.
 pub(crate) struct Choice<T> {
     pub(crate) value: T,
     pub(crate) place: TokenPosition,
@@ -191,7 +192,7 @@ pub struct Syntax {
     pub visibility: Visibility,
     /// The name of the struct. `None` if the written name cannot be used.
     pub name: Option<Name>,
-    /// Position at which errors about missing fields are reported.
+    /// Position of an error about a missing field.
     pub(crate) place: TokenPosition,
     /// True if the description has braces with fields.
     pub(crate) has_body: bool,

@@ -1,4 +1,4 @@
-//! Tokens of a description with their positions. They come from the compiler or from a text.
+//! Tokens of a description with their positions. The tokens come from the compiler or from a text.
 
 use crate::TokenPosition;
 
@@ -28,8 +28,8 @@ pub enum TokenKind {
     Quoted {
         /// The string, character or byte, as written in the description.
         text: String,
-        /// The value, if the token is a string in a text. If the caller passes tokens, the caller's own list has the
-        /// value.
+        /// The value, if the token is a string in a text. For tokens that the caller passes, the value is in the
+        /// caller's own list.
         value: String,
     },
     /// A single character of punctuation.
@@ -45,7 +45,7 @@ pub enum TokenKind {
     },
     /// A doc comment (`///`) for the item that follows, in a text.
     Doc(String),
-    /// A doc comment (`//!`) for the item around it, in a text.
+    /// A doc comment (`//!`) for the item that contains it, in a text.
     InnerDoc,
 }
 

@@ -1,4 +1,4 @@
-//! Tests that a description that is written from a scene defines the same scene.
+//! Tests that a written description defines the same scene as the scene from which it was written.
 
 use super::written;
 use crate::read_scene;

@@ -289,7 +289,8 @@ pub(super) fn accelerations(channel: &Channel, dt: f64) -> Result<Vec<[f64; 2]>,
 /// Returns the slopes, per sample step, of the cubic spline through `values`. The spline begins with slope 0 and ends
 /// with curvature 0.
 fn spline_slopes(values: &[f64]) -> Vec<f64> {
-    // Spline equations: s₀ = 0; s_{i−1} + 4s_i + s_{i+1} = 3(y_{i+1} − y_{i−1}); s_{n−1} + 2s_n = 3(y_n − y_{n−1}).
+    // The slopes s_i at the samples y_i satisfy s₀ = 0, s_{i−1} + 4s_i + s_{i+1} = 3(y_{i+1} − y_{i−1}) and s_{n−1} +
+    // 2s_n = 3(y_n − y_{n−1}).
     let last = values.len().saturating_sub(1);
     let value = |index: usize| values.get(index).copied().unwrap_or(0.0);
     let mut factors = vec![0.0];
@@ -322,7 +323,8 @@ mod tests {
 
     #[test]
     fn a_spline_keeps_what_it_can() {
-        // The cubic y = s²(3n − s) begins at rest, and its curvature vanishes at the end.
+        // The cubic y = s²(3n − s) has slope 0 at s = 0 and curvature 0 at s = n. The spline has the same end
+        // conditions, so that it must reproduce this cubic.
         let n = 20_u32;
         let value = |s: f64| s * s * (3.0 * f64::from(n) - s);
         let slope = |s: f64| 6.0 * f64::from(n) * s - 3.0 * s * s;

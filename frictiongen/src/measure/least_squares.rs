@@ -8,18 +8,17 @@ use nalgebra::{DMatrix, DVector};
 
 /// Largest number of steps of a fit, including rejected steps.
 const MOST_STEPS: usize = 200;
-/// Limit of a step at which the fit ends. The fit ends if the last step, divided by the value of the parameter, is
-/// below this limit for every parameter. It also ends if the step changes all residuals together by less than this
-/// fraction of a standard deviation.
+/// Largest change of each parameter in the last step, divided by the value of the parameter, at which the fit ends. The
+/// fit also ends if the last step changes all residuals together by at most this fraction of a standard deviation.
 const SMALL: f64 = 1e-10;
 /// Factor by which the damping of the Gauss–Newton steps grows after a rejected step, and by which it shrinks after an
 /// accepted step (Marquardt's choice).
 const GROWTH: f64 = 10.0;
-/// Limit of a singular value, divided by the largest singular value. The data do not determine a direction in parameter
-/// space whose singular value is below this limit.
+/// Smallest singular value of a direction in parameter space that the data determine, divided by the largest singular
+/// value.
 const RANK: f64 = 1e-12;
-/// Largest component of a parameter in the undetermined directions, which have length 1. The data determine the
-/// parameter if none of its components exceeds this value.
+/// Largest |cosine| of the angle between the gradient of a quantity and an undetermined direction in parameter space.
+/// The data do not determine the quantity if the |cosine| is larger for any undetermined direction.
 const APART: f64 = 1e-6;
 
 /// Residuals of a fit, and their derivatives with respect to the parameters. The Jacobian has one column for each
@@ -88,8 +87,8 @@ impl FitResult {
 }
 
 /// Returns the scale of each parameter, by which the fit divides changes of the parameter. The scale is the larger of
-/// two numbers: the absolute value of the parameter, and the change that shifts the residuals by one standard
-/// deviation. For a parameter that tends to zero, the second number is larger.
+/// two numbers. The first is the absolute value of the parameter. The second is the change that shifts the residuals by
+/// one standard deviation. For a parameter that tends to zero, the second number is larger.
 fn sizes(parameters: &[f64], jacobian: &DMatrix<f64>) -> Vec<f64> {
     let columns = jacobian.column_iter();
     let sizes = parameters.iter().zip(columns).map(|(value, column)| {
@@ -146,7 +145,7 @@ pub(super) fn minimise(
             .iter()
             .zip(&at)
             .all(|(new, old)| (new - old).abs() <= SMALL * old.abs().max(SMALL));
-        // If a parameter tends to 0, its steps never become small compared with the parameter. In this case the change
+        // If a parameter tends to 0, the steps never become small compared with the parameter. In this case the change
         // of the residuals decides.
         let small = small || (&lines.jacobian * &step).norm() <= SMALL;
         let new = residuals(&moved).map(|values| values.norm_squared());

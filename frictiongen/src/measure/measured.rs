@@ -81,8 +81,8 @@ impl Measured {
     ///
     /// # Errors
     /// [`MeasureError`] for a channel that does not belong to the scene or has an impossible unit. [`MeasureError`]
-    /// also for a missing excitation or missing masses, for an excitation without motion or with a drift, for too few
-    /// cycles, and for a motion that is never steady.
+    /// also for a missing excitation or missing masses, and for an excitation without motion or with a drift.
+    /// [`MeasureError`] also for too few cycles, and for a motion that is never steady.
     pub fn of(recording: &Recording, scene: &Scene) -> Result<Self, MeasureError> {
         let places = places(recording, scene)?;
         let rate = recording.rate();
@@ -122,9 +122,9 @@ impl Measured {
         let masses = masses.map(|(place, channel)| Ok((*place, tone(channel, &kept(channel))?)));
         let masses = masses.collect::<Result<Vec<_>, MeasureError>>()?;
         let seconds = driven.len() as f64 / rate;
-        // The standard deviation of a phase from half of the record is √2 times that from the whole record. The middles
-        // of the two halves are T/2 apart, where T is the length of the record. The standard deviation of the frequency
-        // is therefore 2·phase/(2π·T/2).
+        // `phase` is the standard deviation of a phase from the whole record. For half of the record it is √2 times as
+        // large. The middles of the two halves are T/2 apart, where T is the length of the record. The standard
+        // deviation of the frequency is therefore 2·`phase`/(2π·T/2).
         let phase = drive_tone.deviation / drive_tone.fundamental().norm();
         Ok(Self {
             hertz: per_sample * rate,

@@ -38,8 +38,8 @@ pub struct Regression {
 }
 
 impl Recording {
-    /// Finds mass, viscous friction, Coulomb friction and offset from the position of an axis (the channel `axis`) and
-    /// the force on it (the channel `force`).
+    /// Finds mass, viscous friction, Coulomb friction and offset of an axis. The channel `axis` is the position of the
+    /// axis, and the channel `force` the force on the axis.
     ///
     /// The call divides both channels into windows of `seconds`, which should be short compared with the motion. It
     /// leaves out windows in which the direction changes. The windows do not overlap, so that their errors are
@@ -161,8 +161,8 @@ impl Window {
         };
         let whole: f64 = bump.iter().map(|[weight, ..]| weight).sum();
         let length = motion.len();
-        // The mean position is subtracted, because the absolute position has no meaning here and would add rounding
-        // errors.
+        // The code subtracts the mean position, because the absolute position has no meaning here and would add
+        // rounding errors.
         let mean = motion.iter().sum::<f64>() / length as f64;
         let motion: Vec<f64> = motion.iter().map(|q| (q - mean) * metres).collect();
         let quarters = motion.chunks(length.div_ceil(4));

@@ -74,8 +74,9 @@ struct Oscillator {
     damped: f64,
 }
 
-/// One time step of an oscillator, as a linear map. The state [u, u′] at the end of the step is a sum of two products:
-/// `state` times the state at the start, and `load` times the accelerations of the base at start and end.
+/// One time step of an oscillator, as a linear map. The state [u, u′] at the end of the step is the sum of two
+/// products. The first is `state` times the state at the start. The second is `load` times the accelerations of the
+/// base at start and end.
 #[derive(Clone, Copy, Debug)]
 struct OscillatorStep {
     state: [[f64; 2]; 2],
@@ -107,7 +108,7 @@ impl Oscillator {
     fn moved(&self, [u, v]: [f64; 2], a: f64, s: f64, t: f64) -> [f64; 2] {
         let (omega, decay) = (self.omega, self.zeta * self.omega);
         let stiffness = omega * omega;
-        // The particular solution is a line: −(a + st)/ω² + 2ζs/ω³.
+        // For the base acceleration a + st, the particular solution is the line −(a + st)/ω² + 2ζs/ω³.
         let slope = -s / stiffness;
         let line = |t: f64| slope * t - a / stiffness + 2.0 * self.zeta * s / (stiffness * omega);
         let first = u - line(0.0);

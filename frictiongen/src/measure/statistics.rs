@@ -48,8 +48,8 @@ pub(super) fn student(freedom: usize) -> f64 {
     0.5 * (low + high)
 }
 
-/// Number of degrees of freedom above which the code uses the normal distribution instead of Student's. The error is
-/// 2e-4.
+/// Largest number of degrees of freedom for which the code evaluates Student's distribution. For larger numbers, the
+/// code uses the distribution for this number. The error of the quantile is then about 2e-4 at most.
 const MANY: usize = 10_000;
 
 fn within(t: f64, freedom: usize) -> f64 {
@@ -57,8 +57,8 @@ fn within(t: f64, freedom: usize) -> f64 {
     let angle = (t / n.sqrt()).atan();
     let cosine_squared = angle.cos().powi(2);
     let odd = !freedom.min(MANY).is_multiple_of(2);
-    // The series for an even number of degrees of freedom is 1 + c²/2 + 3c⁴/8 + …, where c is the cosine of the angle.
-    // For an odd number it is c + 2c³/3 + ….
+    // With the cosine c of `angle`, the series is 1 + c²/2 + 3c⁴/8 + … for an even number of degrees of freedom. For an
+    // odd number it is c + 2c³/3 + ….
     let (mut term, mut k) = if odd { (angle.cos(), 1.0) } else { (1.0, 0.0) };
     let mut sum = 0.0;
     while k <= n - 2.0 {

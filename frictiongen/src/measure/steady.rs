@@ -120,8 +120,8 @@ fn steady_drive(name: &str, blocks: &Blocks, hertz: f64, seconds: f64) -> Result
     Ok(())
 }
 
-/// Fits straight lines to the phases of the blocks. Returns three numbers: the slope over the first half, the slope
-/// over the second half, and the largest distance of a phase from the line through all phases.
+/// Fits straight lines to the phases of the blocks. Returns the slope over the first half of the blocks, and the slope
+/// over the second half. The third number is the largest distance of a phase from the line through all phases.
 fn bend(phases: &[f64]) -> (f64, f64, f64) {
     let line = |part: &[f64]| {
         let n = part.len().max(1) as f64;

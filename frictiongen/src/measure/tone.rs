@@ -17,8 +17,8 @@ const BESIDE: f64 = 0.45;
 /// Largest distance of a spectral bin from a harmonic, in bins, at which the bin belongs to the harmonic and not to the
 /// noise.
 const LINE: f64 = 3.0;
-/// Number of bins from which the error of the noise estimate is below a tenth. If the band near the driving frequency
-/// has fewer bins, the code also uses the bins between the harmonics.
+/// Smallest number of spectral bins with which the relative error of the noise estimate is below 0.1. If the band near
+/// the driving frequency has fewer bins, the code also uses the bins between the harmonics.
 const ENOUGH_BINS: usize = 64;
 /// Smallest number of spectral bins from which the code estimates the noise.
 const FEWEST_BINS: usize = 12;
@@ -142,15 +142,16 @@ impl ToneBasis {
         Some(Tone {
             mean,
             harmonics,
-            // The amplitude of a harmonic is X = 2D/Σw. The real and the imaginary part of D each contribute half of
-            // |D|².
+            // D is the windowed spectrum Σ w x e^{−iωt}, and X = 2D/Σw is the amplitude of a harmonic. The real and the
+            // imaginary part of D each contribute half of the mean |D|².
             deviation: (2.0 * floor).sqrt() / whole,
             residual,
         })
     }
 
-    /// Returns the noise: the mean of |D|² near the driving frequency. D = Σ w x e^{−iωt} is the spectrum, with the
-    /// weights w of the window. x are the samples `left`, from which mean and harmonics are subtracted.
+    /// Returns the mean of |D|² near the driving frequency, as a measure of the noise. D = Σ w x e^{−iωt} is the
+    /// spectrum, with the window's weights w and the samples x in `left`. The samples in `left` no longer contain mean
+    /// and harmonics.
     fn floor(&self, left: &[f64], residual: f64) -> f64 {
         let count = left.len();
         let windowed = left.iter().zip(&self.window).map(|(x, w)| x * w);
@@ -198,7 +199,7 @@ fn normal(sums: &[Complex<f64>], harmonics: usize) -> DMatrix<f64> {
         if m < 0 { sum.conj() } else { sum }
     };
     let size = 2 * harmonics + 1;
-    // The columns belong to 1, cos ωt, sin ωt, cos 2ωt, …
+    // The columns of the matrix belong to the functions 1, cos ωt, sin ωt, cos 2ωt, …
     let order = |index: usize| {
         (
             index.div_ceil(2) as isize,
@@ -262,8 +263,7 @@ pub(super) fn frequency(samples: &[f64]) -> Option<f64> {
             let (_, harmonics) = basis.components(part)?;
             harmonics.first().map(|x| x.im.atan2(x.re))
         };
-        // The phase of a half refers to its middle. The middles of the two halves are apart by half of the number of
-        // samples.
+        // The phase of each half refers to the middle of that half. The two middles are `count`/2 samples apart.
         let apart = 0.5 * count as f64;
         let turns = (phase(second)? - phase(first)?) / TAU - found * apart;
         found += (turns - turns.round()) / apart;

@@ -18,7 +18,8 @@ use frictiongen_kernel::{Float, Plain};
 use frictiongen_model::reduced::Reduced;
 use std::ops::Deref;
 
-/// A run-time system at one frequency ratio, with its limits, regime and motions.
+/// A run-time system at one frequency ratio r. Its methods return the limits of the friction ratio, the regime and the
+/// motions.
 #[derive(Clone, Debug)]
 pub struct SystemAt<'a, S: Float = f64>(At<&'a System<S>>);
 
@@ -162,9 +163,9 @@ impl<'a, S: Plain> ProvidesOrbit for &'a System<S> {
 }
 
 impl<S: Float> System<S> {
-    /// Returns two results without a search: the limits β_lim and β*_lim, and the real part of r²EH. H is the
-    /// receptance of the contact, and E is the scale of the modal sums. The function is for damped chains, and for
-    /// chains with many modes.
+    /// Returns an upper bound on β_lim, the limit β*_lim, and the real part of r²EH, without a search over the cycle. H
+    /// is the receptance of the contact, and E is the scale of [`ContactAt`]. The function is for damped chains, and
+    /// for chains with many modes.
     ///
     /// The compiler must not inline this function. Otherwise the caller is longer, and slower for an undamped chain
     /// with one mass.

@@ -101,8 +101,9 @@ impl Builder {
         self
     }
 
-    /// Adds one of several contacts, with its name, its two nodes and its law. Use this method instead of `contact` if
-    /// the scene has several contacts. `System::joined` then solves the scene.
+    /// Adds a contact to a scene with several contacts, with its name, its two nodes, and its law (stiffness, μ and
+    /// share of the friction). Use this method instead of `contact` if the scene has several contacts. `System::joined`
+    /// then solves the scene.
     #[doc(hidden)]
     pub fn contact_named(mut self, name: &str, from: &str, to: &str, law: JointLaw) -> Self {
         let sides = (from.to_owned(), to.to_owned());
@@ -118,7 +119,8 @@ impl Builder {
         self
     }
 
-    /// Sets the excited node: a mass, on which a harmonic force acts, or `base`, which then moves.
+    /// Sets the excited node. If the node is a mass, a harmonic force acts on the mass. If it is `base`, the base
+    /// moves.
     pub fn excitation(mut self, node: &str) -> Self {
         self.excitation = Some(node.to_owned());
         self
@@ -143,9 +145,9 @@ impl Builder {
         self
     }
 
-    /// Sets the stiffness of an elastic contact (Jenkins element) in N/m. It is the stiffness of a spring in series
-    /// with the slider. Without this call the contact is rigid. An elastic contact never slides all the time, so that
-    /// its β_lim is 0.
+    /// Sets the stiffness of an elastic contact (Jenkins element) in N/m: the stiffness of the spring in series with
+    /// the slider. Without this call the contact is rigid. An elastic contact never slides all the time. Its limit of
+    /// continuous motion, β_lim, is therefore 0.
     pub fn stiffness(mut self, stiffness: f64) -> Self {
         self.stiffness = Some(stiffness);
         self
@@ -225,8 +227,8 @@ impl Builder {
                 }
             }
         };
-        // The further checks leave out a spring or a contact with an unknown name. They can then find other faults of
-        // the scene.
+        // A spring with an unknown node is reported, and does not enter `springs`. The later checks can then still find
+        // the other faults of the scene.
         let mut springs = Vec::with_capacity(self.springs.len());
         for (from, to, stiffness) in &self.springs {
             let place = || format!("the spring `{from} - {to}`");
@@ -353,8 +355,8 @@ impl Builder {
     }
 }
 
-/// Returns the field `provide` of a scene with this friction law and these settings of the stepper. The field lists the
-/// solvers that emitted code of the scene contains.
+/// Returns the field `provide`, the list of solvers that emitted code of a scene contains. The list depends on the
+/// friction law and on the settings of the stepper.
 fn provided(friction: &FrictionLaw, stepping: &StepperOptions) -> Vec<Provide> {
     if *friction != FrictionLaw::Coulomb {
         return vec![Provide::Stepper];

@@ -1,7 +1,7 @@
 //! Motions that combine masses and base: relative displacements, spring forces and the base shear.
 //!
-//! A spring force divided by P equals the non-dimensional elongation x̄ of the spring, multiplied by k/k₁. Every method
-//! for displacements can therefore also return forces.
+//! The force in a spring of stiffness k, divided by P, is k/k₁ times the non-dimensional elongation x̄ of the spring.
+//! Every method for displacements can therefore also return forces.
 
 use super::held::{SystemHeld, static_share};
 use super::motion::{SystemMotion, SystemSteady, SystemStuck};
@@ -24,7 +24,7 @@ struct WeightedSum {
     base: Dd,
 }
 
-/// A weighted sum of displacements of masses and base, with its component in each mode.
+/// The component of a weighted sum of displacements in each mode, and the weight of the moving base in this sum.
 #[derive(Clone, Debug)]
 pub(super) struct Combined<S> {
     shape: Vec<S>,
@@ -43,7 +43,7 @@ pub(super) enum InOrbit<S> {
 }
 
 impl<S: Float> InOrbit<S> {
-    /// Returns a motion of a steady state. The caller must have checked that the scene has the mass.
+    /// Returns a motion of the steady state `orbit`. The caller must have checked that the scene has this motion.
     pub(super) fn motion<'o, 'a>(
         &'o self,
         orbit: &'o SystemOrbit<'a, S>,
@@ -83,9 +83,9 @@ impl WeightedSum {
         }
     }
 
-    /// Returns Σ c_k x_k + b y for `N` numbers at once, with the coefficients c_k and b of this sum. `base` contains
-    /// the numbers y of the base. `mass` returns the numbers x_k of a mass. Returns `None` if `mass` returns `None` for
-    /// one of the masses.
+    /// Returns Σ c_k x_k + b y for `N` numbers at once. c_k and b are the coefficients of this sum for the masses and
+    /// for the base. `base` contains the numbers y of the base, and `mass` returns the numbers x_k of a mass. Returns
+    /// `None` if `mass` returns `None` for one of the masses.
     fn sum<S: Float, const N: usize>(
         &self,
         base: [S; N],
@@ -102,8 +102,8 @@ impl WeightedSum {
         Some(sum)
     }
 
-    /// Returns Σ c_k φ_k for every mode, where c_k are the coefficients of this sum and φ_k are the components of the
-    /// masses in the mode.
+    /// Returns Σ c_k φ_k for every mode. c_k is the coefficient of a mass in this sum, and φ_k is the component of this
+    /// mass in the mode.
     fn shape<S: Scalar>(
         &self,
         shapes: &[S],
@@ -161,14 +161,14 @@ impl<S: Float> System<S> {
         }
     }
 
-    /// Returns true if a motion is the contact's relative motion with the opposite sign: the motion of the earlier mass
-    /// minus that of the later mass.
+    /// Returns true if a motion is the contact's relative motion with the opposite sign. It is then the motion of the
+    /// earlier mass minus that of the later mass.
     fn is_reversed_contact(&self, of: Of) -> bool {
         matches!(of, Of::Relative(of, to) if self.simplest(Of::Relative(to, of)) == Of::Contact)
     }
 
-    /// Returns true if a motion equals the contact's relative motion or its negative. The result is true for a mass
-    /// that rubs on a side at rest, too.
+    /// Returns true if a motion equals the contact's relative motion or its negative. This is also true for a mass
+    /// whose contact acts on the wall or on a base at rest.
     pub(super) fn moves_as_contact(&self, of: Of) -> bool {
         let ends = [self.scene.contact.from, self.scene.contact.to];
         let base_moves = self.scene.excitation == Excitation::Base;
@@ -236,9 +236,10 @@ impl<S: Float> System<S> {
         self.combined(&self.terms(of), own, modes, || self.exact_shapes())
     }
 
-    /// Returns a weighted sum of the motions of masses and base, with its component in each mode. `own` contains the
-    /// components of the first mass in all modes, then those of the second mass, and so on. `exact` returns the same
-    /// components to about 30 digits. With these digits, the difference of two nearly equal motions stays accurate.
+    /// Returns the weighted sum `terms` of the motions of masses and base, with its component in each mode. `own`
+    /// contains the components of the first mass in all modes, then those of the second mass, and so on. `exact`
+    /// returns the components of `own` to about 30 digits. With these digits, the difference of two nearly equal
+    /// motions stays accurate.
     fn combined<'e>(
         &self,
         terms: &WeightedSum,
@@ -247,7 +248,7 @@ impl<S: Float> System<S> {
         exact: impl FnOnce() -> &'e [Dd],
     ) -> Combined<S> {
         let shape = if S::CARRIES {
-            // Components that carry derivatives already have about 30 digits.
+            // The components in `own` are numbers with derivatives, and already have about 30 digits.
             terms.shape(own, modes, rounded)
         } else {
             let shape = terms.shape(exact(), modes, |value| value);
@@ -261,8 +262,8 @@ impl<S: Float> System<S> {
 }
 
 impl<'a, S: Float> SystemMotion<'a, S> {
-    /// Returns the motion of the contact, of a mass, or of a combination of masses and base, or `None` if the scene
-    /// does not have the motion `of`.
+    /// Returns the motion of the contact, of a mass, or of a combination of masses and base. Returns `None` if the
+    /// scene does not have the motion `of`.
     #[must_use]
     pub fn motion_of(&self, of: Of) -> Option<SystemSteady<'a, S>> {
         let system = *self.at().scene();
@@ -296,11 +297,11 @@ impl<'a, S: Float> SystemOrbit<'a, S> {
         known.then(|| match system.simplest(of) {
             Of::Contact => InOrbit::Contact,
             Of::Mass(index) => InOrbit::Mass(index),
-            // If the contact stops at its extreme, its lag is that of the beginning of the stop. Only the motion of the
-            // contact itself has this lag.
+            // If the contact stops at its largest displacement, the lag of the contact belongs to the beginning of the
+            // stop. A combination of masses may give another instant of the stop.
             of if system.is_reversed_contact(of) => InOrbit::Reversed,
             of => {
-                // Only the mode shapes of the steady state itself carry its derivatives.
+                // The mode shapes of the steady state may have derivatives. Shapes from another source have none.
                 let (own, modes) = self.orbit.shapes();
                 let terms = system.terms(of);
                 InOrbit::Combined(
@@ -320,7 +321,7 @@ impl<S: Float> SystemStuck<'_, S> {
             return None;
         }
         let one = S::constant(1.0);
-        // Under the contact force f, the spring of an elastic contact moves by ρf.
+        // A contact force f deforms the spring of an elastic contact by ρf, where ρ is the compliance of the spring.
         let contact = match system.compliance() {
             None => Complex::new(zero, zero),
             Some(compliance) => complex::scale(self.contact_force(), compliance),
@@ -349,9 +350,10 @@ impl SystemHeld<'_> {
 }
 
 impl System {
-    /// Returns displacement and velocity of a combination of masses and base, in the scene's units. `base` and `masses`
-    /// give displacement and velocity of the base and of every mass. For a force, returns the force and its derivative
-    /// in time. Returns `None` if the scene does not have the motion `of`, and for the motion of a contact.
+    /// Returns displacement and velocity of a combination of masses and base, in the scene's units. `base` contains
+    /// displacement and velocity of the base, and `masses` those of every mass. If the motion `of` is a force, the
+    /// method returns the force and its derivative in time. Returns `None` if the scene does not have the motion `of`,
+    /// and for the motion of a contact.
     #[doc(hidden)]
     #[must_use]
     pub fn combination_of(&self, of: Of, base: [f64; 2], masses: &[[f64; 2]]) -> Option<[f64; 2]> {
@@ -359,7 +361,7 @@ impl System {
             return None;
         }
         let sum = self.terms(of).sum(base, |mass| masses.get(mass).copied())?;
-        // The terms of a force are divided by k₁.
+        // For a force, the sum contains stiffnesses divided by k₁. The product with k₁ is in the scene's units.
         let unit = match of.is_force() {
             true => self.scene.first_stiffness(),
             false => 1.0,
@@ -369,8 +371,8 @@ impl System {
 }
 
 impl SystemStepper<'_> {
-    /// Returns the present displacement and velocity of a motion, in the scene's units. For a force, returns the force
-    /// and its derivative in time. Returns `None` if the scene does not have the motion `of`.
+    /// Returns the present displacement and velocity of a motion, in the scene's units. If the motion is a force, the
+    /// method returns the force and its derivative in time. Returns `None` if the scene does not have the motion `of`.
     #[must_use]
     pub fn motion_of(&self, of: Of) -> Option<(f64, f64)> {
         let system = self.system;
@@ -389,7 +391,7 @@ impl SystemStepper<'_> {
                     let now = self.mass_at(mass);
                     Some([now.displacement(), now.velocity()])
                 })?;
-        // The terms of a force are divided by k₁.
+        // For a force, the sum contains stiffnesses divided by k₁. The product with k₁ is in the scene's units.
         let unit = match of.is_force() {
             true => system.scene.first_stiffness(),
             false => 1.0,

@@ -31,9 +31,9 @@ impl std::error::Error for UnknownMass {}
 #[derive(Clone, Debug, PartialEq, Eq)]
 #[non_exhaustive]
 pub enum UnknownMotion {
-    /// A name in the expression is not that of a mass.
+    /// The expression contains a name that no mass has.
     Mass(UnknownMass),
-    /// The motion is that of a mass relative to itself, which is zero. The field is the name.
+    /// The name means the motion of a mass relative to itself, which is zero. The field is the name of the motion.
     Itself(String),
     /// The base is the first of two names. It must be the second: `roof-base`, not `base-roof`. The field is the name
     /// of the mass.
@@ -44,7 +44,7 @@ pub enum UnknownMotion {
     NoShear,
     /// The name in front of the brackets is not that of a known function. The field is this name.
     Function(String),
-    /// The name requests the velocity or the acceleration of a force, which do not exist. The field is the name.
+    /// The name requests the velocity or the acceleration of a force, and a force has neither. The field is the name.
     Rate(String),
     /// The brackets of `slip(…)`, `force(…)` or `energy(…)` do not contain the name of a contact. The first field is
     /// the name of the function, and the second field is the text in its brackets.
@@ -144,7 +144,7 @@ pub enum LoadError {
     OutOfRange,
     /// The method needs a single contact and no dashpots, but the scene has `contacts` or `dampers`.
     SeveralContacts,
-    /// The request needs a load of constant amplitude, but the amplitude depends on frequency.
+    /// The request needs a load of constant amplitude, but the amplitude of this load depends on frequency.
     Varies,
 }
 

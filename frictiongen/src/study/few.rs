@@ -1,4 +1,4 @@
-//! A list with one entry for each mode, which needs no allocation for one or two modes.
+//! A list with one entry for each mode. For one or two modes, the list needs no memory allocation.
 
 /// A list with one entry for each mode. Up to two entries are stored in the list itself, and more entries in a vector.
 /// For one or two modes, an allocation would take a large fraction of the time of a search.

@@ -28,8 +28,8 @@ impl<'a> SystemHeld<'a> {
         self.offset_range
     }
 
-    /// Returns the constant part of the friction force, divided by P (by k₁Y for base motion). This part keeps the
-    /// contact at its offset. A positive force opposes positive sliding.
+    /// Returns the constant part of the friction force, divided by P (by k₁Y for base motion). Because of this constant
+    /// force, the contact stays at its offset. A positive force opposes positive sliding.
     #[must_use]
     pub fn constant_force(&self) -> f64 {
         -(self.offset / receptance(self.stuck.at().scene()))
@@ -52,9 +52,9 @@ impl<'a> Deref for SystemHeld<'a> {
     }
 }
 
-/// Returns the displacement of a mass for a constant unit displacement of the contact. It is the sum of φ_k(φᵀw)/λ over
-/// all modes, divided by the sum of (φᵀw)²/λ over all modes. φ is a mode shape, φ_k its component at the mass, λ the
-/// square of the mode's frequency ratio, and w the direction vector of the contact.
+/// Returns the displacement of a mass for a constant unit displacement of the contact. The result is the sum of
+/// φ_k(φᵀw)/λ over all modes, divided by the sum of (φᵀw)²/λ over all modes. φ is a mode shape and φ_k its component at
+/// the mass. λ is the square of the mode's frequency ratio, and w the direction vector of the contact.
 pub(super) fn static_share<S: Float>(system: &System<S>, mass: usize) -> Option<S> {
     let zero = S::constant(0.0);
     let shape = system.shape(mass)?;
@@ -66,13 +66,14 @@ pub(super) fn static_share<S: Float>(system: &System<S>, mass: usize) -> Option<
 }
 
 /// Returns the constant part of z̄, the relative displacement of the contact, in a motion from rest in which the
-/// contact never slides. It is 0, unless the contact is on a moving base.
+/// contact never slides. The result is 0, unless the contact is on a moving base.
 ///
-/// At the start of the motion, a moving base is at its largest displacement Y and every mass is at 0, so that z̄ is −1.
-/// A rigid contact keeps this displacement, and the function returns −1. The spring of an elastic contact has no force
-/// at z̄ = −1, but the springs of the chain pull the contact towards z̄ = 0. The two constant forces are in equilibrium
-/// at −h/(h + ρ), and the function returns this value. h is wᵀK̄⁻¹w (see [`receptance`]), and ρ is the compliance of
-/// the elastic contact.
+/// At the start of the motion, a moving base is at its largest displacement Y. Every mass is at 0, so that z̄ is −1. A
+/// rigid contact keeps this displacement, and the function returns −1.
+///
+/// In an elastic contact, the spring has no force at z̄ = −1, but the springs of the chain pull the contact towards z̄
+/// = 0. The two constant forces are in equilibrium at z̄ = −h/(h + ρ), which the function returns. h is wᵀK̄⁻¹w (see
+/// [`receptance`]), and ρ is the compliance of the contact.
 pub(super) fn offset_from_rest<S: Float>(system: &System<S>) -> S {
     if system.numbers().chain.on_moving_base.is_none() {
         return S::constant(0.0);
@@ -88,7 +89,7 @@ pub(super) fn offset_from_rest<S: Float>(system: &System<S>) -> S {
 }
 
 /// Returns wᵀK̄⁻¹w, the displacement of the contact for a constant unit force in the contact. w is the contact's
-/// direction vector and K̄ the stiffness matrix divided by k₁.
+/// direction vector. K̄ is the stiffness matrix divided by k₁.
 fn receptance<S: Float>(system: &System<S>) -> S {
     let modes = system.numbers().modes.iter();
     modes.fold(S::constant(0.0), |sum, mode| {

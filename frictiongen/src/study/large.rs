@@ -1,9 +1,9 @@
 //! Modal analysis of large scenes by nalgebra's symmetric eigensolver, followed by one-sided Jacobi sweeps.
 //!
-//! Let G be the matrix whose singular values are the frequency ratios √λ, and V the eigenvectors of Γ^−½K̄Γ^−½. The
-//! computation of K̄ from G loses digits, especially those of a low frequency next to high frequencies. Apart from
-//! these digits, the columns of G·V are orthogonal. One or two sweeps of one-sided Jacobi rotations on these columns,
-//! in double precision, restore the digits.
+//! Let G be the matrix whose singular values are the frequency ratios √λ, and V the eigenvectors of GᵀG = Γ^−½K̄Γ^−½.
+//! The product GᵀG loses digits, especially those of a low frequency next to high frequencies. Apart from these digits,
+//! the columns of G·V are orthogonal. One or two sweeps of one-sided Jacobi rotations on these columns, in double
+//! precision, restore the digits.
 
 use frictiongen_model::modal::Modal;
 use frictiongen_model::scene::Scene;
@@ -11,11 +11,12 @@ use nalgebra::DMatrix;
 
 /// Largest number of masses for which the modal analysis is in double-double arithmetic.
 pub(super) const LARGEST_EXACT: usize = 64;
-/// Largest residue that is treated as a rounding error, divided by its largest possible size.
+/// Fraction of the largest value that a modal value (for example a component of a mode shape) can have. A modal value
+/// below this fraction is a rounding error, and becomes 0.
 const NOISE: f64 = 1e-13;
-/// Largest cosine of the angle between two columns at which they are treated as orthogonal.
+/// Largest cosine of the angle between two columns of a matrix at which the two columns are treated as orthogonal.
 const ORTHOGONAL: f64 = 1e-15;
-/// Largest number of sweeps. A sweep rotates each pair of columns once.
+/// Largest number of Jacobi sweeps. A sweep rotates each pair of columns once.
 const MAX_SWEEPS: usize = 12;
 
 /// Returns the modal analysis of a scene with any number of masses.
@@ -56,8 +57,8 @@ fn singular(g: &[Vec<f64>]) -> (Vec<f64>, Vec<Vec<f64>>) {
     pairs.into_iter().unzip()
 }
 
-/// Rotates each pair of columns once, so that the pair becomes orthogonal. Returns false if all pairs were orthogonal
-/// already.
+/// Rotates each pair of columns once, so that the two columns become orthogonal. Returns false if all pairs were
+/// orthogonal already.
 fn sweep(turned: &mut [Vec<f64>], vectors: &mut [Vec<f64>]) -> bool {
     let mut squares: Vec<f64> = turned.iter().map(|column| dot(column, column)).collect();
     let mut rotated = false;
@@ -90,7 +91,8 @@ fn sweep(turned: &mut [Vec<f64>], vectors: &mut [Vec<f64>]) -> bool {
 }
 
 fn dot(a: &[f64], b: &[f64]) -> f64 {
-    // Eight independent sums run in parallel. In a single sum each addition would wait for the previous addition.
+    // The processor adds to eight independent sums in parallel. In a single sum, each addition would wait for the
+    // previous addition.
     let mut sums = [0.0; 8];
     let (chunks_a, chunks_b) = (a.chunks_exact(8), b.chunks_exact(8));
     let rest = chunks_a

@@ -1,5 +1,5 @@
-//! Design studies at run time. The module reads the same descriptions as the macro and uses the same closed forms.
-//! Unlike emitted code, it allocates memory.
+//! Design studies at run time. The module reads the same descriptions of scenes as the macro, and uses the same closed
+//! forms. Unlike emitted code, the module allocates memory.
 
 mod at;
 mod builder;

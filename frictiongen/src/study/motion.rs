@@ -1,4 +1,5 @@
-//! Continuous and stuck motions of a run-time system. The types give the kernel's motions access to masses by name.
+//! Continuous and stuck motions of a run-time system. A caller can request the motion of a mass by the name of the
+//! mass.
 
 use super::error::UnknownMass;
 use super::system::System;

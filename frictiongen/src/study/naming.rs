@@ -151,8 +151,8 @@ impl<S: Float> System<S> {
         Ok((self.motion_named(name)?, MotionQuantity::Displacement))
     }
 
-    /// Returns the name of a motion in the form that [`motion_named`](Self::motion_named) reads. If the scene does not
-    /// have the mass or the spring, a question mark replaces its name.
+    /// Returns the name of a motion, in the form that [`motion_named`](Self::motion_named) reads. A question mark
+    /// replaces the name of a mass or spring that the scene does not have.
     #[must_use]
     pub fn name_of_motion(&self, of: Of) -> String {
         let mass = |index: usize| self.scene.node_name(Node::Mass(index));
@@ -173,8 +173,8 @@ impl<S: Float> System<S> {
         }
     }
 
-    /// Returns the springs to which an equivalent damping ratio refers: all springs for `zeta_eq`, or one spring for
-    /// `zeta_eq(a-b)`. Returns `None` for another quantity.
+    /// Reads the name of an equivalent damping ratio, and returns the springs of this ratio: all springs for `zeta_eq`,
+    /// or one spring for `zeta_eq(a-b)`. Returns `None` if the name means another quantity.
     fn damping_named(&self, name: &str) -> Result<Option<Of>, UnknownMotion> {
         let Some(inside) = name.strip_prefix("zeta_eq") else {
             return Ok(None);

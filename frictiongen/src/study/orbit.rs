@@ -1,5 +1,4 @@
-//! Steady states of a run-time system in any regime. The types give the kernel's steady states access to masses by
-//! name.
+//! Steady states of a run-time system in any regime. A caller can request the motion of a mass by the name of the mass.
 
 use super::error::UnknownMass;
 use super::system::System;
@@ -10,7 +9,7 @@ use frictiongen_kernel::motion::{AnyContact, Part};
 use frictiongen_kernel::orbit::{Orbit, OrbitMotion};
 use std::ops::Deref;
 
-/// The kernel's steady state with vectors, to which a [`SystemOrbit`] derefs.
+/// The kernel's steady state, with its data in vectors. A [`SystemOrbit`] dereferences to this type.
 #[doc(hidden)]
 pub type SystemOrbitState<'a, S = f64> =
     Orbit<'a, S, Vec<Part<S>>, Vec<S>, Vec<Complex<S>>, AnyContact<S>>;
@@ -77,7 +76,7 @@ impl<'a, S: Float> SystemOrbit<'a, S> {
         Ok(self.orbit.mass(self.system.mass_index(name)?))
     }
 
-    /// Returns the phase of the contact's relative motion after a change of its sign, in (−π, π]. If
+    /// Returns the phase of the contact's relative motion with the opposite sign, in rad, in (−π, π]. If
     /// [`contact_is_reversed`](System::contact_is_reversed) is true, this phase follows the sign convention of the
     /// description.
     #[must_use]
@@ -93,8 +92,8 @@ impl<'a, S: Float> SystemOrbit<'a, S> {
 }
 
 impl<S> SystemOrbit<'_, S> {
-    /// Returns true if the motion from the requested initial state ends in this state. If false, that motion did not
-    /// settle, and this state is another steady state.
+    /// Returns true if the motion from the requested initial state ends in this state. If the result is false, the
+    /// motion from that initial state did not settle, and this state is another steady state.
     #[must_use]
     pub fn is_from_rest(&self) -> bool {
         self.from_rest

@@ -26,16 +26,17 @@ pub enum OperatingPoint {
     },
 }
 
-/// A number on which a response depends: a number of the description, or of the operating point.
+/// A number on which a response depends. It is a number of the description or of the operating point.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum Parameter {
-    /// A number of the description, in its own unit: a mass, stiffness, damping number or μ.
+    /// A number of the description, in its own unit: a mass, a stiffness, a damping number, or the ratio μ.
     Quantity(Quantity),
-    /// The friction force F in N under a load, otherwise the friction ratio β.
+    /// The friction. It is the force F in N at a physical operating point, and β at a non-dimensional operating point.
     Friction,
-    /// The amplitude of the load, P in N or Y in m. A non-dimensional operating point has no load.
+    /// The amplitude of the load: P in N, or Y in m. A non-dimensional operating point does not have this parameter.
     Load,
-    /// The frequency in Hz under a load, otherwise the frequency ratio r.
+    /// The frequency. It is in Hz at a physical operating point, and is the ratio r at a non-dimensional operating
+    /// point.
     Frequency,
 }
 
@@ -58,8 +59,8 @@ impl Slope {
 }
 
 impl Parameter {
-    /// Returns the symbol of the parameter, with the names of the description. Examples are `m upper`, `k base -
-    /// lower`, `zeta 1` and `F`.
+    /// Returns the symbol of the parameter, which contains names from the description. Examples are `m upper`,
+    /// `k base - lower`, `zeta 1` and `F`.
     #[must_use]
     pub fn symbol(&self, scene: &Scene, point: &OperatingPoint) -> String {
         let physical = matches!(point, OperatingPoint::Physical { .. });
@@ -83,14 +84,15 @@ impl Parameter {
         short.to_owned()
     }
 
-    /// Returns the key of the parameter, for programs. Examples are `m.upper`, `k.base-lower`, `zeta.1` and `F`.
+    /// Returns the key of the parameter, an identifier for programs. Examples are `m.upper`, `k.base-lower`, `zeta.1`
+    /// and `F`.
     #[must_use]
     pub fn key(&self, scene: &Scene, point: &OperatingPoint) -> String {
         let symbol = self.symbol(scene, point);
         symbol.replace(" - ", "-").replace(' ', ".")
     }
 
-    /// Returns the parameter in words, for people. Examples are ``m of `upper` ``, ``k of `base - lower` ``, `zeta of
+    /// Returns the parameter in words, for a reader. Examples are ``m of `upper` ``, ``k of `base - lower` ``, `zeta of
     /// mode 1` and `F`.
     #[must_use]
     pub fn label(&self, scene: &Scene, point: &OperatingPoint) -> String {
@@ -104,7 +106,7 @@ impl Parameter {
         }
     }
 
-    /// Returns the SI unit of the parameter. The unit of a ratio is empty.
+    /// Returns the SI unit of the parameter. The text is empty if the parameter is a ratio.
     #[must_use]
     pub fn unit(&self, point: &OperatingPoint) -> &'static str {
         let physical = matches!(point, OperatingPoint::Physical { .. });

@@ -1,8 +1,8 @@
 //! Derivatives of a response with respect to every number of a description and of an operating point, in any regime.
 //!
-//! In physical units, frequency in Hz, friction force and load are constant in each derivative. The non-dimensional
-//! groups refer to the first mass m₁ and the first spring k₁. A change of m₁ or k₁ therefore also changes r, β or the
-//! unit of displacement.
+//! At an operating point in physical units, each derivative keeps the frequency in Hz, the friction force and the load
+//! constant. The non-dimensional groups refer to the first mass m₁ and the first spring k₁. A change of m₁ or k₁
+//! therefore also changes r, β or the unit of displacement.
 
 use super::error::StudyError;
 use super::held::offset_from_rest;
@@ -113,8 +113,9 @@ impl System {
     /// ```
     ///
     /// # Errors
-    /// [`StudyError`] for an operating point outside the domain, for a load that does not fit the scene, for a motion
-    /// that does not exist, and if no steady motion exists. [`NoDerivative`] if the response has no derivative.
+    /// [`StudyError`] for an operating point outside the domain, and for a load that does not fit the scene.
+    /// [`StudyError`] also for a motion that does not exist, and if no steady motion exists. [`NoDerivative`] if the
+    /// response has no derivative.
     pub fn response_sensitivities(
         &self,
         point: OperatingPoint,
@@ -197,7 +198,7 @@ impl System {
 }
 
 /// Returns amplitude and phase of a known response with their derivatives. The phase is `None` if the contact or mass
-/// does not move. If `turned` is true, the result is that of the contact's relative motion after a change of its sign.
+/// does not move. If `turned` is true, the result is that of the contact's relative motion with the opposite sign.
 pub(super) fn swing(
     varied: &Varied,
     response: &SystemResponse<'_>,
@@ -239,7 +240,7 @@ fn stuck_swing(
 ) -> Result<(Sensitive, Option<Sensitive>), StudyError> {
     let offset = held.offset();
     let from_rest = offset_from_rest(held.at().scene());
-    // The offset of an elastic contact is a result of the motion, and has rounding errors.
+    // The offset of an elastic contact is a result of the motion, and therefore has rounding errors.
     if offset != 0.0 && !((offset - from_rest).abs() <= SAME_OFFSET * from_rest.abs()) {
         return Err(NoDerivative::Marginal.into());
     }
@@ -318,8 +319,8 @@ fn groups(
     }
 }
 
-/// Largest relative difference between the offset of a motion and that of a contact that has never slid, at which the
-/// two offsets are treated as equal.
+/// Largest relative difference at which two offsets of the contact are treated as equal. The code compares the offset
+/// of a motion with the offset of a contact that has never slid.
 const SAME_OFFSET: f64 = 1e-9;
 
 /// Largest change p·dX/dp that is treated as 0, divided by X (or by 1 if X is larger). In numbers of 30 digits,

@@ -1,8 +1,8 @@
 //! Largest velocity and acceleration of a continuous motion, from its closed form.
 //!
-//! The search samples sixteen instants in a half-turn of the fastest mode, and refines every maximum of the samples. If
-//! two maxima are within one sampling step, the search can miss one maximum. The two maxima then differ by less than a
-//! thousandth of their value.
+//! The search samples sixteen instants in a half period of the fastest mode, and refines every maximum of the samples.
+//! If two maxima are within one sampling step, the search can miss one of the two. The two maxima then differ by less
+//! than a thousandth of their value.
 
 use super::golden::smallest;
 use super::motion::SystemMotion;
@@ -11,16 +11,16 @@ use crate::Of;
 use std::convert::Infallible;
 use std::f64::consts::PI;
 
-/// Number of samples in a half-turn of the fastest mode.
+/// Number of samples in a half period of the fastest mode.
 const PLACES: f64 = 16.0;
-/// Upper bound on the number of samples in the half period.
+/// Upper bound on the number of samples in a half period of the excitation.
 const MOST: f64 = 4096.0;
 /// Largest number of steps in the refinement of a maximum. A golden section keeps at most 0.62 of the interval.
 const STEPS: usize = 40;
-/// Length of the interval of time at which the refinement of a maximum ends. Because the function is flat at its
+/// Length of the interval of τ, in rad, at which the refinement of a maximum ends. Because the function is flat at its
 /// maximum, this length already gives all digits of the maximum.
 const WIDTH: f64 = 1e-8;
-/// Last instant of the half period before the contact reverses, divided by π.
+/// Last sampled instant τ of the half period, divided by π. It lies just before the contact reverses.
 const LAST: f64 = 1.0 - f64::EPSILON;
 
 /// Returns the largest |dx̄/dτ| or |d²x̄/dτ²| of a continuous motion, or `None` if the scene does not have the motion
@@ -38,7 +38,8 @@ pub(super) fn largest_rate(motion: &SystemMotion<'_>, of: Of, size: MotionQuanti
     let places = (PLACES * vibrations.max(1.0)).ceil().min(MOST);
     let step = PI / places;
     let instant = |place: f64| (step * place).min(PI * LAST);
-    // A maximum next to a bound of the half period does not lie between three sampled instants.
+    // The loop below needs three samples around a maximum. It can miss a maximum in the first and in the last interval
+    // of the half period.
     let mut best = summit(instant(0.0), instant(1.0), &at);
     best = best.max(summit(instant(places - 1.0), instant(places), &at));
     let (mut before, mut here) = (at(instant(0.0)), at(instant(1.0)));
@@ -55,7 +56,7 @@ pub(super) fn largest_rate(motion: &SystemMotion<'_>, of: Of, size: MotionQuanti
     Some(best)
 }
 
-/// Returns the largest value of `size` between two instants, by golden sections.
+/// Returns the largest value of the function `size` between the two instants `low` and `high`, by golden sections.
 fn summit(low: f64, high: f64, size: &impl Fn(f64) -> f64) -> f64 {
     let Ok((_, least)) = smallest((low, high), (STEPS, WIDTH), |tau| {
         Ok::<f64, Infallible>(-size(tau))

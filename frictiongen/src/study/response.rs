@@ -16,8 +16,8 @@ use std::f64::consts::TAU;
 /// The steady response of a system at one frequency ratio and one friction ratio.
 ///
 /// The motion from rest begins at a maximum of the excitation, with every mass at x = 0 and without velocity. A moving
-/// base is then at Y. A contact with the moving base therefore starts at z̄ = −Y, where it may stick. If it sticks, the
-/// amplitude of the contact's mass is up to 2Y, and its centred amplitude is Y.
+/// base is then at Y. A contact with the moving base therefore starts at the relative displacement −Y, and may stick
+/// there. If the contact sticks, the amplitude of its mass is up to 2Y, and the centred amplitude of this mass is Y.
 ///
 /// ```
 /// use frictiongen::{Of, Regime, System};
@@ -108,8 +108,8 @@ impl SystemResponse<'_> {
             Self::Stuck(held) => {
                 let (harmonic, offset) = held.motion_of(of)?;
                 let (amplitude, phase) = polar(harmonic);
-                // The largest |x̄| is at a turning point of the motion, on that side of the centre to which the offset
-                // points.
+                // The largest |x̄| occurs at one of the two extremes of the motion. It is the extreme on the side of
+                // the offset.
                 Some(Swing {
                     amplitude: amplitude + offset.abs(),
                     phase: (amplitude != 0.0).then_some(phase),
@@ -147,9 +147,9 @@ impl SystemResponse<'_> {
         }
     }
 
-    /// Returns the largest |offset| of the contact within a continuum of steady states that differ by their offset.
-    /// Returns `None` if this state does not belong to a continuum. See
-    /// [`SystemOrbit::offset_range`](frictiongen_kernel::orbit::Orbit::offset_range).
+    /// Returns the largest |offset| of the contact in a continuum of steady states, divided by P/k₁ (by Y for base
+    /// motion). The states of a continuum differ by their offset. Returns `None` if this state does not belong to a
+    /// continuum. See [`SystemOrbit::offset_range`](frictiongen_kernel::orbit::Orbit::offset_range).
     #[must_use]
     pub fn offset_range(&self) -> Option<f64> {
         match self {
@@ -169,8 +169,8 @@ impl SystemResponse<'_> {
         }
     }
 
-    /// Returns true if the motion from rest ends in this response. If false, the motion from rest does not settle, and
-    /// this response is another stable state.
+    /// Returns true if the motion from rest ends in this response. If the result is false, the motion from rest does
+    /// not settle, and this response is another stable state.
     #[must_use]
     pub fn is_from_rest(&self) -> bool {
         match self {
@@ -180,7 +180,7 @@ impl SystemResponse<'_> {
         }
     }
 
-    /// Returns the phase of the contact's relative motion after a change of its sign. If
+    /// Returns the phase of the contact's relative motion with the opposite sign, in rad. If
     /// [`contact_is_reversed`](System::contact_is_reversed) is true, this phase follows the sign convention of the
     /// description. Returns `None` for a contact that does not move.
     #[must_use]
@@ -192,7 +192,7 @@ impl SystemResponse<'_> {
     }
 
     /// Returns the monoharmonic estimate of an amplitude (5.50, 7.33). Returns `None` if the regime is not continuous,
-    /// and if the scene does not have this motion.
+    /// or if the scene does not have this motion.
     #[must_use]
     pub fn monoharmonic(&self, of: Of) -> Option<f64> {
         let Self::Continuous(motion) = self else {
@@ -220,8 +220,8 @@ impl SystemResponse<'_> {
         match self {
             Self::Continuous(motion) => largest_rate(motion, of, size),
             Self::StickSlip(orbit) => fastest(orbit, of, size),
-            // While the contact is stuck, the motion of the chain has a single harmonic. Without the offset, x̄, dx̄/dτ
-            // and d²x̄/dτ² then have equal amplitudes.
+            // While the contact is stuck, the motion of the chain has a single harmonic. About its mean, x̄, dx̄/dτ and
+            // d²x̄/dτ² therefore have equal amplitudes.
             Self::Stuck(_) => self.centred_amplitude(of),
         }
     }
@@ -273,7 +273,7 @@ impl SystemResponse<'_> {
     #[must_use]
     pub fn friction_work(&self) -> f64 {
         match self {
-            // Forward and backward together, the contact slides a distance of four amplitudes in a cycle.
+            // In a cycle the contact slides forwards and backwards, a distance of four amplitudes in total.
             Self::Continuous(motion) => 4.0 * motion.friction().beta * motion.contact().amplitude(),
             Self::StickSlip(orbit) => {
                 orbit.beta() * orbit.sliding_distance() / f64::from(orbit.period())
@@ -283,9 +283,9 @@ impl SystemResponse<'_> {
     }
 }
 
-/// Returns the equivalent viscous damping ratio of a contact that dissipates `energy` in a cycle. The ratio is computed
-/// with the strain energy of all springs or of one spring. Returns `None` if `of` selects neither of these, and if no
-/// spring is deformed. `centred` returns the centred amplitude of a motion.
+/// Returns the equivalent viscous damping ratio of a contact that dissipates `energy` in a cycle. The motion `of`
+/// selects the strain energy of all springs or of one spring for this ratio. Returns `None` for any other motion, and
+/// if no spring is deformed. `centred` returns the centred amplitude of a motion.
 pub(super) fn equivalent_damping(
     system: &System,
     of: Of,
@@ -307,8 +307,8 @@ pub(super) fn equivalent_damping(
     (0.0 < stored).then(|| energy / (2.0 * TAU * stored))
 }
 
-/// Returns the largest velocity or acceleration in a steady state. If `size` is the displacement, returns the
-/// amplitude.
+/// Returns the largest velocity or acceleration of the motion `of` in a steady state. If `size` is the displacement,
+/// the result is the amplitude.
 fn fastest(orbit: &SystemOrbit<'_>, of: Of, size: MotionQuantity) -> Option<f64> {
     orbit.ask_of(of, |motion| match size {
         MotionQuantity::Velocity => motion.largest_velocity(),

@@ -9,12 +9,13 @@ use crate::{Error, Given, NoOrbit, NotContinuous, OutOfDomain, Regime, StuckReso
 use frictiongen_kernel::oscillator::mode::{Kind, Mode};
 use frictiongen_kernel::response::Scene as _;
 
-/// Largest distance of √λ_i/r from an even integer at which the two are treated as equal, in machine epsilons times
-/// √λ_i/r. An undamped mode i whose √λ_i/r is an even integer has a Floquet multiplier on the unit circle.
+/// Largest distance of √λ_i/r from an even integer at which √λ_i/r is treated as this integer, in machine epsilons
+/// times √λ_i/r. √λ_i is the frequency ratio of mode i. An undamped mode whose √λ_i/r is an even integer has a Floquet
+/// multiplier on the unit circle.
 const ON_CIRCLE: f64 = 4096.0;
 
-/// The state of a steady motion at a maximum of the excitation: displacement and velocity of every mass, as
-/// non-dimensional groups.
+/// The state of a steady motion at a maximum of the excitation. It consists of displacement and velocity of every mass,
+/// as non-dimensional groups.
 #[cfg(feature = "desk")]
 #[derive(Clone, Debug)]
 pub(super) struct Carried {
@@ -25,8 +26,8 @@ pub(super) struct Carried {
 
 #[cfg(feature = "desk")]
 impl Carried {
-    /// Returns this state at another frequency ratio, in the units of a load. The amplitude of the load is proportional
-    /// to r⁻ⁿ, where n is `fall`.
+    /// Converts displacements and velocities to the unit of displacement that a load has at the frequency ratio r. The
+    /// amplitude of the load is proportional to r⁻ⁿ, where n is `fall`.
     pub(super) fn under(&self, fall: i32, r: f64) -> Self {
         let factor = (r / self.r).powi(fall);
         let scaled = |values: &[f64]| values.iter().map(|value| value * factor).collect();
@@ -57,14 +58,14 @@ impl<'a> SystemAt<'a> {
     /// from rest ends.
     ///
     /// With μ = 1 this state is the closed form for every β < β_lim. The exception is a chain without damping at r =
-    /// 1/(2n) with an integer n. At these r the closed form belongs to a continuum of steady states. With μ > 1, other
-    /// states may exist in addition to the closed form and to the stuck state. The call then computes the motion from
-    /// event to event.
+    /// √λ_i/(2n) with an integer n, where √λ_i is the frequency ratio of a mode that the contact drives. At these r the
+    /// closed form belongs to a continuum of steady states. With μ > 1, other states may exist in addition to the
+    /// closed form and to the stuck state. The call then computes the motion from event to event.
     ///
-    /// If the motion from rest does not settle, the call returns another stable steady state, if it finds one. The
-    /// search for it starts from the closed form, from a neighbouring friction ratio or from the stuck state.
-    /// [`SystemOrbit::is_from_rest`] is then false. If the search finds no other state, the call returns the last 64
-    /// cycles of the motion from rest.
+    /// If the motion from rest does not settle, the call searches for another stable steady state. The search starts
+    /// from the closed form, from a neighbouring friction ratio or from the stuck state. If the search finds a state,
+    /// the call returns it, and [`SystemOrbit::is_from_rest`] is false. If the search finds no state, the call returns
+    /// the last 64 cycles of the motion from rest.
     ///
     /// # Errors
     /// [`NotContinuous::Unbounded`] and [`StuckResonance`](crate::StuckResonance) on an undamped resonance.
@@ -109,7 +110,7 @@ impl<'a> SystemAt<'a> {
         let orbit = match start {
             None => self.orbit_or_last_cycles(beta)?,
             Some(carried) => {
-                // The velocity in time, which is proportional to r·dx̄/dτ, is the same at the new frequency.
+                // The velocity dx/dt stays the same when the frequency changes. It is proportional to r·dx̄/dτ.
                 let factor = carried.r / r;
                 let velocities: Vec<f64> = carried.velocities.iter().map(|v| v * factor).collect();
                 self.orbit_or_last_cycles_from(beta, (&carried.displacements, &velocities))?
@@ -119,11 +120,12 @@ impl<'a> SystemAt<'a> {
         Ok((self.told(orbit, motion)?, carried))
     }
 
-    /// Returns the regime of a steady state at this frequency ratio. Other steady states at the same β do not influence
-    /// the result. If the motion does not settle, the result is stick-slip.
+    /// Returns the regime of the steady state `orbit` at this frequency ratio. Other steady states at the same β have
+    /// no influence. If the motion does not settle, the result is stick-slip.
     #[must_use]
     pub fn regime_of(&self, orbit: &SystemOrbit<'_>) -> Regime {
-        // Just below β*_lim rounding can hide a small motion. The code therefore also compares β with β*_lim.
+        // Just below β*_lim, rounding can hide a small motion of the contact. The code therefore also compares β with
+        // β*_lim.
         let holds = !(orbit.beta() < self.sliding_limit());
         let frictionless = orbit.beta() == 0.0;
         if holds && orbit.is_settled() && orbit.never_slides() {
@@ -135,8 +137,9 @@ impl<'a> SystemAt<'a> {
         }
     }
 
-    /// Returns two numbers of a steady state at this frequency ratio: the largest force in the contact, and the energy
-    /// that the contact dissipates in a cycle. Returns `None` if the contact never slides and no stuck response exists.
+    /// Returns the largest force in the contact, and the energy that the contact dissipates in a cycle, for a steady
+    /// state at this frequency ratio. Force and energy are divided by P and P²/k₁ (by k₁Y and k₁Y² for base motion).
+    /// Returns `None` if the contact never slides and no stuck response exists.
     pub(super) fn contact_of(&self, orbit: &SystemOrbit<'_>) -> Option<(f64, f64)> {
         let energy = orbit.beta() * orbit.sliding_distance() / f64::from(orbit.period());
         let force = if orbit.is_settled() && orbit.never_slides() {
@@ -168,7 +171,7 @@ impl<'a> SystemAt<'a> {
                 let motion = motion.with_start(orbit.is_from_rest());
                 Ok(SystemResponse::Continuous(motion))
             }
-            // This steady state and the closed form belong to the same continuum.
+            // This steady state is not symmetric, and belongs to the same continuum as the closed form.
             Some(_) if slides => Ok(SystemResponse::StickSlip(Box::new(orbit.sliding()))),
             _ => Ok(SystemResponse::StickSlip(Box::new(orbit))),
         }
@@ -203,8 +206,9 @@ impl<'a> SystemAt<'a> {
         Ok(other.map_or(last, SystemOrbit::not_from_rest))
     }
 
-    /// Returns true if no steady state other than the closed form can exist. With μ = 1 there is only one exception: an
-    /// undamped mode that the contact drives, for which √λ_i/r is an even integer.
+    /// Returns true if no steady state other than the closed form can exist. With μ = 1 there is only one exception. It
+    /// is an undamped mode that the contact drives, and whose √λ_i/r is an even integer (√λ_i is the mode's frequency
+    /// ratio).
     fn is_unique(&self) -> bool {
         let numbers = self.scene().numbers();
         let even = |x: f64| {
@@ -236,9 +240,9 @@ mod tests {
     use super::Carried;
     use crate::study::System;
 
-    /// Checks a motion that starts from a state at another frequency. Displacements and velocities in time stay
-    /// unchanged, with dx̄/dτ = (dx̄/dt)/ω. A contact that sticks at once keeps its offset, which depends on the
-    /// initial position and velocity.
+    /// Checks a motion that starts from a state at another frequency. The displacements and the velocities dx̄/dt must
+    /// stay unchanged, so that dx̄/dτ = (dx̄/dt)/ω changes. A contact that sticks at once keeps its offset, which
+    /// depends on the initial position and velocity.
     #[test]
     fn a_state_goes_over_to_another_frequency() {
         let text = "struct Block { masses: { block: 1 }, springs: { base - block: 1 }, contact: block - wall,
@@ -254,7 +258,7 @@ mod tests {
         );
         let to = system.at(0.6).expect("in the domain");
         let (stuck, _) = to.response_from(1.5, Some(&carried)).expect("a response");
-        // The angular frequency ω is halved. Therefore dx̄/dτ doubles.
+        // The test halves the angular frequency ω, so that dx̄/dτ doubles.
         let twice: Vec<f64> = carried
             .velocities
             .iter()

@@ -14,7 +14,7 @@ pub struct SystemSimulation<'a, S = f64> {
     run: KernelSimulation<'a, S>,
 }
 
-/// The kernel's simulation with vectors, for any friction law.
+/// The kernel's simulation in time, with its data in vectors, for any friction law.
 type KernelSimulation<'a, S> = Simulation<'a, S, Vec<Part<S>>, Lines<'a, S>, AnyContact<S>>;
 
 impl<S: Plain> System<S> {
@@ -32,8 +32,8 @@ impl<S: Plain> System<S> {
         Ok(self.dynamics())
     }
 
-    /// Returns the empty oscillators of a simulation: one for each mode of the chain, and one for each mode of the
-    /// chain with its contact stuck.
+    /// Returns oscillators without a motion, as storage for a simulation. There is one oscillator for each mode of the
+    /// chain, and one for each mode of the chain with its contact stuck.
     pub(super) fn parts(&self) -> Vec<Part<S>> {
         let dynamics = self.dynamics();
         vec![Part::empty(); dynamics.oscillators()]
@@ -87,11 +87,12 @@ impl<S: Plain> System<S> {
         self.started(r, beta, Lines::none(), Some(state))
     }
 
-    /// Starts the exact motion in time from rest under a load of the given amplitude in the scene's units: P for a
-    /// force, Y for a base motion.
+    /// Starts the exact motion in time from rest, under a load of the given amplitude. The amplitude is P of a force,
+    /// or Y of a base motion, in the scene's units.
     ///
-    /// The speeds of `friction: stribeck` require the amplitude. With a constant kinetic friction force, the motion
-    /// does not depend on it. β is the kinetic friction force at zero speed, divided by P (by k₁Y for base motion).
+    /// The method needs the amplitude because the speeds of `friction: stribeck` have units. With a constant kinetic
+    /// friction force, the motion does not depend on the amplitude. β is the kinetic friction force at zero speed,
+    /// divided by P (by k₁Y for base motion).
     ///
     /// ```
     /// # fn main() -> Result<(), Box<dyn std::error::Error>> {
@@ -145,7 +146,8 @@ impl<S: Plain> System<S> {
         self.started(r, beta, self.lines(r, amplitude)?, Some(state))
     }
 
-    /// Returns the friction law with non-dimensional speeds. These speeds depend on the amplitude of the load.
+    /// Returns the friction law with non-dimensional sliding speeds. These speeds depend on r and on the amplitude of
+    /// the load.
     fn lines(&self, r: S, amplitude: S) -> Result<Lines<'_, S>, OutOfDomain> {
         if S::constant(0.0) < amplitude && amplitude.is_finite() {
             Ok(self.steps().lines(r, amplitude))

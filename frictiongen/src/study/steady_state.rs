@@ -8,7 +8,7 @@ use frictiongen_kernel::motion::{AnyContact, MotionSetting, Part};
 use frictiongen_kernel::number::complex;
 use frictiongen_kernel::orbit::{self, Orbit, OrbitQuestion, Start};
 
-/// Data of the scene at one r and β for a rigid or an elastic contact, with the oscillators of its modes.
+/// The scene at one r and one β, with a rigid or an elastic contact, and the oscillators of its modes.
 type StuckSetting<'a, S> = (MotionSetting<'a, S, AnyContact<S>>, Vec<Part<S>>);
 
 impl<S: Plain> System<S> {
@@ -45,9 +45,9 @@ impl<S: Plain> System<S> {
         self.steady_state_of(r, beta, Start::Rest)
     }
 
-    /// Returns the steady state that a motion from a given state reaches. Apart from the initial state, the call
-    /// computes what [`steady_state`](Self::steady_state) computes. `state` contains x̄ and dx̄/dτ of every mass at a
-    /// maximum of the excitation. An elastic contact starts without force.
+    /// Returns the steady state that a motion from a given state reaches. The method differs from
+    /// [`steady_state`](Self::steady_state) only by the initial state. `state` contains x̄ and dx̄/dτ of every mass at
+    /// a maximum of the excitation. An elastic contact starts without force.
     ///
     /// # Errors
     /// Same errors as [`steady_state`](Self::steady_state). [`OutOfDomain`] also for a state that is not finite or not
@@ -76,11 +76,11 @@ impl<S: Plain> System<S> {
         self.settled_from(r, beta, start, (limit, false))
     }
 
-    /// Returns β*_lim = |f|/μ, the smallest β = F/P with which the contact need not slide. f is the force of the stuck
-    /// contact, divided by P. The contact may be rigid or elastic.
+    /// Returns β*_lim = |f|/μ, the smallest β = F/P with which the contact need not slide. Here f is the force of the
+    /// stuck contact, divided by P. The contact may be rigid or elastic.
     ///
     /// If β is at least this limit, an elastic contact that starts without force never slides. If the contact has slid
-    /// earlier, its slider may rest at another position. The contact then carries an additional constant force.
+    /// earlier, its slider may rest at another position. The contact force then has an additional constant part.
     ///
     /// # Errors
     /// [`StuckResonance`] on an undamped resonance of the chain with its contact stuck. [`OutOfDomain`] for r that is

@@ -14,7 +14,8 @@ use frictiongen_kernel::{Float, Plain};
 use frictiongen_model::stepping::StepperSettings as Settings;
 use std::ops::{Deref, DerefMut};
 
-/// Number of coefficients of the input's polynomial over one step. It is large enough for each kind of input.
+/// Number of coefficients of the polynomial that describes the input over one step. The number is large enough for each
+/// interpolation of the input.
 const COEFFICIENTS: usize = 4;
 
 /// Constant tables for time steps of a fixed length, in vectors. They advance each mode of the sliding chain and of the
@@ -93,7 +94,7 @@ pub struct SystemStepStore<S> {
     last: Vec<S>,
 }
 
-/// The written form of the state's vectors.
+/// The vectors of a stepper's state in the form in which serde reads them.
 #[cfg(feature = "serde")]
 #[derive(serde::Deserialize)]
 #[serde(deny_unknown_fields)]
@@ -241,7 +242,7 @@ impl<'n, S: Float> SystemInput<'n, S> {
         }
     }
 
-    /// Adds a force on another mass. Forces on the same mass add up.
+    /// Adds a force on the mass called `mass`. Forces on the same mass add up.
     pub fn on(mut self, mass: &'n str, force: S) -> Self {
         self.more.push((mass, force));
         self
@@ -328,8 +329,9 @@ impl<S: Plain> System<S> {
 }
 
 impl<S: Plain> SystemStepper<'_, S> {
-    /// Returns an image of the state: bytes for a file. [`System::stepper_from_image`] continues from these bytes. A
-    /// run-time system accepts forces on all masses. Its images therefore fit only a run-time system of the same scene.
+    /// Returns an image of the state, which is a list of bytes for a file. [`System::stepper_from_image`] continues
+    /// from these bytes. A run-time system accepts forces on all masses. Its images therefore fit only a run-time
+    /// system of the same scene.
     #[must_use]
     pub fn image(&self) -> Vec<u8> {
         let mut bytes = vec![0; self.stepper.image_len()];
@@ -373,7 +375,7 @@ impl<'a, S: Float> SystemStepper<'a, S> {
     }
 
     /// Takes one step. `input` is the input at the end of the step. By default the input changes linearly during the
-    /// step. With `input: hold` the new input acts over the whole step.
+    /// step. With `input: hold` in the description, the new input acts over the whole step.
     ///
     /// # Errors
     /// [`OutOfDomain`] for a number that is NaN or infinite, and for friction below zero. [`OutOfDomain`] also for a
@@ -427,8 +429,8 @@ impl<'a, S: Float> SystemStepper<'a, S> {
         self.stepper.mass(index)
     }
 
-    /// Returns the present displacement and velocity of all masses, in the order of the description. One call computes
-    /// each mode once, and costs one product of the mode shapes with the modes.
+    /// Returns the present displacement and velocity of all masses, in the order of the description. The call evaluates
+    /// each mode only once, and then multiplies the mode shapes with the modes.
     #[must_use]
     pub fn all_masses(&self) -> Vec<MassNow<S>> {
         let mut masses = vec![self.stepper.mass(usize::MAX); self.forces.len()];

@@ -1,4 +1,4 @@
-//! The run-time system. It evaluates the closed forms with its data in vectors instead of arrays.
+//! The run-time system. It evaluates the closed forms, and stores its data in vectors instead of arrays.
 
 use super::error::{InvalidScene, UnknownMass};
 use super::large;
@@ -17,7 +17,7 @@ use frictiongen_model::validate::validate;
 use frictiongen_syntax::{Diagnostics, read_scene};
 use std::sync::OnceLock;
 
-/// A scene at run time, with its modal data, from which all solvers start.
+/// A scene at run time, with its modal data. All solvers start from this type.
 ///
 /// ```
 /// use frictiongen::study::System;
@@ -48,8 +48,8 @@ pub struct System<S = f64> {
     /// True if the load acts on the mass in the contact and μ = 1. The limit of sliding β*_lim is then 1 at every
     /// frequency.
     pub(super) sliding_limit_is_one: bool,
-    /// Modal data of an undamped chain, from which closed forms give the limits without a search over the cycle. `None`
-    /// for a damped chain and for a chain with many modes.
+    /// Modal data of an undamped chain. With these data, closed forms give the limits without a search over the cycle.
+    /// `None` for a damped chain and for a chain with many modes.
     pub(super) driven: Option<DrivenModes<S>>,
     transient: OnceLock<Transient<S>>,
     steps: OnceLock<StepperSettings<S>>,
@@ -82,12 +82,11 @@ impl<S: Float> TryFrom<Scene> for System<S> {
 pub(super) fn rounded<S: Float>(value: Dd) -> S {
     let plain = S::constant(value.hi);
     if plain.to_f64() == value.hi {
-        // The conversion of the high part leaves out the low part. A number type wider than f64 needs the high and the
-        // low part.
+        // `plain` contains only the high part. A number type wider than `f64` also has digits for the low part.
         return plain + S::constant(value.lo);
     }
-    // The high part may lie halfway between two numbers of a narrower type. In this case, the code rounds the next f64
-    // number in the direction of the low part. The result is then correct.
+    // The high part may lie halfway between two numbers of a narrower type, such as `f32`. The sign of the low part
+    // then decides. The code rounds the neighbouring `f64` number on that side, so that the result is correct.
     S::constant(match value.lo.partial_cmp(&0.0) {
         Some(std::cmp::Ordering::Greater) => value.hi.next_up(),
         Some(std::cmp::Ordering::Less) => value.hi.next_down(),
@@ -107,7 +106,7 @@ impl<S: Float> System<S> {
         Self::with_data(scene, modal.clone(), &modal, rounded::<S>)
     }
 
-    /// Creates the system from its modal data `data`. `to` converts every number to the scalar type.
+    /// Creates the system from the numbers of its modal data `data`. `to` converts every number to the scalar type.
     pub(super) fn with_data<T: Float>(
         scene: Scene,
         modal: Modal,
@@ -117,7 +116,8 @@ impl<S: Float> System<S> {
         let all = |values: Vec<T>| values.into_iter().map(&to).collect();
         let reduced = data.reduced(&to);
         let range = (&reduced).inverse_ratio_range();
-        // A number type with derivatives may contain a derivative with respect to μ. β*_lim is then not the constant 1.
+        // β*_lim may have a derivative with respect to μ. A number type with derivatives must therefore not use the
+        // constant 1.
         let chain = &reduced.chain;
         let in_phase = reduced.quadratures.is_empty();
         let sliding_limit_is_one =
@@ -155,7 +155,7 @@ impl<S: Float> System<S> {
             .get_or_init(|| Transient::of(&self.scene, &self.modal, rounded::<S>))
     }
 
-    /// Returns true if a simulation in time would lose more than half of the digits. It would lose them if too many
+    /// Returns true if a simulation in time would lose more than half of the digits. The reason is then that too many
     /// modes are at or beyond critical damping.
     pub(super) fn loses_motion(&self) -> bool {
         *self
@@ -163,8 +163,8 @@ impl<S: Float> System<S> {
             .get_or_init(|| self.transient().excess_loss().is_some())
     }
 
-    /// Returns the components of all masses in the modes of the closed forms, to about 30 digits. The components of the
-    /// first mass in all modes come first. The first call computes them.
+    /// Returns the components of all masses in the modes of the closed forms, to about 30 digits. The list begins with
+    /// the components of the first mass in all modes. The first call computes the list.
     pub(super) fn exact_shapes(&self) -> &[Dd] {
         self.exact_shapes
             .get_or_init(|| self.modal.reduced(|value| value).shapes)
@@ -177,7 +177,7 @@ impl<S: Float> System<S> {
             .get_or_init(|| Transient::of(&self.scene, &self.modal, |value| value).shapes)
     }
 
-    /// Returns the additional data for a stepper. In this stepper a force can act on every mass.
+    /// Returns the settings of a stepper in which a force can act on every mass.
     pub(super) fn steps(&self) -> &StepperSettings<S> {
         let masses = 0..self.scene.masses.len();
         self.steps
@@ -206,7 +206,7 @@ impl<S: Float> System<S> {
         frictiongen_syntax::written(&self.scene)
     }
 
-    /// Returns the scene as described in text or in code.
+    /// Returns the scene of this system, as text or code describes it.
     #[must_use]
     pub fn scene(&self) -> &Scene {
         &self.scene
@@ -238,7 +238,8 @@ impl<S: Float> System<S> {
         &self.resonances
     }
 
-    /// Returns the mode shapes φ, first by mode and then by mass, with φᵀΓφ = 1.
+    /// Returns the mode shapes φ with φᵀΓφ = 1, where Γ is the mass matrix divided by m₁. The outer list has one entry
+    /// for each mode, and the inner list one for each mass.
     #[must_use]
     pub fn mode_shapes(&self) -> Vec<Vec<S>> {
         let shapes = self.modal.shapes.iter();

@@ -27,7 +27,8 @@ pub enum Load<S = f64> {
 }
 
 impl<S: Copy> Load<S> {
-    /// Returns the number that describes the load, in its own unit: for example P of a force or Y of a base motion.
+    /// Returns the number that describes the load, in the unit of this load. It is for example P of a force, or Y of a
+    /// base motion.
     #[must_use]
     pub fn amplitude(&self) -> S {
         match self {
@@ -39,7 +40,7 @@ impl<S: Copy> Load<S> {
         }
     }
 
-    /// Gives access to the number that describes the load, to change it.
+    /// Returns a reference to the number that describes the load, so that the caller can change the number.
     pub(super) fn amplitude_mut(&mut self) -> &mut S {
         match self {
             Self::Force(amplitude)
@@ -91,8 +92,8 @@ impl<S: Float> Load<S> {
     }
 }
 
-/// The units of length and force under a load. They convert non-dimensional results to physical ones: see
-/// [`System::load_scale`].
+/// The units of length and force under a load. They convert non-dimensional results to physical results (see
+/// [`System::load_scale`]).
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct LoadScale<S = f64> {
     length: S,
@@ -128,13 +129,13 @@ impl<S: Float> LoadScale<S> {
         self.force
     }
 
-    /// Converts a non-dimensional displacement x̄ to a displacement x, a length.
+    /// Converts a non-dimensional displacement x̄ to a displacement x, which is a length.
     #[must_use]
     pub fn displacement(&self, ratio: S) -> S {
         ratio * self.length
     }
 
-    /// Converts a displacement x, a length, to a non-dimensional displacement x̄.
+    /// Converts a displacement x, which is a length, to a non-dimensional displacement x̄.
     #[must_use]
     pub fn displacement_ratio(&self, displacement: S) -> S {
         displacement / self.length
@@ -188,9 +189,9 @@ pub fn seconds<S: Float>(tau: S, omega: S) -> S {
 
 /// Returns the lag of the negated motion: `lag` plus or minus π, in (−π, π].
 ///
-/// A lag refers to the instant of the largest displacement. If a contact stops at its largest displacement, it keeps
-/// this displacement during the whole stop. A difference of π is then not exact. For such a contact, use
-/// [`SystemOrbit::reversed_contact_phase`](super::orbit::SystemOrbit::reversed_contact_phase).
+/// A lag refers to the instant of the largest displacement. A rigid contact that never slides has no such instant, and
+/// its phase is 0. [`SystemOrbit::reversed_contact_phase`](super::orbit::SystemOrbit::reversed_contact_phase) leaves
+/// this phase unchanged.
 #[doc(hidden)]
 #[must_use]
 pub fn reversed_phase<S: Float>(lag: S) -> S {
@@ -202,7 +203,7 @@ pub fn reversed_phase<S: Float>(lag: S) -> S {
 }
 
 /// Returns the lag of the fundamental component X₁ of a motion, in rad, in (−π, π]. `centred` is the centred amplitude
-/// of the motion. Returns `None` if X₁ is 0 or only rounding error.
+/// of the motion. Returns `None` if X₁ is 0 or consists only of rounding errors.
 #[doc(hidden)]
 #[must_use]
 pub fn fundamental_phase(x1: Complex<f64>, centred: f64) -> Option<f64> {

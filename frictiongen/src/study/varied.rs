@@ -18,8 +18,8 @@ use frictiongen_model::stepping::StepperSettings;
 use frictiongen_model::transient::Transient;
 use std::sync::OnceLock;
 
-/// A number with its derivative, each with about 30 digits. A [`Varied`] system computes with such numbers. Its
-/// derivatives therefore have enough digits close to a resonance.
+/// A number with its derivative, each with about 30 digits. A [`Varied`] system uses such numbers, so that its
+/// derivatives have enough digits close to a resonance.
 pub type Sensitive = Dual<Dd>;
 
 /// A system whose results have derivatives with respect to one quantity of the description.
@@ -58,12 +58,12 @@ pub type Sensitive = Dual<Dd>;
 pub struct Varied {
     system: System<Sensitive>,
     data: Modal<Sensitive>,
-    /// The system without derivatives (`plain`), and the data for motions in time with derivatives (`transient`). The
-    /// first use of a field computes it.
+    /// The system without derivatives (`plain`). The field `transient` contains the data for motions in time with
+    /// derivatives. The first use of each field computes its contents.
     plain: OnceLock<System>,
     transient: OnceLock<Option<Transient<Sensitive>>>,
-    /// The varied quantity (`quantity`), and the settings of a stepper with derivatives (`steps`), which the first use
-    /// computes.
+    /// The quantity with respect to which the results have derivatives. The field `steps` contains the settings of a
+    /// stepper with derivatives, which the first use computes.
     pub(super) quantity: Option<Quantity>,
     pub(super) steps: OnceLock<StepperSettings<Sensitive>>,
 }
@@ -91,8 +91,7 @@ impl Varied {
     /// then gives the derivatives. The Floquet multipliers have no derivatives.
     ///
     /// An amplitude and a phase have a derivative if the steady state has one. If the contact stops at its largest
-    /// displacement, the phase of the contact belongs to the start or the end of the stop, whichever is closer to the
-    /// excitation's maximum. If the excitation's maximum falls within the stop, the phase is 0.
+    /// displacement, the phase of the contact belongs to the beginning of the stop.
     ///
     /// ```
     /// use frictiongen::study::{System, sensitivity::{Quantity, Sensitive}};

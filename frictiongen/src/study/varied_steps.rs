@@ -1,4 +1,4 @@
-//! Steppers whose results carry derivatives.
+//! Steppers whose results have derivatives.
 
 #[cfg(test)]
 mod tests;
@@ -67,7 +67,7 @@ impl Varied {
     /// [`System::stepper`](super::System::stepper).
     pub fn stepper(&self, dt: f64) -> Result<SystemStepper<'_, Sensitive>, NoDerivative> {
         let transient = self.transient().ok_or(NoDerivative::Degenerate)?;
-        // The plain system refuses scenes that have no stepper.
+        // A scene may have no stepper. This call then returns the error.
         self.plain().stepper(dt)?;
         let settings = self.steps.get_or_init(|| self.settings());
         let dt = Sensitive::fixed(dt.into());
@@ -80,7 +80,7 @@ impl Varied {
         )?)
     }
 
-    /// Returns the settings of a stepper, in which the units carry derivatives.
+    /// Returns the settings of a stepper whose units have derivatives.
     fn settings(&self) -> StepperSettings<Sensitive> {
         let (scene, modal) = (self.system().scene(), self.modal());
         let fixed = Sensitive::fixed;
@@ -101,7 +101,8 @@ impl Varied {
         steps
     }
 
-    /// Returns the stiffness of a spring. It is a variable if it is the varied quantity.
+    /// Returns the stiffness of a spring. The stiffness is a variable if the derivatives are with respect to this
+    /// stiffness.
     fn spring(&self, index: usize) -> Option<Sensitive> {
         let value = self.system().scene().springs.get(index)?.stiffness.into();
         Some(if self.quantity == Some(Quantity::Stiffness(index)) {
@@ -111,7 +112,7 @@ impl Varied {
         })
     }
 
-    /// Returns the sum of the stiffnesses of all springs on the base.
+    /// Returns the sum of the stiffnesses of all springs that are connected to the base.
     fn support(&self, scene: &Scene) -> Sensitive {
         let springs = scene.springs.iter().enumerate();
         let on_base =
@@ -121,8 +122,8 @@ impl Varied {
     }
 }
 
-/// The data of steppers with derivatives in double precision. A step takes a small part of the time of a step with
-/// [`Sensitive`] numbers.
+/// The data of steppers with derivatives in double precision. A step with these data takes a small fraction of the time
+/// of a step with [`Sensitive`] numbers.
 #[cfg(feature = "measure")]
 pub(crate) struct RoundedSteps {
     system: System<Dual<f64>>,

@@ -1,4 +1,5 @@
-//! Words for regimes, results, events and features. Tables, files and all languages use the same words.
+//! Words for regimes, results, events and features. Tables, files and bindings for other programming languages use
+//! the same words.
 
 use super::{
     StudyError, SystemAt,
@@ -213,7 +214,7 @@ pub fn end(end: OptimumEnd) -> &'static str {
     }
 }
 
-/// Returns the reason why there is no derivative. Returns `None` if the request itself is invalid.
+/// Returns the words for the reason why a response has no derivative. Returns `None` if the request itself is invalid.
 #[must_use]
 pub fn no_derivative(error: &StudyError) -> Option<&'static str> {
     Some(match error {
@@ -249,8 +250,8 @@ pub fn condition(point: &InvariantPoint) -> &'static str {
     }
 }
 
-/// Returns the words for the reason why an inversion ends. An inversion is a range of r in which more friction makes a
-/// motion larger.
+/// Returns the words for the reason why an inversion ends. An inversion is a range of the frequency ratio r in which
+/// more friction makes a motion larger.
 #[must_use]
 pub fn edge(edge: Edge) -> &'static str {
     match edge {

@@ -8,17 +8,17 @@ use super::system::System;
 use crate::study::scene::Damping;
 use crate::{Error, NoOrbit};
 
-/// Work of the last cycles of a motion from rest that did not settle. The code multiplies this number by (number of
-/// masses + 2).
+/// Work of the last cycles of a motion from rest that did not settle, in units of about 10 µs. The code multiplies this
+/// number by (number of masses + 2).
 const UNSETTLED: usize = 400;
 /// Additional work of a response if the motion from rest did not settle and the search found another steady state.
 const ANOTHER: usize = 1000;
-/// Number of vibrations of the fastest mode in a cycle of the excitation at which the work of the cycle doubles,
-/// compared with a slow mode.
+/// Number of vibrations of the fastest mode in one cycle of the excitation that doubles the work of this cycle. The
+/// comparison is with a cycle in which all modes are slow.
 const VIBRATIONS: f64 = 10.0;
-/// Work of a settled motion of a damped chain, for each mass.
+/// Work of a settled motion of a damped chain, for each mass, in units of about 10 µs.
 const DAMPED: usize = 8;
-/// Work of a settled motion of an undamped chain, for each pair of modes.
+/// Work of a settled motion of an undamped chain, for each pair of modes, in units of about 10 µs.
 const UNDAMPED: usize = 6;
 
 /// Returns the work of the response `found` at the frequency ratio r, in units of about 10 µs.
@@ -31,7 +31,7 @@ pub(in crate::study) fn work(
     let masses = scene.masses.len();
     let fastest = system.resonances().last().copied().unwrap_or(0.0);
     let vibrations = fastest / (VIBRATIONS * r);
-    // The conversion to an integer saturates. NaN becomes 0.
+    // The conversion from `f64` to an integer limits a number that is too large, and converts NaN to 0.
     let unsettled = |work: usize| (work as f64 * (1.0 + vibrations)) as usize;
     let spent = unsettled(UNSETTLED * (masses + 2));
     let followed = if scene.damping == Damping::None {

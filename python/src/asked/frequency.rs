@@ -129,7 +129,7 @@ pub struct FrequencyRange {
 }
 
 impl FrequencyRange {
-    /// Reads the bounds of a frequency range from Python. If the caller gave none, returns the usual range around the
+    /// Reads the bounds of a frequency range from Python. Without bounds, returns the default range around the
     /// resonances.
     pub fn of_or_usual(
         system: &System,
@@ -157,7 +157,7 @@ impl FrequencyRange {
         let (given, unit) = chosen(arguments)?;
         let argument = argument(unit);
         let Some((from, to)) = ends(argument, given)? else {
-            // A text gets the message about texts here. Otherwise it would get the message about frequency ranges.
+            // This call rejects a text with the message for texts, instead of the message for ranges below.
             numbers(argument, given)?;
             return Err(domain(format_args!(
                 "{argument}: a band is needed, a tuple (from, to); lists and arrays are points, for `limits`, `response` and `map`"
@@ -181,8 +181,8 @@ impl FrequencyRange {
         })
     }
 
-    /// Reads a difference of two frequencies in the unit that the caller used for the range. Returns it as a
-    /// difference of ratios r.
+    /// Reads a difference of two frequencies from Python, in the unit of the range. Returns the difference as a
+    /// difference of frequency ratios r.
     pub fn step(&self, system: &System, given: &Bound<'_, PyAny>) -> PyResult<f64> {
         let given = one("step", given)?;
         let step = self.unit.given(system, given).r;
@@ -191,7 +191,7 @@ impl FrequencyRange {
                 "step is {given:?}: it must be above 0 and finite"
             )));
         }
-        // The method refuses more points than an answer may have, as the command does.
+        // An answer may not have more points than this limit, which is the same in the command.
         if super::MOST_POINTS as f64 <= (self.to - self.from) / step {
             return Err(domain(format_args!(
                 "step is {given:?}: it gives more than {} points",

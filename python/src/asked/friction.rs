@@ -74,8 +74,8 @@ impl FrictionValues {
         })
     }
 
-    /// Reads one friction or a list of frictions from Python. Rejects a range, because each friction takes the work
-    /// of a whole curve.
+    /// Reads one friction or a list of frictions from Python. Fails for a range `(from, to)`, because each friction
+    /// takes the work of a whole curve.
     pub fn listed(arguments: &FrictionKeywords<'_>, measure: &Measure) -> PyResult<Self> {
         let (beta, friction) = arguments;
         for (argument, given) in [("beta", beta), ("friction", friction)] {

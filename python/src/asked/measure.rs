@@ -11,7 +11,8 @@ use pyo3::prelude::*;
 /// The Python arguments `force` and `base`, of which the caller gives one or none.
 pub type LoadKeywords<'py> = (Option<Bound<'py, PyAny>>, Option<Bound<'py, PyAny>>);
 
-/// Reads the load from Python, and returns the units of the answers. Without a load the answers are non-dimensional.
+/// Reads the load from Python, and returns the units of the answers. Without a load the answers are non-dimensional
+/// groups.
 pub fn of(system: &System, (force, base): &LoadKeywords<'_>) -> PyResult<Measure> {
     let (name, load) = match (force, base) {
         (None, None) => return Ok(Measure::groups(system)),
@@ -38,7 +39,7 @@ pub fn of(system: &System, (force, base): &LoadKeywords<'_>) -> PyResult<Measure
     })
 }
 
-/// Reads a load from a Python text such as "3 N". `read` parses the text.
+/// Reads a load from a Python text such as "3 N". The function `read` parses the text.
 fn text_load(
     argument: &str,
     text: &str,

@@ -19,26 +19,26 @@ use frictiongen::study::columns::{Column, ColumnAxis, FrequencyUnit, Setting};
 use pyo3::prelude::*;
 use pyo3::types::PyString;
 
-/// Number of frequencies for which an answer covers a frequency range `(from, to)`.
+/// Number of evenly spaced frequencies at which an answer evaluates a frequency range `(from, to)`.
 const ACROSS: u32 = 161;
 
-/// Number of frictions for which an answer covers a friction range `(from, to)`.
+/// Number of evenly spaced frictions at which an answer evaluates a friction range `(from, to)`.
 const UP: u32 = 81;
 
 /// Largest number of points (frequency, friction) in an answer. The command has the same limit.
 pub const MOST_POINTS: usize = 10_000_000;
 
-/// Largest number of numbers in an answer. This many numbers take 800 MB.
+/// Largest number of floating-point numbers in an answer. This many numbers take 800 MB.
 const MOST_NUMBERS: usize = 100_000_000;
 
-/// Largest order of a harmonic for which the caller may ask.
+/// Largest order of a harmonic that the caller may request.
 pub const MOST_HARMONICS: u32 = 9999;
 
 /// A Python argument that the caller may leave out.
 pub type Optional<'py> = Option<Bound<'py, PyAny>>;
 
-/// Returns the settings with which the library builds its tables. The number of decimals is missing, because only
-/// printed tables need it.
+/// Returns the settings with which the library builds its tables. The grids of frequencies and frictions are empty,
+/// because only printed tables need their numbers of decimals.
 pub fn setting<'a>(
     system: &'a System,
     measure: Measure,
@@ -56,8 +56,8 @@ pub fn setting<'a>(
     }
 }
 
-/// Adds the columns of an answer over frequency and friction: the frequencies, the frictions, and the results. The
-/// results are in the order of the frequencies, and for each frequency in the order of the frictions.
+/// Adds the columns of an answer over frequency and friction: frequencies, frictions, and results. The results are in
+/// the order of the frequencies. The results at one frequency are in the order of the frictions.
 pub fn put_grid<R>(
     arrays: &mut NamedArrays<'_>,
     (frequencies, frictions): (&FrequencyValues, &FrictionValues),
@@ -133,8 +133,7 @@ pub fn part(system: &System, argument: &str, given: &Bound<'_, PyAny>) -> PyResu
     })
 }
 
-/// Returns the quantity with this name: a displacement, or a velocity, an acceleration or a force, such as
-/// `accel(roof)`.
+/// Returns the quantity with this name: a displacement, a velocity, an acceleration or a force, such as `accel(roof)`.
 pub fn quantity(system: &System, argument: &str, name: &str) -> PyResult<MovingPart> {
     MovingPart::named(system, name).map_err(|error| domain(format_args!("{argument}: {error}")))
 }
@@ -144,7 +143,7 @@ pub fn harmonics(given: Option<&Bound<'_, PyAny>>) -> PyResult<u32> {
     given.map_or(Ok(0), |given| whole("harmonics", given, 1..=MOST_HARMONICS))
 }
 
-/// Fails if an answer would be too large: it has `points` points, and each point has `numbers` numbers.
+/// Fails if an answer of `points` points, each with `numbers` numbers, would be too large.
 pub fn check_size(points: usize, numbers: usize) -> PyResult<()> {
     if points <= MOST_POINTS && points.saturating_mul(numbers) <= MOST_NUMBERS {
         return Ok(());

@@ -25,7 +25,7 @@ impl GivenNumbers {
         }
     }
 
-    /// Returns the text by which a message names the number at this index of an argument.
+    /// Returns the name, for an error message, of the number at this index of an argument.
     pub fn place(&self, argument: &str, index: usize) -> String {
         if self.is_one {
             argument.to_owned()
@@ -81,8 +81,8 @@ pub fn numbers(argument: &str, given: &Bound<'_, PyAny>) -> PyResult<GivenNumber
     })
 }
 
-/// Reads the bounds of a range from a Python tuple. Returns `None` for a list or an array, because these contain
-/// points.
+/// Reads the bounds of a range from a Python tuple. Returns `None` for a list or an array, because a list or an array
+/// contains points.
 pub fn ends(argument: &str, given: &Bound<'_, PyAny>) -> PyResult<Option<(f64, f64)>> {
     if !given.is_instance_of::<PyTuple>() {
         return Ok(None);

@@ -12,7 +12,7 @@ use pyo3::types::{PyDict, PyTuple};
 /// Largest order of a harmonic of a load.
 const MOST_ORDER: u32 = 1000;
 
-/// Reads the load over one period from Python. Returns the system for this load, and the load. With `hold`, the
+/// Reads the load over one period from Python. Returns a system for this load, and the load. If `hold` is true, the
 /// system keeps each force constant until the next sample.
 pub fn load(
     system: &System,
@@ -42,7 +42,7 @@ pub fn load(
         ));
     }
     let (samples, unit) = samples(given)?;
-    // A sample without a unit is a force in N, or a displacement of the base in m.
+    // Without a unit, a sample is a force in N, or a displacement of the base in m.
     let dimension = unit.as_ref().map(Unit::dimension);
     let quantity = match dimension {
         None if moves => Some(BaseTable::Displacement),
@@ -61,7 +61,7 @@ pub fn load(
     }
     let scale = unit.as_ref().map_or(1.0, Unit::scale);
     let samples: Vec<f64> = samples.iter().map(|value| value * scale).collect();
-    // The last sample is at the end of the period, where the load has the value of the first sample again.
+    // The samples include both ends of the period. The last sample repeats the load of the first sample.
     let step = period / samples.len().saturating_sub(1).max(1) as f64;
     let load = match quantity {
         None => PeriodicLoad::forces(step, &samples),
@@ -79,7 +79,7 @@ fn refused(error: PeriodicError) -> PyErr {
     domain(format_args!("load: {error}"))
 }
 
-/// Returns the system with an input that keeps each force constant between two samples.
+/// Returns a copy of the system whose input keeps each force constant between two samples.
 fn held(system: &System) -> PyResult<System> {
     let mut scene = system.scene().clone();
     scene.stepping.input = StepInput::Hold;
@@ -90,7 +90,7 @@ fn held(system: &System) -> PyResult<System> {
     System::try_from(scene).map_err(|error| domain(format_args!("hold: {error}")))
 }
 
-/// Reads the samples of a load from Python. A tuple contains the samples and their unit.
+/// Reads the samples of a load from Python. If the argument is a tuple, it contains the samples and their unit.
 fn samples(given: &Bound<'_, PyAny>) -> PyResult<(Vec<f64>, Option<Unit>)> {
     let mut unit = None;
     let mut samples = given.clone();

@@ -35,7 +35,7 @@ pub fn free_decay<'py>(
         }
         (Some(ratio), false) => Some(ratio),
         (None, true) => None,
-        // The damping of the description counts as known here.
+        // Without a fit of the damping, the fit takes the damping of the description as known.
         (None, false) => system.described_damping(),
     };
     let (owned, record) = (Arc::clone(system), recording.recording.clone());

@@ -32,8 +32,8 @@ pub fn drive<'py>(
     }
     let mut parts = parts(of_system, "of", of.as_ref())?;
     if of.is_none() {
-        // Under a recorded acceleration the base drifts by metres, which hides all relative motion. All motions are
-        // therefore relative to the base.
+        // Under a recorded acceleration the base drifts by metres. This drift would hide the relative motions, so all
+        // motions are relative to the base.
         let all = parts.into_iter().map(|part| part.from_base(of_system));
         parts = all.collect();
     }

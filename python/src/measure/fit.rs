@@ -13,8 +13,8 @@ use pyo3::prelude::*;
 use pyo3::types::PyDict;
 use std::sync::Arc;
 
-/// A measured mass: its name, its amplitudes divided by the amplitude of the excitation, and their standard
-/// deviations if known.
+/// A measured mass: its name, its transmissibilities, and their standard deviations if known. A transmissibility is the
+/// amplitude of the mass divided by the amplitude of the excitation.
 type Swept<'py> = (String, Bound<'py, PyAny>, Option<Bound<'py, PyAny>>);
 
 /// Results of a fit: single values, points of the sweep, and the system with the fitted parameters.
@@ -41,7 +41,8 @@ fn row(argument: &str, given: &Bound<'_, PyAny>, count: usize, gaps: bool) -> Py
     Ok(given.values)
 }
 
-/// Returns the points of a measured sweep, in the order in which a table of a sweep has them.
+/// Returns the points of a measured sweep. They have the same order as in the table of a sweep: by frequency, then by
+/// mass.
 fn points(
     system: &System,
     hertz: &Bound<'_, PyAny>,

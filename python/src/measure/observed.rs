@@ -33,7 +33,7 @@ type Points<'py> = (
 /// Observations of steady motions, with the quantities that are known for each observation.
 #[derive(Default)]
 pub struct Observed {
-    /// Observations, as the library takes them.
+    /// The observations in the type of the library.
     pub all: Vec<Observation>,
     /// Quantities that are known for each observation.
     pub known: Vec<Known>,
@@ -69,7 +69,7 @@ fn row(
 
 const ABOVE: &str = "a finite number above 0";
 
-/// Reads the amplitude of the load: one for each frequency, or one for all frequencies.
+/// Reads the amplitude of the load from Python: one number for each frequency, or one number for all frequencies.
 fn loads(system: &System, load: &LoadKeywords<'_>, count: usize) -> PyResult<Vec<Load>> {
     let above = |value| 0.0 < value;
     match (load, system.scene().excitation) {
@@ -90,7 +90,7 @@ fn loads(system: &System, load: &LoadKeywords<'_>, count: usize) -> PyResult<Vec
     }
 }
 
-/// Measured motion of a mass, with its values at each frequency.
+/// Measured motion of a mass. Amplitude and phase have a value at each frequency.
 struct ObservedMotion {
     mass: usize,
     harmonic: u32,
@@ -156,8 +156,8 @@ impl ObservedMotion {
         }
     }
 
-    /// Returns the measured motion at one frequency, divided by the load `load`. An unknown amplitude becomes 1, and
-    /// an unknown phase becomes 0.
+    /// Returns the measured motion at one frequency, divided by the load `load`. The value 1 replaces an unknown
+    /// amplitude, and 0 replaces an unknown phase.
     fn datum(&self, place: usize, load: f64) -> Datum {
         let at = |values: &Vec<f64>| values.get(place).copied().unwrap_or(f64::NAN);
         let phase = self.phase.as_ref().map_or(0.0, at).to_radians();

@@ -6,7 +6,7 @@ use frictiongen::measure::{Channel, CsvColumn, CsvRequest, MeasureError, Recordi
 use numpy::PyArray1;
 use pyo3::prelude::*;
 
-/// A recording and its name in messages.
+/// A recording, with its name for messages to the user.
 #[pyclass(frozen, module = "frictiongen._native", name = "Recording")]
 pub struct NativeRecording {
     /// The recording, as a type of the Rust library.
@@ -16,7 +16,8 @@ pub struct NativeRecording {
 }
 
 impl NativeRecording {
-    /// Returns the name of this recording for messages. `place` is its index among `of` recordings.
+    /// Returns the name of this recording for a message. `place` is the index of the recording, and `of` the number of
+    /// recordings.
     pub fn called(&self, place: usize, of: usize) -> Option<String> {
         let number = || (1 < of).then(|| format!("recording {}", place + 1));
         self.source.clone().or_else(number)

@@ -10,18 +10,20 @@ use frictiongen_codegen::{SizeLimits, StepFacts, parse_text, step_facts};
 use run::{Answer, Load, Run};
 use std::f64::consts::TAU;
 
-/// Number of steps in the shortest natural period of both scenes, if no description declares a step.
+/// Number of time steps in the shortest natural period of both scenes, if no description declares a step.
 const STEPS_IN_PERIOD: f64 = 20.0;
 /// Length of the compared run, divided by the longest natural period of both scenes.
 const PERIODS: f64 = 10.0;
 /// Smallest and largest number of steps in the compared run.
 const STEPS: (f64, f64) = (200.0, 10_000.0);
-/// Friction force of each contact in the compared run, divided by the largest force that holds this contact in the old
-/// scene.
+/// Friction force of each contact in the compared run. It is this fraction of the largest force that the stuck contact
+/// carries in the old scene.
 const FRICTION: f64 = 0.3;
-/// Friction force that holds a contact under every load of the comparison, in the unit of force of the stiffest spring.
+/// Friction force that keeps every contact stuck in a run, as a multiple of the load. For base motion the load is the
+/// amplitude of the base times the largest spring stiffness.
 const HOLDS: f64 = 1e6;
-/// Largest speed of the contact without friction, divided by the last speed of the field `friction: stribeck`.
+/// Largest velocity of a contact without friction in the compared run, divided by the last speed of the field
+/// `friction: stribeck`.
 const SPEED: f64 = 2.0;
 
 /// Largest difference of one result of two steppers over the compared steps.
@@ -31,7 +33,7 @@ pub struct StepDifference {
     pub name: String,
     /// Number of the step at which the difference is largest.
     pub step: u32,
-    /// Value of the old and value of the new stepper after this step.
+    /// Value of the result from the old stepper and from the new stepper, after the step of the largest difference.
     pub values: (f64, f64),
     /// Largest absolute value of the result over the steps of both scenes.
     pub largest: f64,
@@ -58,7 +60,7 @@ pub struct Answers {
     pub amplitude: f64,
     /// Friction force of each contact, with the name of the contact.
     pub frictions: Vec<(String, f64)>,
-    /// Number of events of the old and number of events of the new stepper.
+    /// Number of events that the old stepper and the new stepper find in the compared run.
     pub events: (u64, u64),
     /// Largest difference of each result, such as the displacement of a mass.
     pub differences: Vec<StepDifference>,
@@ -69,12 +71,12 @@ pub struct Answers {
 pub struct Steppers {
     /// Time step that each description declares, old and new. `None` if a description declares no step.
     pub declared: (Option<f64>, Option<f64>),
-    /// Facts about the emitted steppers, old and new. `None` if one of the scenes has several contacts or no emitted
-    /// code.
+    /// Facts about the emitted steppers, old and new, such as step tables and bounds on the cost. `None` if one of the
+    /// scenes has several contacts or no emitted code.
     pub facts: Option<(StepFacts, StepFacts)>,
     /// Results of both steppers in a run of steps. `None` if the runs were not compared.
     pub answers: Option<Answers>,
-    /// Reasons why the command has not compared a part of the steppers.
+    /// Reasons why the command has not compared some properties of the steppers.
     pub left_out: Vec<String>,
 }
 
@@ -106,8 +108,8 @@ pub fn compare([old, new]: [&System; 2], texts: &[String; 2]) -> Option<Steppers
     Some(found)
 }
 
-/// Returns the facts about the emitted steppers of both descriptions. Returns `None` if a description has no emitted
-/// stepper.
+/// Returns the facts about the emitted steppers of both descriptions, such as step tables. Returns `None` if a
+/// description has no emitted stepper.
 fn facts(texts: &[String; 2]) -> Option<(StepFacts, StepFacts)> {
     // If the macro rejects a description, the comparison of emitted code reports the errors.
     let limits = SizeLimits {
@@ -170,7 +172,7 @@ fn answers(old: &System, new: &System) -> Result<Answers, String> {
     Ok(answers)
 }
 
-/// Runs both steppers under the same load, and stores the largest differences in `answers`.
+/// Runs both steppers under the same load, and stores the largest difference of each result in `answers`.
 fn follow([old, new]: [&System; 2], load: &Load, answers: &mut Answers) -> Result<(), String> {
     let which = |which: &str, reason: String| format!("the {which} stepper stops: {reason}");
     let start = |system| Run::start(system, load, answers.step, &answers.frictions);
@@ -197,7 +199,8 @@ fn follow([old, new]: [&System; 2], load: &Load, answers: &mut Answers) -> Resul
     Ok(())
 }
 
-/// Position of a number in the results of a step. It is a mass, given by its index, or one of the numbers of a contact.
+/// Position of a number in the results of a step: a mass by its index, or a contact and one of its numbers by their
+/// indices.
 #[derive(Clone, Copy)]
 enum Place {
     Mass(usize),
@@ -218,8 +221,8 @@ impl Place {
     }
 }
 
-/// Returns the results that the command compares: the displacement of each mass that both scenes have, then the
-/// displacement and force of each contact. Each result has its position in the old scene and in the new scene.
+/// Returns the results that the command compares: first the displacement of each mass that both scenes have, then the
+/// displacement and force of each contact. With each result comes its position in the old scene and in the new scene.
 fn named(
     old: &System,
     new: &System,
@@ -249,9 +252,9 @@ fn named(
     masses.chain(contacts).collect()
 }
 
-/// Returns the amplitude of each wave in the load, and the friction force of each contact. The function computes the
-/// amplitudes and the friction forces from two runs of the old scene. In one run the contacts stick, and the other run
-/// is without friction.
+/// Returns the amplitude of each wave in the load, and the friction force of each contact. The friction forces follow
+/// from a run of the old scene in which the contacts stick. With the friction law `stribeck`, the amplitude follows
+/// from a run without friction.
 fn levels(
     old: &System,
     load: &Load,

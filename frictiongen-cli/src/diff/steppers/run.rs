@@ -9,13 +9,14 @@ use std::f64::consts::TAU;
 
 /// Number of sine waves in the load.
 const WAVES: u32 = 8;
-/// Range of the waves' frequencies. The lowest frequency is divided by the lowest natural frequency, the highest by the
-/// highest natural frequency.
+/// Lowest frequency of the waves, divided by the lowest natural frequency. Highest frequency of the waves, divided by
+/// the highest natural frequency.
 const BAND: (f64, f64) = (0.3, 1.2);
 /// Seed of the pseudo-random phases of the waves.
 const SEED: u64 = 0x9E37_79B9_7F4A_7C15;
 
-/// A load that is a sum of sine waves with pseudo-random phases. It has a value and a rate at every time.
+/// A load that is a sum of sine waves with pseudo-random phases. The load has a value and a time derivative at every
+/// time.
 #[derive(Clone, Debug)]
 pub struct Load {
     waves: Vec<(f64, f64)>,
@@ -24,14 +25,15 @@ pub struct Load {
 }
 
 impl Load {
-    /// Creates a load whose waves cover the range of the natural frequencies, in rad/s.
+    /// Creates a load whose sine waves cover the range of the natural frequencies `frequencies`, in rad/s.
     pub fn over(frequencies: &[f64]) -> Self {
         let moving = || frequencies.iter().copied().filter(|rate| *rate > 0.0);
         let lowest = BAND.0 * moving().reduce(f64::min).unwrap_or(1.0);
         let highest = BAND.1 * moving().reduce(f64::max).unwrap_or(1.0);
         let mut seed = SEED;
         let waves = (0..WAVES).map(|wave| {
-            // The code uses a linear congruential generator (Knuth's MMIX). Only its upper bits are random enough.
+            // The phases come from a linear congruential generator (Knuth's MMIX). Only the upper bits of `seed` are
+            // random enough.
             seed = seed
                 .wrapping_mul(6_364_136_223_846_793_005)
                 .wrapping_add(1_442_695_040_888_963_407);
@@ -45,7 +47,7 @@ impl Load {
         }
     }
 
-    /// Returns the value and the rate of the load at the time t.
+    /// Returns the value and the time derivative of the load at the time t, in s.
     fn at(&self, t: f64) -> [f64; 2] {
         self.waves
             .iter()
@@ -151,8 +153,8 @@ impl<'a> Run<'a> {
         Ok(answer)
     }
 
-    /// Gives the stepper the input at the present time. If `begins` is true, this is the input before the first step.
-    /// If not, the stepper advances by one step, and the function returns the number of events.
+    /// Gives the stepper the load at the present time. If `begins` is true, the load is that before the first step.
+    /// Otherwise the stepper advances by one step, and the function returns its number of events.
     fn input(&mut self, begins: bool) -> Result<u64, String> {
         let [value, rate] = self.load.at(f64::from(self.steps) * self.dt);
         let excited = match self.scene.excitation {

@@ -174,7 +174,7 @@ impl Steppers {
         })
     }
 
-    /// Returns all reasons why the command has not compared a part of the steppers.
+    /// Returns all reasons why the command has not compared some properties of the steppers.
     fn reasons(&self) -> Vec<String> {
         let mut reasons = self.left_out.clone();
         if let Some((old, new)) = &self.facts {

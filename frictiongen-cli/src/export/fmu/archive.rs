@@ -15,7 +15,7 @@ pub struct Archive {
     entries: Vec<Entry>,
 }
 
-/// Signatures of the three kinds of headers of a zip archive.
+/// Signatures that begin the three kinds of headers in a zip archive: local, central and end.
 const LOCAL: u32 = 0x0403_4b50;
 const CENTRAL: u32 = 0x0201_4b50;
 const END: u32 = 0x0605_4b50;
@@ -23,8 +23,8 @@ const END: u32 = 0x0605_4b50;
 const VERSION: u16 = 10;
 /// Flag of the zip format: the names of the files are in UTF-8.
 const FLAGS: u16 = 1 << 11;
-/// 1 January 1980 at midnight, the first date of the zip format. Because the date is fixed, the same scene gives the
-/// same bytes.
+/// Time and date of all files in the archive: midnight on 1 January 1980, the first date of the zip format. The fixed
+/// date gives the same bytes for the same scene.
 const TIME: u16 = 0;
 const DATE: u16 = (1 << 5) | 1;
 
@@ -44,7 +44,7 @@ impl Archive {
         self.entries.push(entry);
     }
 
-    /// Ends the zip archive and returns its bytes.
+    /// Writes the end of the zip archive, and returns the bytes of the archive.
     pub fn finish(mut self) -> Vec<u8> {
         let start = self.bytes.len();
         let entries = std::mem::take(&mut self.entries);
@@ -52,7 +52,7 @@ impl Archive {
             self.double(CENTRAL);
             self.word(VERSION);
             self.common(entry);
-            // These fields are: no comment, first volume, no internal attributes, no external attributes.
+            // The archive has no comment, only the first volume, and no attributes, so the fields for these are 0.
             for _ in 0..3 {
                 self.word(0);
             }

@@ -106,8 +106,8 @@ fn step(scene: &Scene) -> Result<f64, Failure> {
     })
 }
 
-/// Returns the folder in which the command writes the FMU's crate. For `frame.fmu` it is `frame_fmu` in the same
-/// folder.
+/// Returns the folder in which the command writes the crate of the FMU. For `frame.fmu` this folder is `frame_fmu`,
+/// next to the file.
 fn folder(output: &Path) -> Result<PathBuf, Failure> {
     match (output.file_stem(), output.extension()) {
         (Some(stem), Some(ending)) if ending.eq_ignore_ascii_case("fmu") => {
@@ -156,7 +156,7 @@ fn build(folder: &Path) -> Result<PathBuf, Failure> {
     })
 }
 
-/// Returns the path of the shared library if this line of cargo's output names it.
+/// Returns the path of the shared library, if this line of cargo's output contains the path.
 fn binary(line: &str) -> Option<PathBuf> {
     let message: serde_json::Value = serde_json::from_str(line).ok()?;
     let kinds = message.get("target")?.get("kind")?.as_array()?;

@@ -65,17 +65,17 @@ fn both_files_number_the_variables_alike() {
         let expected: Vec<String> = (0..names.len()).map(|index| index.to_string()).collect();
         assert_eq!(references, expected);
         assert_eq!(names[..4], [&["time"], &inputs[..]].concat());
-        // The Rust file lists the names of all real variables in the same order.
+        // The Rust file lists the variables that depend on the scene in the same order.
         let rust = sources::scene(&scene, &variables, ("Odd", "token"));
         let lists = rust.split_once("VARIABLES").unwrap().1;
         let lists = lists.split_once("/// Returns a number").unwrap().0;
         let quoted = lists.split('"').skip(1).step_by(2);
         let units = ["", "m", "m/s", "N"];
         let quoted: Vec<&str> = quoted.filter(|text| !units.contains(text)).collect();
-        // The last five outputs are the same for every scene: a flag, a direction, two counts and an instant.
+        // The last five outputs are the same for every scene, so the list of the Rust file leaves them out.
         let reals = names.len() - 5;
         assert_eq!(quoted, names[1..reals]);
-        // With 3 masses there are 3 or 4 inputs, stiction, 6 initial values and 6 + 3 + 4 + 5 outputs.
+        // A scene with 3 masses has 3 or 4 inputs, stiction, 6 initial values, and 6 + 3 + 4 + 5 outputs.
         let inputs = variables.fields.len();
         assert_eq!(names.len(), 1 + inputs + 1 + 6 + 18);
         // The description lists each output twice: as an output, and as an initial unknown.

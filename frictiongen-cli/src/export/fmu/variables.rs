@@ -1,4 +1,4 @@
-//! The variables of an FMU. The command writes the FMU's description and its Rust file from this list.
+//! The variables of an FMU. From this list, the command writes the description of the FMU and its Rust file.
 
 use crate::export::names::mass;
 use crate::export::stepping::inputs;
@@ -70,7 +70,7 @@ impl Variables {
         let forces = forces.map(|index| format!("{}.force", mass(scene, *index)));
         let names = base.chain(forces).chain(["friction".to_owned()]);
         let input = |(name, about): (String, String)| {
-            // In C, the comment of this field ends with the unit, for example `displacement of the base, m`.
+            // The C comment of this field ends with the unit, for example `displacement of the base, m`.
             let unit = match name.as_str() {
                 "base.displacement" => "m",
                 "base.velocity" => "m/s",

@@ -1,4 +1,4 @@
-//! Contents of the page: what the command chooses, and what it computes.
+//! Contents of the report page for a scene with several contacts: choices of the command, and computed results.
 
 use super::figures::{closed, loops_figure};
 use crate::args::{FrictionArguments, ReportArguments, ShadeArgument};
@@ -19,59 +19,60 @@ use frictiongen::study::scene::Scene;
 use frictiongen_plot::Figure;
 use serde_json::{Value as Json, json};
 
-/// Number of frequencies of the curves of steady states.
+/// Number of frequencies on each curve of steady states.
 const CURVE: usize = 40;
-/// Numbers of frequencies and of frictions of the map.
+/// Number of frequencies and number of frictions of the map.
 const MAP: (usize, usize) = (24, 10);
 
-/// The state without sliding at one frequency.
+/// The steady state in which no contact slides, at one frequency.
 pub struct Stuck {
-    /// Frequency ratio.
+    /// Frequency ratio r of the steady state.
     pub r: f64,
-    /// Common friction from which no contact slides.
+    /// Smallest common friction ratio β of the contacts at which no contact slides.
     pub limit: f64,
-    /// The contact that slides first below this friction.
+    /// Name of the contact that slides first if the friction falls below `limit`.
     pub first: String,
 }
 
-/// A range of frequencies in which one contact slides first.
+/// A range of frequencies in which the same contact slides first if the friction decreases.
 pub struct First<'a> {
-    /// Name of the contact.
+    /// Name of the contact that slides first.
     pub name: &'a str,
-    /// Ends of the range, as frequency ratios.
+    /// Lowest and highest frequency ratio r of the range.
     pub ends: (f64, f64),
 }
 
-/// A steady state in which a contact has a row of numbers.
+/// The steady state whose hysteresis loops the page shows.
 pub struct Loops<'a> {
     /// Frequency of the steady state.
     pub frequency: Frequency,
-    /// Common friction, as friction ratio.
+    /// Common friction of the contacts, as friction ratio β.
     pub beta: f64,
-    /// The steady state.
+    /// The steady state with the motion of every contact.
     pub orbit: JoinedOrbit<'a>,
 }
 
-/// Contents of the page.
+/// Contents of the report page for a scene with several contacts.
 pub(super) struct Contents<'a> {
-    /// System, contacts, units and masses.
+    /// The system, its contacts, the units of the results, and the masses that the page shows.
     pub question: &'a Question<'a>,
-    /// Range of frequencies.
+    /// Range of frequencies that the page shows.
     pub band: &'a Band,
-    /// The states without sliding over the range.
+    /// States in which no contact slides, at frequencies over the range.
     pub stuck: Vec<Stuck>,
-    /// Steady states of the curves.
+    /// Steady states on the response curves, with one curve for each friction.
     pub curves: Vec<Line>,
-    /// Pictures: closed forms, curves, map and loops.
+    /// Figures of the page, each with its name: closed forms, curves, map and hysteresis loops.
     pub figures: Vec<(&'static str, Figure)>,
-    /// The steady state of the loops.
+    /// The steady state whose hysteresis loops the page shows, if one was found.
     pub loops: Option<Loops<'a>>,
-    /// Sentences that say what the command has chosen.
+    /// Sentences that tell the reader which values the command has chosen.
     pub chosen: Vec<String>,
 }
 
 impl Contents<'_> {
-    /// Returns the ranges in which one contact slides first, in the order of the frequencies.
+    /// Returns the ranges in which the same contact slides first if the friction decreases, in ascending order of
+    /// frequency.
     pub fn firsts(&self) -> Vec<First<'_>> {
         let mut ranges: Vec<First<'_>> = Vec::new();
         for stuck in &self.stuck {
@@ -125,7 +126,7 @@ impl Contents<'_> {
     }
 }
 
-/// Computes the contents of the page, and calls `write` with them.
+/// Computes the contents of the report page, and calls `write` with these contents.
 pub(super) fn contents(
     arguments: &ReportArguments,
     scene: Scene,
@@ -194,7 +195,7 @@ pub(super) fn contents(
     })
 }
 
-/// Returns the range of frequencies: the user's, or a range around the resonances.
+/// Returns the user's range of frequencies. Without this range, returns a range around the resonances.
 fn band(
     arguments: &ReportArguments,
     system: &System,
@@ -225,7 +226,7 @@ fn band(
     ))
 }
 
-/// Returns frictions, rounded to two digits, in N under a load.
+/// Rounds friction ratios to two digits, and returns them as frictions. Under a load, the frictions are in N.
 fn levels(betas: &[f64], measure: &Measure) -> Result<Frictions, Failure> {
     let scale = measure.scale();
     let values = betas.iter().map(|beta| {
@@ -246,12 +247,12 @@ fn levels(betas: &[f64], measure: &Measure) -> Result<Frictions, Failure> {
     Frictions::parse(&arguments, None)?.under(measure)
 }
 
-/// Computes the state without sliding over the range.
+/// Computes the state in which no contact slides, at each frequency of the range.
 fn stuck(question: &Question<'_>) -> Result<Vec<Stuck>, Failure> {
     let mut all = Vec::new();
     for frequency in question.frequencies.all(question.system) {
         let at = question.table().at(frequency).map_err(Failure::new)?;
-        // An undamped chain has no state without sliding at its resonance.
+        // At a resonance of an undamped chain, no state exists in which no contact slides.
         if let Ok(stuck) = at.stuck() {
             all.push(Stuck {
                 r: frequency.r,
@@ -263,7 +264,8 @@ fn stuck(question: &Question<'_>) -> Result<Vec<Stuck>, Failure> {
     Ok(all)
 }
 
-/// Returns the median of the limits of the stuck state, and a limit that nine tenths of them do not exceed.
+/// Returns two values of `limit`, the friction ratio from which no contact slides. The first value is the median, and
+/// nine tenths of the limits do not exceed the second value.
 fn middle(stuck: &[Stuck]) -> (f64, f64) {
     let limits = stuck.iter().map(|stuck| stuck.limit);
     let mut limits: Vec<f64> = limits
@@ -274,7 +276,7 @@ fn middle(stuck: &[Stuck]) -> (f64, f64) {
     (at(5).unwrap_or(1.0), at(9).unwrap_or(1.0))
 }
 
-/// Finds the steady state with the largest amplitude of a mass on the curve with the middle friction.
+/// Finds the steady state with the largest amplitude of any mass, on the curve with the middle friction.
 fn loops<'q>(question: &'q Question<'_>, curves: &[Line]) -> Result<Option<Loops<'q>>, Failure> {
     let contacts = question.joined.contact_names().len();
     let Some((friction, line)) = curves.get(curves.len() / 2) else {

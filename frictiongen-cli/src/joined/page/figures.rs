@@ -1,4 +1,4 @@
-//! Figures of the page that no other command draws.
+//! Draws the figures that only the report page of a scene with several contacts contains.
 
 use crate::failure::Failure;
 use crate::joined::{Question, draw};
@@ -7,7 +7,7 @@ use frictiongen::study::columns::Frequency;
 use frictiongen::study::joined::JoinedOrbit;
 use frictiongen_plot::{Axis, Colour, Figure, Label, Line, Panel, Stroke};
 
-/// Draws the two closed forms: amplitudes without friction, and with all contacts stuck.
+/// Draws amplitudes over frequency in two cases with a closed form: without friction, and with all contacts stuck.
 pub(super) fn closed(question: &Question<'_>) -> Result<Figure, Failure> {
     let physical = question.frequencies.are_physical();
     let scales = picture::scales(question.system, physical, &question.measure);
@@ -61,7 +61,7 @@ pub(super) fn closed(question: &Question<'_>) -> Result<Figure, Failure> {
     Ok(picture::under_load(figure, &question.measure, ""))
 }
 
-/// Draws one period of a steady state, with the loops of all contacts.
+/// Draws one period of a steady state, with the hysteresis loops of all contacts.
 pub(super) fn loops_figure(
     question: &Question<'_>,
     (frequency, orbit): (Frequency, &JoinedOrbit<'_>),

@@ -1,4 +1,4 @@
-//! Writes the page as HTML.
+//! Writes the report page of a scene with several contacts as HTML.
 
 use super::contents::{Contents, Loops, contents};
 use crate::args::ReportArguments;
@@ -15,8 +15,8 @@ use std::io::Write;
 /// Security policy of the page, which has no script.
 const POLICY: &str = "default-src 'none'; style-src 'unsafe-inline'";
 
-/// Computes the page of a scene with several contacts, and writes it. `file` is the name of the description, and
-/// `documentation` its doc comments.
+/// Computes the report page of a scene with several contacts, and writes the page. `file` is the name of the
+/// description, and `documentation` contains its doc comments.
 pub fn write(
     arguments: &ReportArguments,
     scene: Scene,
@@ -30,7 +30,7 @@ pub fn write(
     })
 }
 
-/// Returns the HTML of the page.
+/// Returns the HTML of the report page.
 fn page(contents: &Contents<'_>, (file, documentation): (&str, &str)) -> String {
     let scene = contents.question.system.scene();
     let main = html! {
@@ -66,7 +66,7 @@ fn words(contents: &Contents<'_>) -> PageUnits {
     }
 }
 
-/// Returns the main results.
+/// Returns the section of the page with the main results as HTML.
 fn summary(contents: &Contents<'_>) -> Markup {
     let (words, question) = (words(contents), contents.question);
     let ends = [contents.band.from, contents.band.to].map(|r| words.frequency(r));
@@ -98,7 +98,7 @@ fn summary(contents: &Contents<'_>) -> Markup {
     }
 }
 
-/// Returns a number with its noun.
+/// Returns a number with its noun, in the singular or the plural.
 fn count(number: usize, noun: &str) -> String {
     let ending = match (number, noun.ends_with('s')) {
         (1, _) => "",
@@ -108,7 +108,7 @@ fn count(number: usize, noun: &str) -> String {
     format!("{number} {noun}{ending}")
 }
 
-/// Returns the section with the sketch and the values.
+/// Returns the section of the page with the sketch of the chain and its values as HTML.
 fn chain(contents: &Contents<'_>) -> Markup {
     let scene = contents.question.system.scene();
     let between =
@@ -117,7 +117,7 @@ fn chain(contents: &Contents<'_>) -> Markup {
         section #scene {
             h2 { "The chain" }
             @match drawing(scene, &contents.question.measure) {
-                // This text comes from frictiongen-plot, which escapes every word in it.
+                // The crate frictiongen-plot has made this SVG text, and has escaped every word of the user in it.
                 Some(svg) => div.scroll.paper.sketch tabindex="0" role="region" aria-label="Drawing of the chain" { (PreEscaped(svg)) },
                 None => p { "A chain of " (scene.masses.len()) " masses is not drawn; its values are in the tables." },
             }
@@ -153,7 +153,7 @@ fn chain(contents: &Contents<'_>) -> Markup {
     }
 }
 
-/// Returns the sections with the pictures.
+/// Returns the sections of the page with the figures as HTML.
 fn figures(contents: &Contents<'_>) -> Markup {
     html! {
         @for (id, figure) in &contents.figures {
@@ -180,7 +180,7 @@ fn figures(contents: &Contents<'_>) -> Markup {
                     }
                 }
                 figure.plot {
-                    // This text comes from frictiongen-plot, which escapes every word in it.
+                    // The crate frictiongen-plot has made this SVG text, and has escaped every word of the user in it.
                     div.paper { (PreEscaped(figure.clone().narrow().svg())) }
                 }
             }
@@ -188,7 +188,7 @@ fn figures(contents: &Contents<'_>) -> Markup {
     }
 }
 
-/// Returns the section about the state in which no contact slides.
+/// Returns the section of the page about the state in which no contact slides, as HTML.
 fn stuck(contents: &Contents<'_>) -> Markup {
     let words = words(contents);
     let limits = |ends: (f64, f64)| {
@@ -218,7 +218,7 @@ fn stuck(contents: &Contents<'_>) -> Markup {
     }
 }
 
-/// Returns the table of the contacts in the steady state of the loops.
+/// Returns the table of the contacts in the steady state whose hysteresis loops the page shows.
 fn contacts(contents: &Contents<'_>, loops: &Loops<'_>) -> Markup {
     let words = words(contents);
     let names = contents.question.joined.contact_names();

@@ -1,5 +1,5 @@
-//! Section of the report about the features of the response. It describes the features that `frictiongen features`
-//! finds, in other words.
+//! Section of the report about the features of the response, such as resonances, thresholds and peaks. The section
+//! describes in words the features that `frictiongen features` lists.
 
 mod tables;
 
@@ -11,8 +11,8 @@ use frictiongen::study::columns::{FeatureLine, FeaturesAsked};
 use maud::{Markup, html};
 use serde_json::{Value as Json, json};
 
-/// Largest number of masses for which the command searches features. The derivatives of a feature with respect to all
-/// masses and springs take time.
+/// Largest number of masses for which the page lists features. For longer chains, the derivatives of a feature with
+/// respect to all masses and springs take too long.
 const MOST_MASSES: usize = 16;
 /// Largest number of masses for which the page shows exact peaks, and features at every given friction.
 const ALL_FRICTIONS: usize = 4;
@@ -35,9 +35,9 @@ struct SectionTable {
 }
 
 impl FeatureSection {
-    /// Finds the features at the frictions `levels`. If the user has given no friction, finds them at the best
-    /// friction. For a chain of more than [`MOST_MASSES`] masses, the page refers to the command `frictiongen features`
-    /// instead.
+    /// Finds the features at the user's frictions. Without these frictions, finds the features at the best friction, or
+    /// else at the first positive friction of `levels`. For a chain of more than [`MOST_MASSES`] masses, the page
+    /// refers to the command `frictiongen features` instead.
     pub fn of(asked: &ReportRequest, levels: &[f64], best: Option<f64>) -> Self {
         let masses = asked.system.scene().masses.len();
         if MOST_MASSES < masses {
@@ -91,8 +91,8 @@ impl FeatureSection {
         lines.filter(move |line| line.feature == feature)
     }
 
-    /// Returns the features as `frictiongen features` prints them. Each feature names the parameter to which its first
-    /// number is most sensitive.
+    /// Returns the features in the form in which `frictiongen features` prints them. With each feature comes the
+    /// parameter to which its first number is most sensitive.
     fn report<'a>(&self, asked: &'a ReportRequest) -> FeaturesReport<'a> {
         FeaturesReport {
             system: &asked.system,

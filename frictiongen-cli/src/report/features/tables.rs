@@ -287,7 +287,7 @@ fn range(words: &PageUnits, line: &FeatureLine) -> String {
     }
 }
 
-/// Formats a friction with its unit. The friction may be infinite.
+/// Formats a friction with its unit. For an infinite friction it returns "any friction".
 fn limit(words: &PageUnits, force: f64) -> String {
     if force.is_infinite() {
         "any friction".to_owned()
@@ -296,7 +296,7 @@ fn limit(words: &PageUnits, force: f64) -> String {
     }
 }
 
-/// Formats the amplitude of a feature's line. Under a load this amplitude is in m.
+/// Formats the amplitude of a feature, which is in m under a load and otherwise non-dimensional.
 fn amplitude(words: &PageUnits, line: &FeatureLine) -> String {
     match line.amplitude {
         None => String::new(),
@@ -305,8 +305,8 @@ fn amplitude(words: &PageUnits, line: &FeatureLine) -> String {
     }
 }
 
-/// Returns words for the quantity of a feature that does not change with friction, or that grows without bound.
-/// `detail` is the text of the feature's field of this name.
+/// Returns words for the quantity (amplitude, or also phase) that a feature describes. `detail` is the text of the
+/// feature's field `detail`.
 fn measured(detail: &str) -> &'static str {
     if detail.starts_with("fundamental") {
         "fundamental component"

@@ -17,7 +17,7 @@ use frictiongen_model::scene::{Excitation, NamedContact, Node, Provide};
 use proc_macro2::{Ident, Literal, TokenStream};
 use quote::format_ident;
 
-/// Data of a scene from which its items are emitted.
+/// Data of a scene with several contacts or dashpots, from which the generator emits its items.
 struct JointsEmission<'a> {
     description: &'a Description,
     names: TypeNames,
@@ -28,7 +28,7 @@ struct JointsEmission<'a> {
     /// The masses on which a force acts, each with the name of its field in the input. The excited mass is the first.
     loads: Vec<(usize, Ident)>,
     scalar: TokenStream,
-    /// The type that fixes the lengths of all arrays.
+    /// The type argument that fixes the lengths of all arrays.
     size: TokenStream,
     /// Path of the kernel's module for scenes with several contacts.
     engine: TokenStream,

@@ -58,8 +58,8 @@ const ABOUT_UNDER: [&str; 6] = [
     " `OutOfDomain` unless r and the amplitude are positive and finite, and β finite and not negative.",
 ];
 
-/// Emits the constructors of the simulation. If the kinetic friction depends on the speed, they also take the amplitude
-/// of the load.
+/// Emits the constructors of the simulation. If the kinetic friction depends on the speed, the constructors also take
+/// the amplitude of the load.
 fn starts(emission: &JointsEmission<'_>, masses: &Literal) -> TokenStream {
     let JointsEmission {
         description: Description { facade, scene, .. },

@@ -26,8 +26,7 @@ fn faults<S: Float>(source: &Source<'_, S>) -> Vec<(String, String)> {
     }
     if source.tables.held.is_some() {
         let masses = source.scene.masses.iter().enumerate();
-        // Names that contain the mass's name could collide, because two masses may have names that differ only in their
-        // case.
+        // Names with the mass's name could collide, because two masses may have names that differ only in their case.
         faults.extend(masses.map(|(place, mass)| {
             let about = format!("an answer of stuck_{}", mass.name);
             (format!("STUCK_{}", place + 1), about)

@@ -6,7 +6,8 @@ use super::super::units::unit_numbers;
 use super::super::{Language, NumberFormat, Source, checksum, columns, piece_numbers};
 use frictiongen_kernel::Float;
 
-/// Returns the beginning of a list of imported types.
+/// Returns the names of the types that the known answers use, as the beginning of an import list. Returns an empty text
+/// without known answers.
 pub(super) fn imported<S: Float>(source: &Source<'_, S>) -> &'static str {
     let (_, known) = known_answers(source);
     if known.is_empty() {
@@ -240,7 +241,7 @@ fn ratios(numbers: NumberFormat) -> String {
     )
 }
 
-/// Function of the Rust file that compares both limits with the known ones.
+/// Function of the Rust file that compares both limits, β_lim and β*_lim, with the known limits.
 const LIMITS: &str = "fn checked_limits(known: &Known) -> Result<(), Fault> {\n    \
      let [r, continuous, sliding] = known.head;\n    \
      match limits(r) {\n        \
@@ -248,7 +249,7 @@ const LIMITS: &str = "fn checked_limits(known: &Known) -> Result<(), Fault> {\n 
      && is_near(held, sliding, numbers::TOLERANCE * sliding) => Ok(()),\n        \
      _ => Err(Fault::Answer(\"limits\")),\n    }\n}\n\n";
 
-/// Function of the Rust file that compares the contact's motion with the known one.
+/// Function of the Rust file that compares the contact's motion with the known motion.
 const CONTACT: &str = "fn checked_contact(known: &Known) -> Result<(), Fault> {\n    \
      let ([r, ..], [beta, amplitude, phase]) = (known.head, known.motion);\n    \
      let is_right = match (contact(r, beta), known.error) {\n        \
@@ -258,7 +259,7 @@ const CONTACT: &str = "fn checked_contact(known: &Known) -> Result<(), Fault> {\
      _ => false,\n    };\n    \
      if is_right { Ok(()) } else { Err(Fault::Answer(\"contact\")) }\n}\n\n";
 
-/// Writes the Rust function that compares the stuck responses with the known ones.
+/// Writes the Rust function that compares the stuck responses with the known responses.
 fn stuck<S: Float>(source: &Source<'_, S>) -> String {
     let masses = source.scene.masses.iter();
     let names = masses.map(|mass| format!("stuck_{}", mass.name));

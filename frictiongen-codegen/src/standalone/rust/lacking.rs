@@ -9,15 +9,16 @@ const PARTS: u32 = 8;
 /// Writes a trait with the square root and the arc tangent, for a file that may be built without std. Methods of the
 /// type take precedence over methods of a trait, so a build with std uses the methods of std.
 pub(super) fn source(numbers: NumberFormat) -> String {
-    // Format constants: bits of the fraction, exponent bias, integer types, shift before the integer root, and the
-    // power of two that scales a subnormal number.
+    // Constants of the number format: the bits of the fraction, the exponent bias, and two integer types. The code
+    // shifts the fraction by `shift` or one more bit before the integer root. It multiplies a subnormal number by 2 to
+    // the power `scale`.
     let (real, fraction, bias, bits, wide, shift, scale) = if numbers.single {
         ("f32", 23, 127, "u32", "u64", 25, 24)
     } else {
         ("f64", 52, 1023, "u64", "u128", 54, 54)
     };
-    // Odd terms up to t¹³, or up to t⁷ in single precision. The remainder, divided by t, is below 1e-18, or below 3e-11
-    // in single precision.
+    // The power series has odd terms up to t¹³, or up to t⁷ in single precision. Its remainder, divided by t, is below
+    // 1e-18, or below 3e-11 in single precision.
     let terms = if numbers.single { 4 } else { 7 };
     let last = 2 * terms - 1;
     let series = (1..terms - 1)

@@ -1,4 +1,5 @@
-//! Tests of the choice of the dominant mode, and of the response V against which the phase of the mode is measured.
+//! Tests of the choice of the dominant mode, and of the response V that serves as the reference for the phase of the
+//! mode.
 //!
 //! The tests check the choice itself, because no result shows a wrong choice. A wrong choice causes only rounding
 //! errors close to a resonance, where the rounding of r changes every result by more.
@@ -18,8 +19,8 @@ fn chain(on_moving_base: Option<f64>) -> Chain<f64> {
     }
 }
 
-/// Returns an undamped mode at twice the excitation frequency, and the mode's functions at one frequency. `terms` is
-/// the mode's term in V (the response to the load) and in U (the damping function).
+/// Returns an undamped mode at twice the excitation frequency, with the mode's functions at this frequency. `terms` is
+/// the mode's term in V (the response to the load), and also its term in U (the damping function).
 fn mode(terms: f64) -> (Mode<f64>, ModeAt<f64>) {
     let mode = Mode {
         kind: Kind::Undamped,
@@ -53,7 +54,8 @@ fn contact(v: Complex<f64>) -> ContactAt<f64> {
 /// Returns the index of the dominant mode of three modes, or `None` if no mode is dominant.
 fn taken(terms: [f64; 3], on_moving_base: Option<f64>) -> Option<usize> {
     let mut modes = terms.map(mode);
-    // On a moving base V contains the static residue instead of the residue, and v − 1 instead of v.
+    // On a moving base V contains the static residue instead of the residue, and v − 1 instead of the response v of a
+    // mode.
     for (mode, at) in &mut modes {
         if on_moving_base.is_some() {
             (mode.static_residue, at.response) = (at.response.re, Complex::new(1.0, 0.0));
@@ -84,8 +86,8 @@ fn beside_what_stands_at_rest() {
     assert_eq!(taken([1.0, 1e3, 1.0], Some(-1e6)), None);
 }
 
-/// Checks how the phase of a mode is measured. The smaller one of two numbers serves as the reference: the full
-/// response V, or V without the term of that mode. A mode is in phase with its own term of V.
+/// Checks the reference for the phase of a mode. The reference is the smaller of two numbers: the full response V, or V
+/// without the term of that mode. A mode is in phase with its own term of V.
 #[test]
 fn turned_against_what_the_others_leave() {
     let terms = |v| ModalTerms {

@@ -1,4 +1,4 @@
-//! Tests that modes computed in pairs give the same results to the last bit as modes computed one by one.
+//! Tests that the code computes the same modal sums, to the last bit, for pairs of modes as for single modes.
 
 use super::*;
 use crate::contact::driven::DrivenModes;
@@ -115,7 +115,7 @@ fn agree<S: Float>() -> [usize; 2] {
 #[test]
 fn pairs_of_modes_have_the_bits_of_single_ones() {
     // `DrivenModes` exist for any number of undamped modes (`dampings[0]`), and for a single mode with `dampings[3]`.
-    // They do not exist if the contact drives none of the modes.
+    // No `DrivenModes` exist if the contact drives none of the modes.
     let laid_out = ((7 * 4 - (7 + 1)) + (4 - 2)) * 2 * 9;
     assert_eq!(agree::<f64>(), [7 * 4 * 4 * 2 * 9, laid_out]);
     assert_eq!(agree::<f32>(), [7 * 4 * 4 * 2 * 9, laid_out]);

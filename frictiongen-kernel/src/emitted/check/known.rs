@@ -1,4 +1,4 @@
-//! Known results of an emitted scene. The self-check compares them with the results that the scene computes.
+//! Known results of an emitted scene. The self-check compares the known results with those that the scene computes.
 
 use super::{Fault, Listed};
 use crate::Complex;
@@ -26,7 +26,7 @@ pub struct Known<S, const MASSES: usize, const FORCES: usize> {
 pub struct KnownMotion<S, const MASSES: usize> {
     /// Friction ratio β at which the known results are valid.
     pub beta: S,
-    /// Reason why no continuous motion exists at the friction ratio, or `None` if one exists.
+    /// Reason why no continuous motion exists at this friction ratio, or `None` if a continuous motion exists.
     pub error: Option<NotContinuous>,
     /// Known amplitude and phase of the contact. Amplitude and phase are 0 if no continuous motion exists.
     pub contact: [S; 2],
@@ -40,8 +40,8 @@ fn is_near<S: Float>(own: S, known: S, error: S) -> bool {
     (own.to_f64() - known.to_f64()).abs() <= error.to_f64()
 }
 
-/// Compares two pairs of numbers. A pair is a complex number, or a displacement and a velocity. The difference is
-/// divided by the sum of the absolute values in the known pair.
+/// Compares two pairs of numbers. A pair is a complex number, or a displacement and a velocity. `tolerance` is relative
+/// to the sum of the absolute values in the known pair.
 fn compared<S: Float>(
     name: &'static str,
     own: [S; 2],
@@ -63,7 +63,7 @@ impl<S: Float, const MASSES: usize, const FORCES: usize> Known<S, MASSES, FORCES
     /// most `tolerance` times this value.
     ///
     /// # Errors
-    /// [`Fault::Answer`] if a limit differs from its known value by more than this.
+    /// [`Fault::Answer`] if a limit differs from its known value by more than `tolerance` times the known value.
     pub fn limits(&self, own: Limits<S>, tolerance: S) -> Result<(), Fault> {
         let [continuous, sliding] = self.limits;
         if is_near(own.continuous, continuous, tolerance * continuous)
@@ -93,11 +93,11 @@ impl<S: Float, const MASSES: usize, const FORCES: usize> Known<S, MASSES, FORCES
 }
 
 impl<S: Float, const MASSES: usize> KnownMotion<S, MASSES> {
-    /// Returns the computed motion if the known results also contain a motion. Returns `None` if neither contains a
-    /// motion, and the reasons are the same.
+    /// Returns the computed motion if the known results also contain a motion. Returns `None` if neither the scene nor
+    /// the known results have a motion, and both give the same reason.
     ///
     /// # Errors
-    /// [`Fault::Answer`] if only one of the two contains a motion, or if the reasons differ.
+    /// [`Fault::Answer`] if only the scene or only the known results have a motion, or if the reasons differ.
     pub fn found<M>(&self, own: Result<M, NotContinuous>) -> Result<Option<M>, Fault> {
         match (own, self.error) {
             (Ok(motion), None) => Ok(Some(motion)),
@@ -106,7 +106,7 @@ impl<S: Float, const MASSES: usize> KnownMotion<S, MASSES> {
         }
     }
 
-    /// Compares the computed amplitude and phase of the contact with the known ones.
+    /// Compares the computed amplitude and phase of the contact with the known amplitude and phase.
     ///
     /// # Errors
     /// [`Fault::Answer`] if the amplitude differs by more than `tolerance` times its known value, or the phase by more
@@ -120,12 +120,12 @@ impl<S: Float, const MASSES: usize> KnownMotion<S, MASSES> {
         }
     }
 
-    /// Compares the computed displacement and velocity of a mass with the known ones. `place` is the index of the mass
-    /// in [`masses`](Self::masses).
+    /// Compares the computed displacement and velocity of a mass with the known values. `place` is the index of the
+    /// mass in [`masses`](Self::masses).
     ///
     /// # Errors
     /// [`Fault::Answer`] with the name of the mass, if the displacement or the velocity differs by more than
-    /// `tolerance` times the size of displacement and velocity.
+    /// `tolerance` times the known size. The known size is |displacement| + |velocity|.
     pub fn mass(
         &self,
         place: usize,

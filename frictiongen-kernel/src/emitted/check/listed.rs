@@ -11,8 +11,8 @@ use crate::stepper::{
 };
 use crate::table::{Domain, Factor, HeldResponse, Piece, Quotient, Root, Table, Transfer};
 
-/// A constant of emitted code that can list its numbers. The generator lists the same numbers in a more precise number
-/// type, and computes the checksum from them.
+/// A constant of emitted code that can list its numbers. The code generator lists the same numbers in a more precise
+/// number type, and computes the known checksum from them.
 pub trait Listed<S> {
     /// Calls `see` with each number of the constant, in the order of the fields.
     fn list(&self, see: &mut impl FnMut(S));

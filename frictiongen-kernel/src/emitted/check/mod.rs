@@ -1,5 +1,5 @@
-//! Self-check of emitted code. It compares the checksums of the emitted constants with known checksums, and computed
-//! results with known results.
+//! Self-check of emitted code. The self-check compares the checksums of the emitted constants with known checksums. It
+//! also compares computed results with known results.
 
 mod known;
 mod listed;
@@ -17,8 +17,8 @@ pub enum Fault {
     /// The numbers of a constant, or of a group of constants, differ from those that the generator wrote. The field is
     /// the name of the constant or group.
     Numbers(&'static str),
-    /// A result differs from the known result. The field is the name of the method that computes it, or of the mass
-    /// that moves.
+    /// A result differs from the known result. The field is the name of the method that computes the result, or of the
+    /// mass whose motion is the result.
     Answer(&'static str),
 }
 
@@ -44,8 +44,8 @@ pub const MULTIPLIER: u32 = 0x9e37_79b1;
 /// Number of bits by which a step of the checksum rotates the sum.
 pub const TURN: u32 = 5;
 
-/// Adds a word of 32 bits to a checksum. For a given word, different sums give different results. For a given sum,
-/// different words give different results. One changed word therefore always changes the checksum.
+/// Adds a word of 32 bits to a checksum. For a given word, different checksums give different results. For a given
+/// checksum, different words give different results. A change of a single word therefore always changes the checksum.
 #[must_use]
 pub const fn mixed(sum: u32, word: u32) -> u32 {
     (sum.rotate_left(TURN) ^ word).wrapping_mul(MULTIPLIER)
@@ -69,7 +69,7 @@ pub fn sum<S: Float>(numbers: &(impl Listed<S> + ?Sized)) -> u32 {
 }
 
 /// Compares the checksum of a constant with the known checksum. The function `black_box` hides the numbers from the
-/// compiler. The compiler could otherwise compute the checksum itself.
+/// compiler, which could otherwise compute the checksum at compile time.
 ///
 /// # Errors
 /// [`Fault::Numbers`] with the name of the constant, if the two checksums differ.

@@ -1,5 +1,5 @@
-//! Closes grid cells around a local maximum of the modal sum. A cell is closed once the code has proven that no value
-//! in it exceeds the largest value found.
+//! Closes grid cells around a local maximum of the modal sum. A cell is the interval between two nodes of a grid. The
+//! code closes a cell once it has proven that no value in the cell exceeds the largest value found.
 //!
 //! Near the maximum, Taylor's theorem bounds the sum. Farther away, a cubic through the value and slope of the next
 //! node bounds the sum (section 9 of `docs/derivation.md`). A *summit* is a position from which one Newton step leads
@@ -17,17 +17,16 @@ use crate::oscillator::decay::Decay;
 const FAR: f64 = 97.0;
 
 /// Difference E between a modal sum and a level, near a local maximum. E is ±sum − level. In a search of sum/sin τ, E
-/// is ±sum − level·sin τ. The level is an upper bound on the local maximum. A cell of the grid is closed once the code
-/// has proven E ≤ 0 in it.
+/// is ±sum − level·sin τ. The level is an upper bound on the local maximum. The code closes a cell of the grid once it
+/// has proven E ≤ 0 in the cell.
 struct Excess<S> {
     /// Phase τ near the local maximum. `cubic` gives the derivatives at this phase.
     tau: S,
     cubic: Cubic<S>,
     /// Upper bound on the fourth derivative of E = ±sum − level.
     fourth: S,
-    /// Negative bound 2E″/(ρ − 1) on the quadratic coefficient of the cubic between `tau` and a node. If the
-    /// coefficient is less than this bound, it outweighs the slope at `tau` at all distances of more than ρ Newton
-    /// steps.
+    /// Negative bound 2E″/(ρ − 1) on the quadratic coefficient of the cubic between `tau` and a node. A coefficient
+    /// below this bound outweighs the slope at `tau` at all distances of more than ρ Newton steps.
     curvature: S,
 }
 
@@ -60,7 +59,7 @@ impl<S: Float> Cubic<S> {
 
 impl<S: Float> Excess<S> {
     /// Creates E = ±sum − level near a local maximum, from its value and derivatives at `tau`. Returns `None` if E may
-    /// be positive within ρ times the Newton step to the maximum.
+    /// be positive within ρ times the Newton step to the maximum. The code first tries ρ = `FAR`, and then ρ = `REACH`.
     fn new(tau: S, cubic: Cubic<S>, fourth: S) -> Option<Self> {
         let step = cubic.step();
         let reach = [S::constant(FAR), S::constant(REACH)]
@@ -77,16 +76,15 @@ impl<S: Float> Excess<S> {
         })
     }
 
-    /// Returns true if the code proves that E = ±sum − level is at most 0 from the local maximum to a node. The cells
-    /// between them are then closed.
+    /// Returns true if the code proves that E = ±sum − level is at most 0 from the local maximum to a node. The code
+    /// may then close the cells between the local maximum and the node.
     fn stays_below(&self, node: &NodeExcess<S>) -> bool {
         let distance = node.tau - self.tau;
         self.is_near(distance) || self.is_below(node, distance)
     }
 
     /// Returns true if the derivatives of E = ±sum − level at `tau` prove that E stays below 0 up to the given
-    /// distance. The proof requires that the terms with the third and fourth derivative together are at most a third of
-    /// E″.
+    /// distance. In the proof, the terms with the third and fourth derivative together must be at most a third of |E″|.
     fn is_near(&self, distance: S) -> bool {
         let Cubic {
             curvature, third, ..
@@ -96,13 +94,14 @@ impl<S: Float> Excess<S> {
         bend <= -curvature * S::constant(1.0 / 3.0)
     }
 
-    /// Returns true if the value and the slope of E = ±sum − level at a node prove that E stays below 0 up to the node.
+    /// Returns true if the code proves that E = ±sum − level stays below 0 up to a node. The proof uses the value and
+    /// the slope of E at the node.
     fn is_below(&self, node: &NodeExcess<S>, distance: S) -> bool {
         let Cubic { value, slope, .. } = self.cubic;
         let there = node.value + node.rounding;
         let square = distance * distance;
-        // `curve`/`square` is the quadratic coefficient of the cubic that agrees with the excess at the summit and at
-        // the node.
+        // `curve`/`square` is the quadratic coefficient of a cubic. At `tau` and at the node, the cubic has the same
+        // value and slope as E = ±sum − level.
         let curve = S::constant(3.0) * (there - value) - distance * (node.slope + slope + slope)
             + node.rounding;
         let bend = self.fourth * square * S::constant(1.0 / 24.0);
@@ -111,12 +110,12 @@ impl<S: Float> Excess<S> {
 }
 
 impl<S: Float, D: Decay<S>> MaximumSearch<'_, S, D> {
-    /// Returns the cells around a local maximum that stay open, because the sum may exceed the maximum in them. The
-    /// function closes all other cells, but only for the sign that the sum has at the maximum. A Newton step across the
-    /// end of the half period may have changed this sign.
+    /// Returns the cells that the code proves closed around a local maximum. In these cells the sum does not exceed the
+    /// level of the maximum. The function closes cells only for the sign that the sum has at the maximum. A Newton step
+    /// across the end of the half period may have changed this sign.
     pub(super) fn about(&self, summit: &Summit<S>, grid: &Grid<S>, open: OpenCells) -> OpenCells {
         let zero = S::constant(0.0);
-        // The bounds on the derivatives hold only from the first node on.
+        // The bounds on the derivatives are valid only from the first node of the grid on.
         if summit.tau < grid.stretch.from {
             return [0, 0];
         }
@@ -126,13 +125,14 @@ impl<S: Float, D: Decay<S>> MaximumSearch<'_, S, D> {
         } else {
             summit.level
         };
-        // The level times sin τ is part of the difference E. It therefore contributes to the derivatives of E.
+        // The product level·sin τ is part of the difference E, and therefore contributes to the derivatives of E.
         let of_sine = if over_sine { level } else { zero };
         let cubic = self.cubic_about(summit, level, of_sine);
         let starts = over_sine && grid.stretch.from.is_zero();
         let plain = Excess::new(summit.tau, cubic, grid.bounds.fourth + of_sine.abs());
         let over_tau = if starts && !summit.tau.is_zero() {
-            // The fourth derivative of E/τ is at most a fifth of the fifth derivative of E.
+            // With E = ±sum − level·sin τ, the fourth derivative of E/τ is at most a fifth of the fifth derivative of
+            // E.
             let fourth = (grid.bounds.fifth + of_sine.abs()) * S::constant(0.2);
             Excess::new(summit.tau, cubic.over(summit.tau), fourth)
         } else {
@@ -143,12 +143,12 @@ impl<S: Float, D: Decay<S>> MaximumSearch<'_, S, D> {
         }
         let [plus, minus] = open;
         let among = if summit.negative { minus } else { plus };
-        // `closed` has one bit for each cell that is closed so far. `before` is true if E stays below 0 from the summit
-        // to the last visited node. `last` is the bit of the cell after that node.
+        // `closed` has one bit for each cell that is closed so far. `before` is true if E = ±sum − level stays below 0
+        // from the summit to the last visited node. `last` is the bit of the cell after that node.
         let (mut closed, mut before, mut last) = (0, false, 0_u32);
         grid.beside(among, |after, tau, node| {
             let cell = after >> 1;
-            // The last visited node bounds this cell only if the cell follows it.
+            // The code uses the last visited node only if it is the left node of this cell.
             let known = before && last == cell;
             let (value, slope) = self.excess_at(&node, summit.negative, level);
             let first = starts && tau.is_zero();

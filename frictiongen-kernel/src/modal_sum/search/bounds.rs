@@ -1,26 +1,28 @@
-//! Upper bounds on the derivatives of a modal sum after a given instant, and the state of each mode at this instant.
+//! Upper bounds on the derivatives of a modal sum after a given instant, and the state (displacement and velocity) of
+//! each mode at this instant.
 //!
-//! The code splits the motion of a mode into a free motion and a forced motion. The forced motion is a constant plus
-//! sinusoids. For some modes the code does not split the motion: they *keep their forcing*. The state of such a mode
-//! contains the whole motion, and the later motion follows from this state by the equation of the mode (section 9 of
-//! `docs/derivation.md`).
+//! The code splits the motion of most modes into a free motion and a forced motion. The forced motion is a constant
+//! plus sinusoids. The other modes *keep their forcing*. The state of such a mode contains the whole motion, and the
+//! later motion follows from this state by the equation of the mode (section 9 of `docs/derivation.md`).
 
 use crate::modal_sum::wave::{Sum, Wave};
 use crate::number::scalar::Float;
 use crate::oscillator::decay::{Basis, Decay, Instant};
 
-/// Smallest distance of a mode's x = √λ/r from the resonance x = 1 at which the code splits the motion into a free and
-/// a forced motion. Closer to x = 1 the free and the forced motion are large and nearly cancel. Their sum would be
-/// mainly rounding error.
+/// Smallest |x − 1| at which the code splits the motion of a mode into a free and a forced motion. x = √λ/r is the
+/// natural frequency of the mode divided by the excitation frequency. Closer to the resonance x = 1, the free and the
+/// forced motion are large and nearly cancel. Their sum would be mainly rounding error.
 const NEAR_EXCITATION: f64 = 0.125;
 /// Bound on the rounding error of a mode at a grid node, as a multiple of the rounding unit times the mode's amplitude.
-/// This multiple of the rounding unit also bounds the errors of sin τ and cos τ at the node. The matrix that advances a
-/// mode from one node to the next has three roundings. Its fourth power has twelve roundings, and a grid applies this
-/// power seven times: 84 roundings. A bound of 64 suffices, because the errors partly cancel.
+/// `ROUNDINGS` rounding units also bound the errors of sin τ and cos τ at the node.
+///
+/// The matrix that advances a mode from one node to the next has three roundings. The fourth power of the matrix has
+/// twelve roundings, and a grid applies this power seven times: 84 roundings. A bound of 64 suffices, because the
+/// errors partly cancel.
 const ROUNDINGS: f64 = 64.0;
 
-/// State of one mode at an instant, and the force that then acts on the mode: y″ + 2ζx y′ + x²y = constant + cosine·cos
-/// τ + sine·sin τ.
+/// State of one mode at an instant, and the force that acts on the mode from this instant on. The equation of the mode
+/// is y″ + 2ζx y′ + x²y = constant + cosine·cos τ + sine·sin τ.
 pub(super) struct ModeTrack<S> {
     /// Natural frequency of the mode divided by the excitation frequency, x = √λ/r.
     pub x: S,
@@ -43,7 +45,7 @@ pub(super) struct Common<S> {
 impl<S: Float> ModeTrack<S> {
     /// Splits the motion of a mode at an instant into a free and a forced motion. The first result is the state of the
     /// free motion. The second result contains the coefficients of the forced motion. If `all` or [`keeps_forcing`] is
-    /// true, the state contains the whole motion, and the coefficients are 0.
+    /// true, the code does not split the motion. The state then contains the whole motion, and the coefficients are 0.
     #[inline]
     pub fn of<D: Decay<S>>(wave: &Wave<S, D>, at: &Instant<S>, all: bool) -> (Self, Common<S>) {
         let zero = S::constant(0.0);
@@ -102,9 +104,10 @@ impl<S: Float> ModeTrack<S> {
     }
 }
 
-/// Returns true if the code does not split the motion of a mode into a free and a forced motion. These are modes that
-/// resonate close to the excitation frequency or far below it. For modes far below, the factor 1/x² of the forced
-/// motion would outweigh the whole motion.
+/// Returns true if the code does not split the motion of a mode into a free and a forced motion. The code does not
+/// split the motion of modes that resonate close to the excitation frequency or far below it. For modes far below, the
+/// factor 1/x² of the forced motion would outweigh the whole motion. If `all` is true, the result is true for every
+/// mode.
 pub(super) fn keeps_forcing<S: Float, D: Decay<S>>(wave: &Wave<S, D>, all: bool) -> bool {
     let slow = wave.x < S::constant(0.5) && !wave.rise.is_zero();
     all || wave.mass_controlled
@@ -117,8 +120,8 @@ pub(super) fn keeps_forcing<S: Float, D: Decay<S>>(wave: &Wave<S, D>, all: bool)
 #[derive(Clone, Copy, Debug)]
 pub(super) struct DerivativeBounds<S> {
     /// Second derivative of the sum at the instant. The field `third` is the third derivative. Only a search of sum/sin
-    /// τ needs the two derivatives. They leave out mass-controlled modes, because a sum that is divided by sin τ
-    /// contains none.
+    /// τ needs the two derivatives. Both derivatives leave out mass-controlled modes, because a sum that is divided by
+    /// sin τ contains no such mode.
     pub second: S,
     pub third: S,
     pub fourth: S,
@@ -127,13 +130,13 @@ pub(super) struct DerivativeBounds<S> {
     pub size: S,
     /// Upper bound on the rounding error of the sum at a node.
     pub rounding: S,
-    /// Upper bound on the rounding error of the sum, divided by the time τ since the instant. The bound is valid if all
-    /// modes are at rest at the instant and if all keep their forcing.
+    /// Upper bound on the rounding error of the sum, divided by the time τ since the instant. The bound is valid only
+    /// if all modes are at rest at the instant. The code must also split no motion into a free and a forced motion.
     pub drift: S,
 }
 
 impl<S: Float> DerivativeBounds<S> {
-    /// Computes bounds on a modal sum that hold from the instant `at` for the duration `time`.
+    /// Computes bounds on a modal sum and its derivatives that are valid from the instant `at` for the duration `time`.
     ///
     /// Let y be the displacement of a mode, and x the natural frequency of the mode divided by the excitation
     /// frequency. The bounds follow from the energy (x y⁽ⁿ⁾)² + (y⁽ⁿ⁺¹⁾)² of the nth derivative of y. Damping decreases
@@ -162,8 +165,8 @@ impl<S: Float> DerivativeBounds<S> {
             let y3 = turned - loss * y2 - x * x * y1;
             let y4 = -turning - loss * y3 - x * x * y2;
             let push = track.cosine.abs() + track.sine.abs();
-            // √(a² + b²) ≤ max + (√2 − 1) min, where max is the larger and min the smaller of |a| and |b|. This bound
-            // needs no square, which might overflow.
+            // The code uses √(a² + b²) ≤ max + (√2 − 1) min, where max is the larger and min the smaller of |a| and
+            // |b|. This bound needs no square, which might overflow.
             let (a, b) = ((x * y3).abs(), y4.abs());
             let energy = a.max(b) + a.min(b) * S::constant(0.414_213_6) + push * time;
             second = second + y2;

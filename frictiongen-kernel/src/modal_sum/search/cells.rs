@@ -1,10 +1,10 @@
 //! Search of a modal sum by grids. A cell is the interval between two nodes of a grid. The search closes a cell once it
 //! has proven that no value in the cell exceeds the largest value found.
 //!
-//! In each cell a cubic with the values and slopes of the sum at both nodes approximates the sum. The largest Bernstein
-//! coefficient of the cubic, plus an error from the fourth derivative, is an upper bound on the sum. The search refines
-//! local maxima by Newton's method, starting in the highest open cell. A finer grid divides the cells that remain open.
-//! The division ends when rounding errors limit the bounds (section 9 of `docs/derivation.md`).
+//! In each cell a cubic approximates the sum. At both nodes, the cubic has the value and slope of the sum. The largest
+//! Bernstein coefficient of the cubic, plus an error from the fourth derivative, is an upper bound on the sum. The
+//! search refines local maxima by Newton's method, starting in the highest open cell. A finer grid divides the cells
+//! that remain open. The division ends when rounding errors limit the bounds (section 9 of `docs/derivation.md`).
 
 use super::bounds::DerivativeBounds;
 use super::grid::{Grid, GridNode, OpenCells, Stretch};
@@ -17,7 +17,8 @@ use crate::oscillator::decay::{Decay, Instant};
 /// cells from this error. A smaller error needs more nodes. A larger error leaves more cells open.
 const SLACK: f64 = 2e-3;
 /// Smallest estimate of the sum's largest value, divided by the sum of the modal amplitudes. The code estimates the
-/// largest value to choose the cell width of the first grid. The terms of the modes may nearly cancel.
+/// largest value to choose the cell width of the first grid. The largest value may be far below the sum of the
+/// amplitudes, because the terms of the modes may nearly cancel.
 const CANCELLED: f64 = 1e-3;
 /// Cost of evaluating one grid, counted as this number of evaluations of the modal sum.
 const COST: u32 = 2;
@@ -29,8 +30,8 @@ const FINER: f64 = 10.0;
 const NONE: OpenCells = [0, 0];
 
 impl<S: Float, D: Decay<S>> MaximumSearch<'_, S, D> {
-    /// Returns true if the search may evaluate one more grid and its local maxima. Otherwise marks the search as
-    /// incomplete.
+    /// Returns true if the search may evaluate one more grid and its local maxima. If the bound on the evaluations does
+    /// not permit this, marks the search as incomplete and returns false.
     fn has_room(&mut self) -> bool {
         self.peak.exceeded |= self.most - self.peak.evaluations < COST + SUMMITS * EVALUATIONS;
         !self.peak.exceeded
@@ -64,8 +65,8 @@ impl<S: Float, D: Decay<S>> MaximumSearch<'_, S, D> {
         known.max(bounds.size * S::constant(CANCELLED))
     }
 
-    /// Searches an interval by one grid, and then divides the cells that may still contain a larger value. It does not
-    /// divide cells further once the error of their cubics is smaller than the rounding error.
+    /// Searches an interval by one grid, and then divides the cells that may still contain a larger value. The function
+    /// does not divide cells once the error of their cubics is smaller than the rounding error.
     fn settle(&mut self, stretch: &Stretch<S>, bounds: &DerivativeBounds<S>) {
         let [plus, minus] = self.open_cells(stretch, bounds);
         let mut open = plus | minus;
@@ -124,7 +125,7 @@ impl<S: Float, D: Decay<S>> MaximumSearch<'_, S, D> {
             self.open(&grid, [u32::MAX; 2])
         };
         // Some cells next to a local maximum may stay open. From these cells, Newton's method on this grid would lead
-        // to the same maximum. A finer grid therefore searches them.
+        // to the same maximum. A finer grid therefore searches these cells.
         let mut left = [u32::MAX; 2];
         for _ in 0..SUMMITS {
             let [plus, minus] = [open[0] & left[0], open[1] & left[1]];
@@ -157,8 +158,8 @@ impl<S: Float, D: Decay<S>> MaximumSearch<'_, S, D> {
         self.open(&grid, open)
     }
 
-    /// Returns true if the search of a motion has not found any value yet. Without a value, the search cannot close a
-    /// cell.
+    /// Returns true if the search is for the maximum of a motion and has not found any value yet. Without a value, the
+    /// search cannot close a cell.
     fn knows_nothing(&self) -> bool {
         self.problem.weight == Weight::One && self.peak.value.is_zero()
     }
@@ -174,12 +175,13 @@ impl<S: Float, D: Decay<S>> MaximumSearch<'_, S, D> {
         open
     }
 
-    /// Returns the level that a cell must not exceed to be closed. For a motion the level is slightly less than the
-    /// largest value found. The search then also finds other maxima of the same height.
+    /// Returns the level with which the search compares the upper bound of a cell. The search closes a cell if its
+    /// upper bound does not exceed the level. For a motion the level is slightly less than the largest value found. The
+    /// search then also finds other maxima of the same height.
     fn bar(&self, negative: bool) -> S {
         match self.problem.weight {
-            // The search has not found any value yet. If the sum consists only of rounding errors, the search must
-            // still return its largest value.
+            // This case means that the search has not found any value yet. If the sum consists only of rounding errors,
+            // the search must still return its largest value.
             Weight::One if self.peak.places[0].is_none() => self.peak.value,
             Weight::One => {
                 let equal = self.peak.value * S::constant(1.0 - EQUAL * S::RESOLUTION);

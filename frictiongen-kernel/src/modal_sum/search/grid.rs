@@ -1,10 +1,11 @@
 //! Grid of nodes over an interval of the half period, with upper bounds on the modal sum between the nodes.
 //!
 //! A constant matrix advances a mode from node to node, four nodes at a time. The loop therefore evaluates no sine and
-//! no exponential function. Between two nodes a cubic with the same values and slopes at both nodes approximates the
-//! sum. The error of the cubic is at most h⁴/384 times the fourth derivative, where h is the distance between the
-//! nodes. The Bernstein coefficients of the cubic follow directly from the values and slopes (section 9 of
-//! `docs/derivation.md`).
+//! no exponential function.
+//!
+//! Between two nodes a cubic with the same values and slopes at both nodes approximates the sum. The error of the cubic
+//! is at most h⁴/384 times the fourth derivative, where h is the distance between the nodes. The Bernstein coefficients
+//! of the cubic follow directly from the values and slopes (section 9 of `docs/derivation.md`).
 
 use super::bounds::{DerivativeBounds, ModeTrack, keeps_forcing};
 use super::row::{LANES, LaneRow, Matrix, add, advanced, first_lanes, pairwise};
@@ -15,8 +16,8 @@ use crate::oscillator::decay::{Basis, Decay, Instant};
 /// Largest number of rows of a grid. A row has four nodes.
 const ROWS: usize = 8;
 
-/// Open cells of a grid as two sets of bits, one bit for each cell. The first set belongs to the sum, the second to its
-/// negative.
+/// Open cells of a grid as two sets of bits, one bit for each cell. The first set belongs to the sum, the second set to
+/// the negative of the sum. In an open cell, a larger value than the largest value found may exist.
 pub(super) type OpenCells = [u32; 2];
 
 /// Interval of the half period that one grid covers, and the width of the grid's cells.
@@ -27,17 +28,16 @@ pub(super) struct Stretch<S> {
     pub width: S,
     /// Number of rows of the grid. A row has four nodes.
     rows: usize,
-    /// True if all modes are at rest at the start of the interval and keep their forcing (the code does not split their
-    /// motion into a free and a forced motion). The rounding error of the sum is then 0 at the start, and grows with
-    /// time.
+    /// True if all modes are at rest at the start of the interval, and the code does not split their motions into free
+    /// and forced motions. The rounding error of the sum is then 0 at the start, and grows with time.
     pub keeps_forcing: bool,
     /// Phase τ of the grid's last node, in rad.
     pub to: S,
 }
 
 impl<S: Float> Stretch<S> {
-    /// Creates an interval from `from` to `end`, with cells of at most the given width. If one grid does not reach
-    /// `end`, the interval ends earlier.
+    /// Creates an interval from `from` to `end`, with cells of at most the given width. If one grid cannot cover the
+    /// whole interval with such cells, the interval ends before `end`.
     pub fn new(from: S, end: S, width: S, keeps_forcing: bool) -> Self {
         let (mut rows, mut cells) = (1, S::constant(LANES as f64 - 1.0));
         let left = end - from;
@@ -90,8 +90,9 @@ pub(super) struct Grid<S> {
     cosine: [LaneRow<S>; ROWS],
 }
 
-/// Displacement and velocity that the force on a mode adds in one step from node to node. Each of the two is a sum of
-/// sin τ, cos τ and 1 with the three coefficients in its field. τ is the phase at the start of the step.
+/// Displacement and velocity that the force on a mode adds in one step from node to node. `value` and `slope` contain
+/// the coefficients of sin τ, cos τ and 1 in the added displacement and velocity. τ is the phase at the start of the
+/// step.
 struct ForcedStep<S> {
     value: [S; 3],
     slope: [S; 3],
@@ -101,7 +102,7 @@ impl<S: Float> ForcedStep<S> {
     fn of<D: Decay<S>>(wave: &Wave<S, D>, loss: S, basis: &Basis<S>) -> Self {
         let x = wave.x;
         let detuning = (x - S::constant(1.0)) * (x + S::constant(1.0));
-        // The numbers are the differences cos h − d and sin h − p after the step h, and their derivatives. p is the
+        // The code computes the differences cos h − d and sin h − p after the step h, and their derivatives. p is the
         // free displacement, and d = p′ + 2ζx·p is the free motion that starts at rest from the displacement 1.
         let of_cosine = basis.forced_slope - loss * basis.free;
         let of_sine = basis.forced;
@@ -146,7 +147,7 @@ impl<S: Float> Grid<S> {
         }
     }
 
-    /// Evaluates the sum at all nodes. The function fills the grid in place, because a grid as its result would be on
+    /// Evaluates the sum at all nodes. The function writes into the existing grid, because a returned grid would be on
     /// the stack twice.
     pub fn fill<D: Decay<S>>(&mut self, sum: &Sum<'_, S, D>) {
         let (zero, stretch) = (S::constant(0.0), self.stretch);
@@ -154,8 +155,8 @@ impl<S: Float> Grid<S> {
         let width = stretch.width;
         let step = Instant::new(width * S::inverse_pi());
         self.turn(at, &step);
-        // The phase advance of one row, which has four nodes. Only modes that the code does not split into a free and a
-        // forced motion need it.
+        // `four` is the phase advance of one row, which has four nodes. The code needs `four` only for modes whose
+        // motion it does not split into a free and a forced motion.
         let mut four = None;
         let (mut constant, mut cosine, mut sine) = (zero, sum.cosine, sum.sine);
         for wave in sum.waves {
@@ -281,8 +282,8 @@ impl<S: Float> Grid<S> {
         }
     }
 
-    /// Calls `visit` for both nodes of each given cell, in ascending order. `visit` gets the bit of the cell after the
-    /// node, the phase τ of the node, and the node.
+    /// Calls `visit` for both nodes of each cell in `cells`, in ascending order. The arguments of `visit` are the bit
+    /// of the cell after the node, the phase τ of the node, and the node.
     pub fn beside(&self, cells: u32, mut visit: impl FnMut(u32, S, GridNode<S>)) {
         let values = self.value.as_flattened().iter();
         let slopes = self.slope.as_flattened();

@@ -30,11 +30,11 @@ pub const MAX_EVALUATIONS: u32 = 20_000;
 /// is five times the largest measured number.
 const OVER_SINE: u32 = 256;
 /// Upper bound on the evaluations in a search of a motion if no mode is fast compared with the excitation. The bound is
-/// three times the largest measured number. A search of a motion needs more evaluations than one of sum/sin τ, because
-/// the terms of the modes may nearly cancel.
+/// three times the largest measured number. A search of a motion needs more evaluations than a search of sum/sin τ,
+/// because the terms of the modes may nearly cancel.
 const OF_MOTION: u32 = 1024;
-/// Number of half turns of the fastest mode for which a search may make one more evaluation. Measured searches need at
-/// most one evaluation for 120 half turns.
+/// Number of half turns of the fastest mode for which the bound on the evaluations increases by one. Measured searches
+/// need at most one evaluation for 120 half turns.
 const HALF_TURNS: usize = 16;
 
 /// Returns the upper bound on the number of evaluations in one search. `fastest` is the largest √λ(1 + 2ζ)/r among the
@@ -56,8 +56,8 @@ pub fn most_evaluations<S: Float>(weight: Weight, fastest: S) -> u32 {
 const EQUAL: f64 = 64.0;
 /// Safety factor on the rounding error of a sum that is divided by sin τ, for τ > π/2.
 const NOISE: f64 = 16.0;
-/// Largest distance in τ of two positions that belong to the same maximum. Around a maximum the sum falls with the
-/// square of the distance. At this distance from the maximum, the sum has fallen by far more than the tolerance for
+/// Largest distance in τ (in rad) of two positions that belong to the same maximum. Around a maximum the sum falls with
+/// the square of the distance. At a distance of `SAME_MAXIMUM`, the sum has fallen by far more than the tolerance for
 /// equal maxima.
 const SAME_MAXIMUM: f64 = 0.05;
 
@@ -79,7 +79,7 @@ pub struct SearchSettings<S> {
     pub both_signs: bool,
     /// End of the searched interval 0 < τ ≤ `end`. The end is π/2 for a sum that is odd about π/2, otherwise π.
     pub end: S,
-    /// Smallest value that the search looks for. It ignores smaller values.
+    /// Smallest value that the search looks for. The search ignores smaller values.
     pub floor: S,
     /// Limit for τ → 0 of the function that the search maximises. The function is `start` plus the quotient of the
     /// modal sum and 1 or sin τ. The modal sum itself does not contain `start`.
@@ -98,7 +98,7 @@ pub struct Maximiser<S> {
     pub negative: bool,
 }
 
-/// Result of a search: the largest value, its positions, and the work.
+/// Result of a search: the largest value, its positions, and the number of evaluations.
 #[derive(Clone, Copy, Debug)]
 pub struct Peak<S> {
     /// Largest value that the search found. If no value exceeds the floor of the search problem, the result is the
@@ -107,7 +107,7 @@ pub struct Peak<S> {
     /// Positions of up to four equal largest values. All four entries are `None` if no value exceeds the floor of the
     /// search problem.
     pub places: [Option<Maximiser<S>>; 4],
-    /// Number of evaluations of the modal sum in the search. A grid counts as two.
+    /// Number of evaluations of the modal sum in the search. The evaluation of a grid of nodes counts as two.
     pub evaluations: u32,
     /// True if the search stopped at its [bound](most_evaluations) and may have missed a larger value.
     pub exceeded: bool,
@@ -142,7 +142,7 @@ struct MaximumSearch<'a, S, D> {
     sum: Sum<'a, S, D>,
     problem: SearchSettings<S>,
     peak: Peak<S>,
-    /// Upper bound on the rounding error of the sum. A value of the sum below this bound may be pure rounding error.
+    /// Upper bound on the rounding error of the sum. A smaller value of the sum may be pure rounding error.
     rounding: S,
     /// Largest number of evaluations of the modal sum in the search.
     most: u32,
@@ -157,7 +157,7 @@ pub fn largest<S: Float, D: Decay<S>>(sum: Sum<'_, S, D>, problem: SearchSetting
     search.peak
 }
 
-/// Finds the largest value as [`largest`] does, for one of a sequence of similar sums. `neighbour` predicts the
+/// Finds the largest value as [`largest`] does, for the next of a sequence of similar sums. `neighbour` predicts the
 /// position of the maximum from the previous searches. After the search, the function stores the new position in
 /// `neighbour`.
 pub fn largest_near<S: Float, D: Decay<S>>(
@@ -203,9 +203,9 @@ impl<'a, S: Float, D: Decay<S>> MaximumSearch<'a, S, D> {
         }
     }
 
-    /// Returns the level with which the search compares ±sum/sin τ. If ±sum/sin τ exceeds this level, the function that
-    /// the search maximises exceeds the largest value found. This function is ±(`start` + sum/sin τ). For the negative
-    /// sign, the level is therefore higher by 2·`start`.
+    /// Returns the level with which the search compares ±sum/sin τ. The search maximises the function ±(`start` +
+    /// sum/sin τ). If ±sum/sin τ exceeds the returned level, the function exceeds `start` + `level`. For the negative
+    /// sign, the returned level is therefore higher by 2·`start`.
     fn signed(&self, level: S, negative: bool) -> S {
         if negative {
             level + self.problem.start + self.problem.start
@@ -226,7 +226,8 @@ impl<'a, S: Float, D: Decay<S>> MaximumSearch<'a, S, D> {
         }
     }
 
-    /// Returns the signs of the sum that the search covers: `false` for the sum itself, `true` for its negative.
+    /// Returns the signs of the sum that the search covers. `false` means the sum itself, and `true` means the negative
+    /// of the sum.
     fn signs(&self) -> &'static [bool] {
         if self.problem.both_signs {
             &[false, true]

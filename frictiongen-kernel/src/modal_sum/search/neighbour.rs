@@ -3,23 +3,24 @@
 use super::{Maximiser, Peak};
 use crate::number::scalar::Float;
 
-/// Positions of the largest values that the last searches in a frequency sweep found. They predict the next position.
+/// Positions of the largest values that the last searches in a frequency sweep found. From these positions the code
+/// predicts the position of the next largest value.
 ///
-/// A search with a `Neighbour` begins at the predicted position. Then the search proves that no larger value exists, as
-/// it does without a `Neighbour`. A wrong prediction costs some evaluations, but does not change the result.
+/// A search with a `Neighbour` begins at the predicted position. The search then proves that no larger value exists, as
+/// a search without a `Neighbour` does. A wrong prediction costs some evaluations, but does not change the result.
 ///
-/// One `Neighbour` serves the motion of one mass of one scene. See
+/// Use a separate `Neighbour` for the motion of each mass of each scene. See
 /// [`Motion::largest_near`](crate::response::motion::Motion::largest_near).
 #[derive(Clone, Copy, Debug, Default)]
 pub struct Neighbour<S> {
-    /// Up to three known positions of largest values. The latest one comes first.
+    /// Up to three known positions of largest values. The position from the latest search comes first.
     known: [Option<KnownMaximum<S>>; 3],
 }
 
 /// Position of a largest value, and the frequency at which a search found it.
 #[derive(Clone, Copy, Debug)]
 struct KnownMaximum<S> {
-    /// Rate x(1 + 2ζ) of the fastest mode. The rate is proportional to 1/r. It therefore identifies the frequency in a
+    /// Rate x(1 + 2ζ) of the fastest mode. The rate is proportional to 1/r, and therefore identifies the frequency in a
     /// sweep.
     speed: S,
     place: Maximiser<S>,
@@ -64,10 +65,11 @@ impl<S: Float> Neighbour<S> {
         };
         let known = Some(KnownMaximum { speed, place });
         self.known = match last {
-            // The sweep repeats its last frequency. The new position then replaces the known position at this
-            // frequency.
+            // In this case the sweep repeats its last frequency. The new position then replaces the known position at
+            // this frequency.
             Some(last) if last.speed == speed => [known, second, None],
-            // The maximum has changed its sign. The older positions then no longer predict it.
+            // In this case the maximum has changed its sign. The older positions then no longer predict the next
+            // maximum.
             Some(last) if last.place.negative != place.negative => [known, None, None],
             _ => [known, last, second],
         };

@@ -5,8 +5,8 @@ use crate::number::scalar::Float;
 use crate::oscillator::decay::Decay;
 
 impl<S: Float, D: Decay<S>> MaximumSearch<'_, S, D> {
-    /// Records a local maximum if it is at least as large as the largest value so far. The comparison uses `best`. The
-    /// number `kept` becomes the largest value.
+    /// Records a local maximum if it is at least as large as the largest value so far, apart from rounding. The
+    /// function compares `best` with the largest value so far. If `best` is larger, `kept` becomes the largest value.
     pub(super) fn keep(&mut self, best: S, kept: S, place: Maximiser<S>) {
         let share = S::constant(1.0 - EQUAL * S::RESOLUTION);
         if self.peak.value < best {
@@ -20,10 +20,10 @@ impl<S: Float, D: Decay<S>> MaximumSearch<'_, S, D> {
         }
     }
 
-    /// Moves the position that a Newton step has reached into the half period. The flag is true if the position was in
-    /// the next or the previous half period. In these half periods a motion continues with the opposite sign. The
-    /// velocity constraint, however, is defined only within the half period. Its position is therefore clamped to the
-    /// half period.
+    /// Moves a position that a Newton step has found into the half period. The flag is true if the position was in the
+    /// next or the previous half period, in which a motion continues with the opposite sign. The velocity constraint is
+    /// defined only within the half period. For the velocity constraint, the function therefore clamps the position to
+    /// the half period.
     pub(super) fn moved(&self, tau: S) -> (S, bool) {
         let (zero, end) = (S::constant(0.0), self.problem.end);
         match self.problem.weight {
@@ -42,8 +42,8 @@ impl<S: Float, D: Decay<S>> MaximumSearch<'_, S, D> {
         }
     }
 
-    /// Returns true if the maximum at a position is already recorded. The end of a half period and the start of the
-    /// next are the same instant, and a motion has the opposite sign in the next half period.
+    /// Returns true if the search has already recorded the maximum at a position. The end of a half period and the
+    /// start of the next half period are the same instant. In the next half period, a motion has the opposite sign.
     fn knows(&self, place: Maximiser<S>) -> bool {
         let near = S::constant(SAME_MAXIMUM);
         self.peak.places.iter().flatten().any(|known| {

@@ -10,7 +10,7 @@ pub(super) const LANES: usize = 4;
 
 pub(super) type LaneRow<S> = [S; LANES];
 
-/// The 2×2 matrix ( a b ; c d ). It advances a displacement and a velocity by one time step.
+/// The 2×2 matrix with the rows (a, b) and (c, d), which advances a displacement and a velocity by one time step.
 #[derive(Clone, Copy)]
 pub(super) struct Matrix<S> {
     pub a: S,
@@ -61,8 +61,8 @@ pub(super) fn first_lanes<S: Float>(
     ([u, one.0, two.0, three.0], [v, one.1, two.1, three.1])
 }
 
-/// Applies a function to four pairs (u, v) of numbers. Returns first the four first results, and then the four second
-/// results.
+/// Applies a function to four pairs (u, v) of numbers. The function returns two numbers for each pair. The result
+/// contains the four first numbers, and then the four second numbers.
 #[inline(always)]
 pub(super) fn pairwise<S: Float>(
     [u0, u1, u2, u3]: LaneRow<S>,

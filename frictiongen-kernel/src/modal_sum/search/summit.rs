@@ -9,8 +9,8 @@ use crate::oscillator::decay::{Decay, Instant};
 
 /// Largest number of evaluations of the modal sum in one search for a local maximum by Newton's method.
 pub(super) const EVALUATIONS: u32 = 5;
-/// Distance, in Newton steps, up to which the terms that a Newton step neglects must be small. If they are not small,
-/// another Newton step follows.
+/// Distance, in Newton steps, up to which the terms that a Newton step neglects must be small. If these terms are not
+/// small, another Newton step follows.
 pub(super) const REACH: f64 = 7.0;
 
 /// Position from which one Newton step leads to a local maximum, with the modal sum and its derivatives at this
@@ -24,8 +24,8 @@ pub(super) struct Summit<S> {
     pub level: S,
 }
 
-/// Value and first three derivatives of a function at a position. They define the function's Taylor polynomial of third
-/// degree.
+/// Value and first three derivatives of a function at a position. The four numbers define the function's Taylor
+/// polynomial of third degree.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Cubic<S> {
     pub value: S,
@@ -43,7 +43,7 @@ impl<S: Float> Summit<S> {
 }
 
 impl<S: Float> Cubic<S> {
-    /// Returns the distance to the local maximum, by a Newton step with a correction from the third derivative.
+    /// Returns the signed distance to the local maximum, from a Newton step with a correction by the third derivative.
     pub fn step(&self) -> S {
         let half = S::constant(0.5);
         let newton = -(self.slope / self.curvature);
@@ -51,22 +51,22 @@ impl<S: Float> Cubic<S> {
         newton * (S::constant(1.0) - bend.max(-half).min(half))
     }
 
-    /// Returns the height of the local maximum minus the value at the present position. `step` is the step to the
-    /// maximum.
+    /// Returns the value at the local maximum minus the value at the present position. `step` is the signed distance to
+    /// the maximum.
     pub fn rise(&self, step: S) -> S {
         let bend = self.curvature * S::constant(0.5) + self.third * step * S::constant(1.0 / 6.0);
         (self.slope + bend * step) * step
     }
 
-    /// Returns true if, up to the distance `reach` times a step, the third derivative changes the curvature by less
-    /// than half. The function then stays concave up to this distance.
+    /// Returns true if the third derivative changes the curvature by less than half, up to the distance `reach` times
+    /// `step`. The function is then concave up to this distance.
     pub fn is_concave(&self, step: S, reach: S) -> bool {
         (self.third * step).abs() * (reach + reach) < -self.curvature
     }
 }
 
 /// Returns the largest contribution of the fourth derivative to the value of a function, up to the distance `reach`
-/// times a step.
+/// times `step`.
 pub(super) fn beyond_cubic<S: Float>(fourth: S, step: S, reach: S) -> S {
     let far = step * reach;
     let square = far * far;
@@ -74,8 +74,8 @@ pub(super) fn beyond_cubic<S: Float>(fourth: S, step: S, reach: S) -> S {
 }
 
 impl<S: Float, D: Decay<S>> MaximumSearch<'_, S, D> {
-    /// Returns the modal sum and its derivative at a node. In a search of sum/sin τ, returns this quotient and its
-    /// derivative instead.
+    /// Returns the modal sum and its derivative at a node. In a search of sum/sin τ, the function returns the quotient
+    /// sum/sin τ and its derivative instead.
     fn quotient_node(&self, node: &GridNode<S>) -> (S, S) {
         match self.problem.weight {
             Weight::One => (node.value, node.slope),
@@ -177,7 +177,7 @@ impl<S: Float, D: Decay<S>> MaximumSearch<'_, S, D> {
     /// Returns `None` if the method does not converge from this position.
     pub(super) fn summit(&mut self, place: &Maximiser<S>, grid: &Grid<S>) -> Option<Summit<S>> {
         let (fourth, width) = (grid.bounds.fourth, grid.stretch.width);
-        // The code computes the maximum to rounding, even if the tolerance of the search is larger.
+        // The code computes the maximum to rounding accuracy, even if the tolerance of the search is larger.
         let four = S::constant(4.0 * S::EPSILON);
         let Maximiser {
             mut tau,
@@ -206,13 +206,14 @@ impl<S: Float, D: Decay<S>> MaximumSearch<'_, S, D> {
                 Weight::Sine => jet.sine,
             };
             let left = beyond_cubic(fourth + self.level(), step, S::constant(REACH));
-            // The lag of a motion requires an accurate position of the maximum, and not only an accurate value.
+            // The phase (lag) of a motion requires an accurate position of the maximum. An accurate value alone is not
+            // enough.
             let placed = self.problem.weight == Weight::Sine
                 || (fourth * step * step * step).abs() <= four * quotient.curvature.abs()
                 || evaluation == EVALUATIONS;
             let (at_top, flipped) = self.moved(tau + step);
-            // In the next half period the friction force has the opposite sign. The curvature of the motion then
-            // differs.
+            // If the Newton step crosses the end of the half period, the friction force changes its sign, and the
+            // curvature of the motion changes. The code then makes another Newton step.
             let crossed = flipped && four < at_top.min(self.problem.end - at_top);
             if quotient.is_concave(step, S::constant(REACH))
                 && left <= spare * weight
@@ -230,7 +231,8 @@ impl<S: Float, D: Decay<S>> MaximumSearch<'_, S, D> {
                     tau,
                     negative,
                     jet,
-                    // If the terms of the modes nearly cancel, rounding errors exceed the tolerance.
+                    // If the terms of the modes nearly cancel, rounding errors exceed the tolerance. The level
+                    // therefore includes their bound.
                     level: quotient.value + rise + tolerance * size + self.rounding,
                 });
             }
@@ -281,8 +283,9 @@ impl<S: Float, D: Decay<S>> MaximumSearch<'_, S, D> {
     }
 }
 
-/// Returns the position between 0 and 1 at which a cubic is largest. `up` is its slope at 0, `down` its slope at 1, and
-/// `rise` its value at 1 minus its value at 0. If the cubic has no maximum between 0 and 1, the result is 0.
+/// Returns the position between 0 and 1 at which a cubic is largest. `up` is the slope of the cubic at 0, and `down`
+/// its slope at 1. `rise` is its value at 1 minus its value at 0. If the cubic has no maximum between 0 and 1, the
+/// result is 0.
 fn top_between<S: Float>(up: S, down: S, rise: S) -> S {
     let zero = S::constant(0.0);
     if !(zero < up && down < zero) {

@@ -1,4 +1,5 @@
-//! Tests of grids, summits and whole searches against dense scans of independently written sums.
+//! Tests of grids, summits and whole searches. The tests compare the results with dense scans of sums from independent
+//! formulas.
 
 use super::*;
 use crate::modal_sum::wave::Wave;
@@ -35,7 +36,8 @@ pub fn search<'a>(sum: TestSum<'a>, problem: SearchSettings<f64>, known: f64) ->
     search
 }
 
-/// Returns the excess ±sum − level·weight at a phase τ. The formulas are independent of the search.
+/// Returns the excess ±sum − level·weight at a phase τ, where the weight is 1 or sin τ. The formula of the sum is
+/// independent of the search.
 pub fn excess(search: &TestSearch<'_>, negative: bool, tau: f64) -> f64 {
     let value = sum_derivative(&search.sum, tau, 0);
     let value = if negative { -value } else { value };
@@ -45,8 +47,8 @@ pub fn excess(search: &TestSearch<'_>, negative: bool, tau: f64) -> f64 {
     }
 }
 
-/// Returns the sum of the sizes of the modal terms. Because the phase of a fast mode is rounded, its term is accurate
-/// to about twelve digits of this size.
+/// Returns the sum of the sizes of the modal terms. A term is accurate to about twelve digits of this sum, because the
+/// phase of a fast mode is rounded.
 pub fn size(search: &TestSearch<'_>) -> f64 {
     let wave = |w: &TestWave| {
         w.free.abs() / w.x + w.forced.abs() + w.forced_slope.abs() + w.rise.abs() / (w.x * w.x)

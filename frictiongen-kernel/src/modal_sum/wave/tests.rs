@@ -5,8 +5,8 @@ use crate::oscillator::decay::{Damped, Undamped};
 use crate::testing::{Lcg, TestWave, at_rest, derivative, parts, random_waves, sum_derivative};
 use core::f64::consts::PI;
 
-/// Returns test instants: both bounds of the half period, the first quarter turns of a fast mode, and instants between
-/// them.
+/// Returns test instants in the half period: both bounds, the first quarter turns of a fast mode, and instants between
+/// the bounds.
 fn instants(x: f64) -> Vec<f64> {
     let mut out = vec![0.0, PI];
     for k in 1..12 {
@@ -25,8 +25,8 @@ fn alone(wave: &TestWave) -> Sum<'_, f64, Damped<f64>> {
     }
 }
 
-/// Compares y″ of y = sin τ − sin(xτ)/x close to x = 1, without damping, with a form that does not lose digits: y″ = 2
-/// cos((x + 1)τ/2) sin((x − 1)τ/2) + (x − 1) sin xτ.
+/// Compares derivatives of y = sin τ − sin(xτ)/x close to the resonance x = 1, without damping, with a form that does
+/// not lose digits. This form is y″ = 2 cos((x + 1)τ/2) sin((x − 1)τ/2) + (x − 1) sin xτ, and its derivative.
 #[test]
 fn differences_keep_their_digits_beside_the_resonance() {
     let mut compared = 0;

@@ -88,8 +88,8 @@ pub trait ContactChain<S: Float>: Copy + Debug {
         0
     }
 
-    /// Returns the Floquet multipliers of a contact that never slides. There are two for each mode that the stuck chain
-    /// lacks, and one for each stored scalar.
+    /// Returns the Floquet multipliers of a contact that never slides. The list contains two multipliers for each mode
+    /// that the stuck chain lacks, and one multiplier for each stored scalar.
     ///
     /// `true` stands for the multiplier 1 and `false` for 0. Numbers in `f64` would add double-precision arithmetic to
     /// the program of an `f32` scene.
@@ -177,8 +177,8 @@ pub trait ContactChain<S: Float>: Copy + Debug {
     /// and the complex amplitude of the fundamental. The two components do not include the contribution of the modes.
     fn steady_stuck_force(setting: &MotionSetting<'_, S, Self>, place: S) -> (S, Complex<S>);
 
-    /// Completes the end of a segment at which the relative velocity vanishes. Sets the slope, the event, the jump of
-    /// the force and the next state.
+    /// Completes the record `end` of a segment that ends because the relative velocity vanishes. Sets the slope, the
+    /// event, the jump of the force and the next state.
     fn halt(
         setting: &MotionSetting<'_, S, Self>,
         modes: &[Part<S>],
@@ -186,8 +186,8 @@ pub trait ContactChain<S: Float>: Copy + Debug {
         end: &mut SegmentEnd<S>,
     );
 
-    /// Completes the end of a segment at which the stuck contact breaks away. Sets the event, the jump of the force and
-    /// the next state.
+    /// Completes the record `end` of a segment that ends because the stuck contact breaks away. Sets the event, the
+    /// jump of the force and the next state.
     fn break_away(setting: &MotionSetting<'_, S, Self>, contact: Contact, end: &mut SegmentEnd<S>);
 
     /// Advances small deviations of the state through a segment (the motion between two events), one column after

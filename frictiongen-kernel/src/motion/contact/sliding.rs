@@ -38,8 +38,8 @@ impl<S: Float, K: ContactChain<S>> MotionSetting<'_, S, K> {
         }
     }
 
-    /// Returns the state of a contact that starts to slide in a given direction at the phase `t`. At this phase its
-    /// velocity is zero.
+    /// Returns the state of a contact that starts to slide in a given direction at the phase `t`. At this phase the
+    /// velocity of the contact is zero.
     pub(crate) fn sliding_off(&self, parts: &[Part<S>], t: S, contact: Contact) -> ContactState<S> {
         let force = self.holding(parts, phase(t));
         self.sliding_away(t, self.law().slide(contact, force))
@@ -90,8 +90,8 @@ impl<S: Float, K: ContactChain<S>> MotionSetting<'_, S, K> {
         OscillatorSum::new(modes, zero, (cosines, sines), at, reach)
     }
 
-    /// Changes the velocities in a deviation of the modes at an event. The deviation delays the event by the time
-    /// `later`. At the event the contact force falls by `jump`.
+    /// Changes the velocities in a small deviation of the modes at an event. The deviation delays the event by the time
+    /// `later`, in rad of the excitation. At the event the contact force falls by `jump`.
     pub(super) fn delay(&self, jump: S, later: S, column: &mut [S]) {
         for (mode, state) in self.dynamics.driven().iter().zip(pairs_mut(column)) {
             if let [_, u] = state {

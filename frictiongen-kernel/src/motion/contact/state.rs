@@ -104,10 +104,11 @@ pub struct SegmentEnd<S> {
     pub event: Option<Event>,
     /// State of the contact after the event.
     pub contact_state: ContactState<S>,
-    /// Slope, at the event, of the function whose zero is the event. If the contact slides in the segment, it is z̄″
-    /// just before the event. If the contact sticks, it is the slope of the contact force.
+    /// Slope, at the event, of the function whose zero is the event. If the contact slides in the segment, the function
+    /// is the relative velocity z̄′, and the slope is z̄″ just before the event. If the contact sticks, the function is
+    /// the contact force.
     pub slope: S,
-    /// Jump of the contact force at the event: the force before the event minus the force after it.
+    /// Jump of the contact force at the event: the force before the event minus the force after the event.
     pub jump: S,
     /// Number of steps of the search that found the end of the segment.
     pub steps: u32,
@@ -159,7 +160,7 @@ impl<S: Float> Sought<S> {
         }
     }
 
-    /// Returns true if the contact cannot leave zero velocity, and so continues to stick.
+    /// Returns true if the contact cannot leave zero velocity. The contact then continues to stick.
     pub(crate) fn holds(&self) -> bool {
         self.outcome == SegmentOutcome::Holds
     }

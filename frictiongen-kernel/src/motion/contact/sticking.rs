@@ -78,9 +78,9 @@ impl<S: Float, K: ContactChain<S>> MotionSetting<'_, S, K> {
         )
     }
 
-    /// Returns the largest |z̄| at which the contact may stick for ever. `steady` is the amplitude of the contact force
-    /// in the forced motion. The static friction force must balance the sum of this amplitude and the constant force
-    /// that z̄ causes.
+    /// Returns the largest absolute relative displacement |z̄| at which the contact may stick for ever. `steady` is the
+    /// amplitude of the contact force in the forced motion. The static friction force must balance the sum of this
+    /// amplitude and the constant force that z̄ causes.
     pub(crate) fn offset_range(&self, steady: S) -> S {
         let receptance = self.receptance - self.dynamics.chain.compliance();
         (self.law().grip() - steady).max(S::constant(0.0)) * receptance
@@ -99,9 +99,9 @@ impl<S: Float, K: ContactChain<S>> MotionSetting<'_, S, K> {
             })
     }
 
-    /// Returns the complex amplitude x̄ of a mass while the contact never slides and the slider has no offset.
-    /// [`MotionSetting::new`] prepares `parts`, the oscillators. Returns `None` on an undamped resonance of the stuck
-    /// chain.
+    /// Returns the complex amplitude x̄ of the displacement of a mass while the contact never slides. The constant
+    /// displacement of the contact, or of an elastic contact's slider, is 0. [`MotionSetting::new`] prepares `parts`,
+    /// the oscillators. Returns `None` on an undamped resonance of the stuck chain.
     pub fn stuck_amplitude(&self, parts: &[Part<S>], mass: usize) -> Option<Complex<S>> {
         let zero = S::constant(0.0);
         let (dynamics, shape) = (&self.dynamics, self.dynamics.shape(mass));
@@ -129,8 +129,8 @@ impl<S: Float, K: ContactChain<S>> MotionSetting<'_, S, K> {
         Some(sum)
     }
 
-    /// Returns the displacement of the stuck contact including that of the base, and the velocity of this displacement.
-    /// The velocity refers to the non-dimensional time t√(k₁/m₁).
+    /// Returns the displacement of the stuck contact including the displacement of the base, and the velocity of this
+    /// sum. The velocity refers to the non-dimensional time t√(k₁/m₁).
     pub(crate) fn lifted(&self, offset: S, (sine, cosine): (S, S)) -> (S, S) {
         let z = Complex::new(self.base, S::constant(0.0));
         (

@@ -6,10 +6,10 @@ use crate::number::complex::Complex;
 use crate::number::scalar::Float;
 
 impl<S: Float, K: ContactChain<S>> Dynamics<'_, S, K> {
-    /// Computes the displacement y and the scaled velocity u of the stuck chain's modes from those of the chain's
-    /// modes. `z` is the displacement of the contact, and `rate` its derivative with respect to the time t√(k₁/m₁). The
-    /// function first subtracts the static displacements that `z` causes from y, and the velocities that `rate` causes
-    /// from u.
+    /// Computes the displacement y and the scaled velocity u of the stuck chain's modes from the same numbers of the
+    /// chain's modes. `z` is the displacement of the contact, and `rate` its derivative with respect to the time
+    /// t√(k₁/m₁). The function first subtracts the static displacements that `z` causes from y, and the velocities that
+    /// `rate` causes from u.
     pub(crate) fn project<'s>(
         &self,
         receptance: S,
@@ -35,8 +35,8 @@ impl<S: Float, K: ContactChain<S>> Dynamics<'_, S, K> {
 
     /// Computes the excitation of a mode of the stuck chain, multiplied by r. The first result is the complex amplitude
     /// of the term that the excitation adds to the mode's velocity. The second result is the complex amplitude of the
-    /// force on the mode. `base` is the coefficient s of the base motion in z̄: 1 if the contact rubs on the moving
-    /// base, otherwise 0.
+    /// force on the mode. `base` is the coefficient s of the base motion in the relative displacement z̄: 1 if the
+    /// contact rubs on the moving base, otherwise 0.
     pub(crate) fn stuck_drive(
         &self,
         (mode, participations): (&HeldMode<S>, &[[S; 2]]),

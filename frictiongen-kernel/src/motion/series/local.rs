@@ -107,8 +107,8 @@ pub(crate) trait Walked<S> {
     }
     /// Returns value and derivatives of the function at τ, with a bound on its third derivative from τ on.
     fn local(&self, tau: S) -> Local<S>;
-    /// Returns the power series of the function from the start. The caller passes value and slope at the start, which
-    /// it knows more accurately.
+    /// Returns the power series of the function from the start. The caller passes `value` and `slope` at the start,
+    /// because the caller knows these two numbers more accurately.
     fn series(&self, value: S, slope: S) -> LocalSeries<S>;
     /// Returns the rounding error of a value of the function.
     fn noise(&self) -> S;

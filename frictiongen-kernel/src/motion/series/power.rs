@@ -10,12 +10,13 @@ pub(crate) const TERMS: usize = 24;
 /// Upper bound on the number of steps of a search along a power series.
 pub(crate) const WALK: u32 = 64;
 
-/// Power series Σ c_n sⁿ. The size of its first terms gives a bound on the rounding error of the series.
+/// Power series Σ c_n sⁿ in the time s. The size of its first four terms gives a bound on the rounding error of the
+/// series.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Power<S> {
     pub terms: [S; TERMS],
     pub count: usize,
-    /// Sum of the absolute values of all summands that form the first terms.
+    /// Sum of the absolute values of all summands that form the first four terms.
     pub size: S,
 }
 

@@ -45,7 +45,8 @@ impl<'a, S: Float> OscillatorSum<'a, S> {
             noise = noise + a.abs() + b.abs();
             rate = rate.max(part.x * (one + part.zeta + part.zeta));
             if part.near {
-                // For a unit force and |x − 1| ≪ 1, |y‴| and |y⁗| are at most 4 + 4τ.
+                // For a unit force on an oscillator near its resonance, the absolute values of the displacement's third
+                // and fourth derivatives are at most 4 + 4τ.
                 let [of_y, of_u] = part.weight;
                 let push = part.push() * (of_y.abs() + of_u.abs()) * two;
                 bound = bound + push * (four + four * reach);
@@ -107,8 +108,8 @@ impl<S: Float> Walked<S> for OscillatorSum<'_, S> {
         self.local(tau)
     }
 
-    /// Returns the power series of the function from the start, with the given value and slope. Its reach is the
-    /// largest τ at which the series is exact to rounding.
+    /// Returns the power series of the function from the start, with the given value and slope. The reach of the series
+    /// is the largest τ at which the series is exact to rounding.
     fn series(&self, value: S, slope: S) -> LocalSeries<S> {
         let mut terms = [S::constant(0.0); ORDER];
         let (mut cosine, mut sine) = (self.cosine, self.sine);

@@ -10,8 +10,8 @@ use crate::number::scalar::Float;
 /// contact counts as larger than the break-away level only if it exceeds the level by more than this factor times its
 /// rounding error.
 const WEDGED: f64 = 16.0;
-/// Distance in rounding units after a point at which the function touches zero without a change of sign. The search
-/// continues at least this distance later.
+/// Smallest distance, in rounding units, at which a search continues after a point where the function touches zero
+/// without a change of sign.
 const PAST: f64 = 4.0;
 
 /// Result of a *walk*, a search for a zero in steps that skip no zero.
@@ -31,7 +31,7 @@ pub(crate) enum WalkResult<S> {
 pub(crate) enum WalkStart<S> {
     /// The value is unknown. The walk evaluates the function at its start.
     Anywhere,
-    /// The function is exactly zero at the present instant. The field is its slope.
+    /// The function is exactly zero at the present instant. The field is the slope of the function at this instant.
     Zero(S),
     /// The contact has just failed to start sliding. The force must now exceed its level by more than its rounding
     /// error.

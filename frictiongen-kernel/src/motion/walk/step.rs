@@ -12,9 +12,8 @@ const CLOSE: f64 = 0.1;
 ///
 /// `f`, `slope` and `curve` are f, f′ and f″ at the start, and `bound` is B. The caller must pass f ≥ 0, and f′ > 0 if
 /// f = 0. The cubic p(h) = f + f′h + f″h²/2 − Bh³/6 is a lower bound on f. The function f is therefore positive up to
-/// the smallest positive root of p. The result is close to this root. It exceeds the root at most by rounding, and
-/// never exceeds `most`.
-/// rounding, and never exceeds `most`.
+/// the smallest positive root of p. The result is close to this root. The result exceeds the root at most by rounding,
+/// and never exceeds `most`.
 pub(crate) fn safe<S: Float>(f: S, slope: S, curve: S, bound: S, most: S) -> S {
     let (zero, half) = (S::constant(0.0), S::constant(0.5));
     let sixth = S::constant(1.0 / 6.0);
@@ -30,16 +29,16 @@ pub(crate) fn safe<S: Float>(f: S, slope: S, curve: S, bound: S, most: S) -> S {
     if zero < discriminant {
         let root = discriminant.sqrt();
         if slope < zero && zero < curve {
-            // The minimum of p is at the smaller root of p′. The code uses the form of this root in which no terms
-            // cancel.
+            // The minimum of the cubic p is at the smaller root of the derivative p′. The code uses the form of this
+            // root in which no terms cancel.
             let dip = -(slope + slope) / (curve + root);
             if value(dip) <= zero {
                 return from_left(value, tangent);
             }
         }
         if curve < zero {
-            // This expression is another form of the root of p′. In the first form the terms would cancel if the bound
-            // is small, and the root would be lost.
+            // This expression is another form of the root (curve + root)/bound of p′. If the bound is small, the terms
+            // of that form would cancel, and the root would be lost.
             from = ((slope + slope) / (root - curve)).max(zero);
         } else if zero < curve + root {
             from = (curve + root) / bound;
@@ -47,13 +46,13 @@ pub(crate) fn safe<S: Float>(f: S, slope: S, curve: S, bound: S, most: S) -> S {
     } else if !(zero < value(inflection)) {
         return from_left(value, tangent);
     }
-    // At distances of more than `from`, p falls ever more steeply. If Newton's method starts after the root of p, it
-    // therefore stays after the root.
+    // At distances of more than `from`, the cubic p falls ever more steeply. If Newton's method starts after the root
+    // of p, the method therefore stays after the root.
     let top = value(from);
     let fall = tangent(from);
     let steep = -(curve - bound * from);
-    // The code takes the smallest of three upper bounds on the root. They come from the tangent at `from`, from the
-    // curvature at `from`, and from the cubic term alone.
+    // The code takes the smallest of three upper bounds on the root. The bounds come from the tangent at `from`, from
+    // the curvature at `from`, and from the cubic term alone.
     let mut h = from + (top * S::constant(6.0) / bound).max(S::constant(1.0));
     if fall < zero {
         h = h.min(from - top / fall);
@@ -133,8 +132,8 @@ mod tests {
         // must approach this root from larger h.
         for bound in [1e-12_f32, 1e-9, 1e-7, 1e-4] {
             let h = safe(0.0, 2.0, -1.0, bound, 10.0);
-            // The result is close to 4. It comes from the chord at the last Newton step, which is nearer to the root
-            // than the step itself.
+            // The result is close to 4. This value comes from the chord at the last Newton step, which is nearer to the
+            // root than the step itself.
             assert!((3.99..=4.000_001).contains(&h), "{bound:e}: {h}");
         }
         // The maximum of the cubic 1 − h − h²/2 is at a negative h.

@@ -4,8 +4,8 @@ use core::fmt;
 
 use super::Dd;
 
-/// Largest number of decimal digits that `write` computes. `write` prints one digit less. Digits after the 32nd carry
-/// no information.
+/// Largest number of decimal digits that `write` computes. `write` prints at most one digit less. Digits after the 32nd
+/// are not significant.
 const MOST: usize = 39;
 
 /// Returns the decimal mantissa of a positive number, at least 1 and below 10, and the exponent of ten.

@@ -57,8 +57,8 @@ fn factorials_in_twos(factorials: &[Dd], terms: usize, exact: usize, v: Dd) -> D
 /// Returns the integer q for which q/2 is nearest to h, and the exact remainder h − q/2. Only the two lowest bits of q
 /// are meaningful.
 fn reduced(h: Dd) -> (u64, Dd) {
-    // If `hi` is above 2^53, it is an integer, but `lo` still contains a fraction. The code therefore reduces `hi` and
-    // `lo`.
+    // If `hi` is above 2^53, `hi` is an integer, but `lo` may still contain a fraction. The code therefore reduces both
+    // `hi` and `lo`.
     let (q, high) = double::reduced_any(h.hi);
     let (p, low) = double::reduced_any(h.lo);
     let (sum, lost) = two_sum(high, low);
@@ -95,7 +95,7 @@ fn reduced_exp_m1(x: Dd) -> (i32, Dd) {
     let rest = x - Dd::from(k * first) - Dd::from(k * second) - Dd::new(third, lost);
     let r = rest.scaled(1.0 / f64::from(1 << HALVINGS));
     let series = series(INVERSE_FACTORIAL.iter().take(17).skip(1), 8, r);
-    // Each step doubles the argument: (1 + p)² − 1 = 2p + p².
+    // Each step doubles the argument of the exponential function: (1 + p)² − 1 = 2p + p².
     let grown = (0..HALVINGS).fold(series * r, |p, _| p.scaled(2.0) + p * p);
     (k as i32, grown)
 }
@@ -207,7 +207,7 @@ impl Scalar for Dd {
         let (p, s) = reduced(d);
         let (difference, lost) = two_sum(r.hi, -s.hi);
         let (o, rest) = double::reduced_any(difference);
-        // All steps before this sum are exact. This sum is the only rounding.
+        // The next sum is the only step that rounds. All earlier steps are exact.
         let rest = Self::sum(rest, lost) + Self::sum(r.lo, -s.lo);
         turned(q.wrapping_sub(p).wrapping_add(o), rest)
     }

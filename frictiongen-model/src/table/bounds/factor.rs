@@ -1,5 +1,5 @@
-//! Bounds the relative error of an emitted factor in a cell of r. A factor belongs to a zero of an emitted product;
-//! its error is relative to the factor with the exact zero.
+//! Bounds the relative error of an emitted factor in a cell of r. Each factor belongs to a zero of an emitted product.
+//! The error of the factor is relative to the factor with the exact zero.
 
 use super::super::request::is_single;
 use super::super::zeros::Zero;
@@ -34,14 +34,14 @@ const DIFFERENCE: f64 = 1e-9;
 /// To first order each difference contributes d/D, so the bound is four. The additional 0.1 covers the second order.
 const MOVED: f64 = 4.1;
 /// A number slightly smaller than ½, for lower bounds on two distances. `at` is the number of the scalar type nearest
-/// to a zero y. First, every other number of the type is at least half a spacing away from y. Second, if the
-/// difference between r and `at` is not exact, its modulus exceeds half of `at`.
+/// to a zero y. Every other number of the type is at least half a spacing away from y. If the difference r − `at` is
+/// not exact, its modulus exceeds half of `at`.
 const WITHIN_HALF: f64 = 0.45;
 /// Bound on |B|/(B² + 4x²y²) in units of 1/(xy), slightly enlarged, for a zero x + iy with B = (r − y)(r + y) + x².
-/// It follows from B² + 4x²y² ≥ 4xy|B|, which makes the quotient at most ¼/(xy).
+/// From B² + 4x²y² ≥ 4xy|B| it follows that the quotient is at most ¼/(xy).
 const QUARTER: f64 = 0.26;
 /// Bound on 2x²|B|/(B² + 4x²y²) in units of x/y, slightly enlarged, for a zero x + iy with B = (r − y)(r + y) + x².
-/// It follows from B² + 4x²y² ≥ 4xy|B|, which makes the quotient at most ½x/y.
+/// From B² + 4x²y² ≥ 4xy|B| it follows that the quotient is at most ½x/y.
 const HALF: f64 = 0.51;
 /// Bound on (|r² − y²| + x²)/|B| for B ≥ x²/2, for a zero x + iy with B = (r − y)(r + y) + x².
 const TIMES: f64 = 3.0;
@@ -57,7 +57,7 @@ pub(super) struct RoundedInterval {
 #[derive(Clone, Copy, Debug)]
 pub(super) struct KnownZero {
     pub zero: Zero,
-    /// Largest error of the zero's position.
+    /// Bound on the absolute error of the zero's position.
     pub off: f64,
     /// Distance from the zero to the nearest number of the scalar type that the proof covers.
     pub nearest: f64,
@@ -84,8 +84,8 @@ pub(super) struct FactorBounds {
     pub most: f64,
 }
 
-/// Returns three numbers: the number of the scalar type nearest to y > 0, its distance from y, and a lower bound on
-/// the distance of all other numbers of the type from y.
+/// Returns three numbers for y > 0. The first is the number of the scalar type that is nearest to y. The second is the
+/// distance of this number from y. The third is a lower bound on the distance of all other numbers of the type from y.
 pub(super) fn beside<S: Float>(y: Dd) -> (f64, f64, f64) {
     let near = S::constant(y.to_f64()).to_f64();
     let apart = Ball::exact(y - Dd::from(near)).least();
@@ -199,11 +199,11 @@ impl KnownZero {
         let first = if exact {
             0.0
         } else {
-            // Otherwise |r − at| exceeds half of `at`.
+            // If r − `at` is not exact, its modulus exceeds half of `at`.
             unit * (1.0 + from_at / (WITHIN_HALF * place - from_at).max(0.0))
         };
         let sum = unit + from_at / (cell.low + y.to_f64()) * MORE;
-        // The error contains the roundings of the two differences, of the sum and of the product.
+        // The relative error contains the roundings of the two differences, of the sum r + `at` and of the product.
         (first + unit + sum + unit, offset)
     }
 
@@ -217,7 +217,7 @@ impl KnownZero {
     ) -> Option<FactorBounds> {
         let (x, y) = (self.zero.x.abs().to_f64(), self.zero.y.to_f64());
         let distance = self.distance(cell);
-        // B is smallest at the lower bound of r and largest at the upper bound.
+        // B = (r − y)(r + y) + x² rises with r. Its bounds are therefore its values at the two ends of the cell.
         let low = (cell.low - y) * (cell.low + y) + x * x;
         let high = (cell.high - y) * (cell.high + y) + x * x;
         let scale = cell.high * cell.high + y * y + x * x;
@@ -242,8 +242,8 @@ impl KnownZero {
         } else {
             f64::INFINITY
         });
-        // (|r² − y²| + x²)|B| is at most `times` (B² + 4x²y²). For x² < 2y² this follows from |r² − y²| ≤ |B| + x²,
-        // otherwise from B ≥ x²/2.
+        // With B = (r − y)(r + y) + x², (|r² − y²| + x²)|B| is at most `times` (B² + 4x²y²). For x² < 2y² this follows
+        // from |r² − y²| ≤ |B| + x². Otherwise it follows from B ≥ x²/2.
         let times = (1.0 + HALF * x / y).min(TIMES);
         let shifted = offset * (cell.high + y) + off;
         let of_square = 2.0 * (own * times + unit + shifted * steep);

@@ -1,4 +1,5 @@
-//! Proves that the emitted products over zeros and poles equal β*_lim and |V| within an error bound.
+//! Proves that the emitted products over zeros and poles equal β*_lim and |V| within an error bound. V and H are the
+//! responses of the contact to the load and to a contact force.
 //!
 //! [`roots`] proves in double-double that V and H equal products over the computed zeros. [`factor`] bounds the
 //! errors of the emitted numbers and of their evaluation. The proof uses no samples. It takes a few hundred
@@ -125,7 +126,8 @@ impl Receptances {
     pub fn excitation<S: Float>(&self, product: &Product<S>, request: &Request) -> Proof {
         let own = self.excitation.zeros.iter();
         let mut gain = self.excitation.gain;
-        // The factor (r − y)(r + y) is y² + v with the opposite sign.
+        // With v = −r², a zero iy contributes the factor y² + v. The emitted factor (r − y)(r + y) has the opposite
+        // sign.
         let plain_factor = |factor: &&Factor<S>| !matches!(factor, Factor::Pair { .. });
         let turned = product.numerator.iter().chain(&product.denominator);
         if !self.damped && turned.filter(plain_factor).count() % 2 == 1 {
@@ -252,7 +254,8 @@ impl Receptances {
         }
         // The multiplication by the gain adds one rounding.
         error += unit;
-        // The exact product leaves remainders at its zeros, which are part of the error.
+        // At the computed zeros the sum over the modes has small remainders. `tail` and `weights` bound the errors that
+        // these remainders cause.
         error += meant.tail;
         for (known, weight) in &meant.weights {
             let zero = &known.zero;
@@ -280,8 +283,8 @@ impl Receptances {
             return None;
         }
         let error = error * (1.0 + 2.0 * error) * UP;
-        // The gain has its own error term. With `side: safe` the emitted gain deliberately differs from the exact
-        // gain.
+        // The code bounds the error of the gain separately. With `side: safe` the emitted gain deliberately differs
+        // from the exact gain.
         let gain =
             Ball::exact(Dd::from(product.gain.to_f64())) * meant.gain.inverse() - Ball::number(1.0);
         let gain = (gain.at.to_f64() - gain.off, gain.at.to_f64() + gain.off);
@@ -295,7 +298,8 @@ impl Receptances {
     }
 }
 
-/// Returns a zero with the position error of a computed zero, which is an error in the last digit.
+/// Returns a computed zero with the position error 0. A remainder of the sum over the modes at the zero has its own
+/// error bound.
 fn plain(zero: Zero) -> KnownZero {
     KnownZero {
         zero,
@@ -304,8 +308,8 @@ fn plain(zero: Zero) -> KnownZero {
     }
 }
 
-/// Returns zeros and poles with their position errors. A zero has an error in its last digit, as in [`plain`]. The
-/// error of a pole follows from the constants of its mode.
+/// Returns zeros and poles with bounds on their position errors. The bound is 0 for computed zeros, as in [`plain`],
+/// and for undamped poles. The error of a damped pole follows from the constants of its mode.
 fn known(lists: &[(&[Zero], bool)]) -> Vec<KnownZero> {
     let lists = lists.iter();
     lists

@@ -1,9 +1,10 @@
 //! Proves that a sum over modes equals a product over given zeros, up to a bounded relative error.
 //!
-//! N = (direct + Σρ_i/d_i)·Πd_i is a polynomial in v, which is s = ir, or s² for an undamped chain. P = Π(v − z_j) is
-//! the product over the given zeros. In partial fractions, N/P = q(v) + Σ_j N(z_j)/P′(z_j)/(v − z_j). The remainders
-//! N(z_j) are small if the zeros are right up to their last digits. Except for rounding errors, q is a constant. The
-//! proof does not assume right zeros: wrong zeros give large N(z_j), and so a large error bound.
+//! The sum is direct + Σρ_i/d_i, with residues ρ_i and denominators d_i. Its numerator N = (direct + Σρ_i/d_i)·Πd_i is
+//! a polynomial in v, which is s = ir, or s² for an undamped chain. P = Π(v − z_j) is the product over the given zeros.
+//! In partial fractions, N/P = q(v) + Σ_j N(z_j)/P′(z_j)/(v − z_j). The remainders N(z_j) are small if the zeros are
+//! right up to their last digits. Except for rounding errors, q is a constant. The proof does not assume right zeros,
+//! because wrong zeros give large N(z_j) and therefore a large error bound.
 
 use super::super::zeros::{ContactMode, Zero};
 use super::OUTWARD;
@@ -137,12 +138,13 @@ impl PartialFractions {
         let mean = values.iter().fold(zero, |sum, value| sum + *value) * share;
         let apart = values.iter().map(|value| (*value - mean).most());
         let apart = apart.fold(0.0, f64::max) + 2.0 * beside;
-        // N and P have real coefficients, so the constant of q is real too.
+        // The numerator N and the product P over the zeros have real coefficients. The constant of their quotient q is
+        // therefore real too.
         let mut gain = mean.re;
         gain.off += beside;
         let least = gain.least();
-        // The kth coefficient of q times the kth power of the radius is at most the deviation of q from its mean on the
-        // circle.
+        // The kth coefficient of q, multiplied by the kth power of the radius, is at most the deviation of q from its
+        // mean on the circle.
         let tail = excess as f64 * apart / least * UP;
         let mut weights = weights.into_iter();
         let zeros = zeros.iter().zip(&roots).map(|(zero, roots)| {
@@ -154,7 +156,8 @@ impl PartialFractions {
         (least > 0.0 && known).then_some(Factored { gain, tail, zeros })
     }
 
-    /// Returns the roots in the variable v (s or s²) for which a stored zero stands: one root, or a conjugate pair.
+    /// Returns the roots in the variable v (s or s²) that a stored zero represents, which are one root or a conjugate
+    /// pair.
     fn roots(&self, zero: &Zero) -> Vec<Disc> {
         let (x, y) = (Ball::exact(zero.x), Ball::exact(zero.y));
         let root = if self.damped {

@@ -40,7 +40,8 @@ fn asked(accuracy: f64, side: Side) -> super::Request {
     }
 }
 
-/// Returns β*_lim and |V| at r in double-double, each with a bound on the error of the sum from which it is computed.
+/// Returns β*_lim and |V| at r in double-double, where V is the response of the contact to the load. Each of the two
+/// values has a bound on the error of the sum from which the code computes it.
 fn exact(exact: &Exact<'_>, r: f64) -> [(Dd, f64); 2] {
     let [v, h] = exact.receptances(r);
     let [v, h] = [v, h].map(|sum| complex::modulus(sum, true));
@@ -94,7 +95,8 @@ fn counted<S: Float>(accuracy: f64, side: Side) -> (usize, usize) {
             (&tables.excitation, &tables.excitation_proof),
         ];
         for (which, (product, proof)) in products.into_iter().enumerate() {
-            // If every mode is damped, |V| is a polynomial of the table, so it has no product.
+            // If every mode is damped, the amplitude |V| of the contact without friction is a polynomial of the table.
+            // No product exists in this case.
             let Some(product) = product else {
                 assert!(which == 1 && tables.functions == 5, "{kind}{count}");
                 continue;
@@ -151,7 +153,7 @@ fn numbers<S>(factor: &Factor<S>) -> usize {
     }
 }
 
-/// Returns a factor in which the number with the index `which` is changed by `by`.
+/// Returns a factor in which the number with the index `which` is larger by `by`.
 fn moved<S: Float>(factor: Factor<S>, which: usize, by: f64) -> Factor<S> {
     let add = |value: S| S::constant(value.to_f64() + by);
     match factor {
@@ -244,7 +246,8 @@ fn faults<S: Float>(accuracy: f64) -> usize {
                     };
                     let factors = own.numerator.iter().chain(&own.denominator);
                     for number in 0..numbers(factors.clone().nth(place).unwrap()) {
-                        // The change makes the result wrong by `times` the accuracy at some frequency ratio.
+                        // The loop adjusts the change `by` until the product is wrong by about `times` the accuracy at
+                        // some frequency ratio.
                         let mut by = accuracy * times;
                         for _ in 0..6 {
                             let off = farthest(&with(number, by).quotient(), &own.quotient());
@@ -344,8 +347,9 @@ fn an_uncertain_place_is_in_the_bound() {
     assert!(seen > 30, "{seen}");
 }
 
-/// Checks that the proof reports a frequency ratio that it leaves out. Two masses rub on each other, and the load
-/// acts on the second. V = (1 − r²)/D vanishes at r = 1, the only r without a proof.
+/// Checks that the proof reports a frequency ratio that it leaves out. Two masses rub on each other, and the load acts
+/// on the second. The contact's response V to the load has the numerator 1 − r². V vanishes at r = 1, the only r
+/// without a proof.
 #[test]
 fn a_zero_that_is_a_number_is_named() {
     let modal = scene("Pair", 2, 0.0, 1.0);

@@ -25,7 +25,8 @@ pub struct JoinedDriven {
     pub motions: Vec<[Vec<f64>; 2]>,
     /// For each sample, the motion and force of every contact.
     pub contacts: Vec<Vec<JoinedContactNow>>,
-    /// Sign of each contact, as in [`Joined::sign`].
+    /// Factor 1 or −1 of each contact, as in [`Joined::sign`]. The factor is −1 for a contact that the description
+    /// writes with the later of two masses first.
     signs: Vec<f64>,
     events: Vec<usize>,
 }

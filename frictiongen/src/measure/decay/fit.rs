@@ -16,9 +16,9 @@ const DECREMENT: usize = 4;
 /// Index of the parameter F/k in [`DecayShape`]: friction force F divided by stiffness k.
 const LENGTH: usize = 5;
 
-/// Parameters of a decaying vibration, in this order: instant of the first extreme (in samples), its displacement (m),
-/// the middle of the vibration (m), the duration of a half cycle (in samples), the decrement of a half cycle, and F/k
-/// (m).
+/// Parameters of a decaying vibration. The first three are the instant of the first extreme (in samples), the
+/// displacement at this extreme (m) and the middle of the vibration (m). The other three are the duration of a half
+/// cycle (in samples), the decrement of a half cycle, and F/k (m).
 type DecayShape = [f64; 6];
 
 /// Computes the displacement at each sample from the first extreme to the last, for the parameters `shape`.

@@ -37,8 +37,8 @@ pub struct FreeDecay {
     pub damping: Estimate,
     /// Undamped natural frequency of the vibrating mass, in Hz.
     pub hertz: Estimate,
-    /// F/k by the linear decrement, m: the mean of (x⁽¹⁾ − x⁽²⁾)/4 over the extremes, where x⁽¹⁾ and x⁽²⁾ are extremes
-    /// one cycle apart (4.2).
+    /// Friction force F divided by the stiffness k, in m, by the linear decrement. It is the mean of (x⁽¹⁾ − x⁽²⁾)/4
+    /// over the extremes, where x⁽¹⁾ and x⁽²⁾ are extremes one cycle apart (4.2).
     pub linear_decrement: f64,
     /// The extremes that the fit has used. Each pair is the time from the first sample, in s, and the displacement, in
     /// m.

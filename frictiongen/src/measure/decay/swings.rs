@@ -5,11 +5,12 @@ use crate::measure::MeasureError;
 
 /// Smallest number of extremes that a decay must have. It is one more than the number of the decay's unknowns.
 const FEWEST: usize = 4;
-/// A swing (the motion from one extreme to the next) ends when the mass has moved back by more than this number of
-/// standard deviations of the noise, and by more than the fraction [`PART`] of the range.
+/// A swing is the motion from one extreme to the next. It ends when the mass has moved back by more than this number of
+/// standard deviations of the noise. The mass must also have moved back by more than the fraction [`PART`] of the
+/// range.
 const TURN: f64 = 8.0;
-/// A swing ends when the mass has moved back by more than this fraction of the whole range of the samples, and by more
-/// than [`TURN`] standard deviations of the noise.
+/// A swing ends when the mass has moved back by more than this fraction of the whole range of the samples. The mass
+/// must also have moved back by more than [`TURN`] standard deviations of the noise.
 const PART: f64 = 0.02;
 
 /// Swings of a free vibration. A swing is the motion from one extreme to the next.

@@ -113,16 +113,16 @@ pub struct Identified {
     /// The unknowns that were fitted besides the friction force, with their estimates, in the order of the request.
     /// [`Identified::undetermined`] lists the unknowns with an infinite interval.
     pub unknowns: Vec<(Unknown, Estimate)>,
-    /// Sum of squared residuals, each divided by its variance, and the sum divided by the degrees of freedom. `None`
-    /// without degrees of freedom. If this number exceeds 1 by more than chance explains, the verdict is
-    /// [`Verdict::NotExplained`], and the intervals are wider by the square root of this number.
+    /// Sum of squared residuals, divided by the degrees of freedom. Each squared residual is divided by its variance.
+    /// `None` without degrees of freedom. If this number exceeds 1 by more than chance explains, the verdict is
+    /// [`Verdict::NotExplained`]. The intervals are then wider by the square root of this number.
     pub misfit: Option<f64>,
     /// Degrees of freedom of the fit: the number of data minus the number of unknowns that the data determine.
     pub freedom: usize,
     /// Condition number of the fit: the largest factor by which a relative error of the data grows in a fitted value.
     pub condition: f64,
-    /// Number of derivatives that the fit took by finite differences, because a stop or reversal was about to appear or
-    /// disappear and no exact derivative exists.
+    /// Number of derivatives that the fit took by finite differences. If a stop or reversal is about to appear or
+    /// disappear, no exact derivative exists.
     pub differences: usize,
     /// Each observation with the response of the scene.
     pub explained: Vec<Explained>,

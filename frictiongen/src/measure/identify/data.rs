@@ -106,8 +106,8 @@ impl<'o> Weighed<'o> {
                 Using::Amplitude => all.push(seen.norm() - model.norm()),
                 Using::Phase | Using::PhaseAlone => {
                     let turn = seen * model.conj();
-                    // A computed motion of zero amplitude has no phase. The code gives its phase the largest possible
-                    // error.
+                    // A computed motion of zero amplitude has no phase. The code therefore uses the largest possible
+                    // phase error, π rad.
                     let still = model.norm() < f64::MIN_POSITIVE.sqrt();
                     all.push(if still { PI } else { turn.im.atan2(turn.re) });
                 }

@@ -9,17 +9,17 @@ use crate::study::System;
 use crate::study::units::polar;
 use std::f64::consts::PI;
 
-/// Smallest root mean square of the unexplained motion at which the scene does not explain a measurement, divided by
-/// that of the measured motion.
+/// Unexplained fraction of the motion from which on the scene does not explain a measurement. The fraction is the root
+/// mean square of the unexplained motion, divided by that of the measured motion.
 const GROSS: f64 = 0.5;
-/// Largest root mean square of the unexplained motion at which a corrected unit explains the measurement, divided by
-/// that of the measured motion.
+/// Unexplained fraction of the motion below which a corrected unit explains the measurement. The fraction is the root
+/// mean square of the unexplained motion, divided by that of the measured motion.
 const MENDED: f64 = 0.2;
-/// The unit of a measured motion may be wrong if the measured amplitude, divided by the largest amplitude that the
-/// scene has at any friction force, is less than this value.
+/// Upper bound on a measured amplitude whose unit may be wrong, divided by the largest amplitude that the scene has at
+/// any friction force.
 const TINY: f64 = 0.01;
-/// Smallest root mean square of the differences between measured and computed phases at which the scene does not
-/// explain the phases, in rad (15°).
+/// Root mean square of the differences between measured and computed phases, in rad (15°), from which on the scene does
+/// not explain the phases.
 const TURNED: f64 = PI / 12.0;
 
 impl IdentifyProblem<'_> {
@@ -85,7 +85,7 @@ impl IdentifyProblem<'_> {
         })
     }
 
-    /// Returns the friction forces of the scan over the range of forces, in N.
+    /// Returns evenly spaced friction forces from 0 to the upper bound of the range of forces, in N.
     fn forces(&self) -> impl Iterator<Item = f64> {
         let end = self.range.1;
         (0..=PLACES).map(move |i| end * f64::from(i) / f64::from(PLACES))
@@ -99,9 +99,9 @@ impl IdentifyProblem<'_> {
         parts.fold(f64::INFINITY, f64::min) < MENDED
     }
 
-    /// Returns true if the unit of amplitudes that were measured without phases is in doubt. It is in doubt under two
-    /// conditions: the amplitudes are as small as with an almost stuck contact, and amplitudes larger by a power of
-    /// 1000 would also be explained.
+    /// Returns true if the unit of amplitudes that were measured without phases is in doubt. The unit is in doubt under
+    /// two conditions. The amplitudes must be as small as with an almost stuck contact. In addition, the scene must
+    /// explain amplitudes that are 1000 or a million times as large.
     pub(super) fn doubts_unit(&self) -> bool {
         if self.using != Using::Amplitude {
             return false;

@@ -157,8 +157,8 @@ impl<'a> IdentifyProblem<'a> {
             .map(|i| (place(i), self.squares(&weighed, place(i))))
             .collect();
         let best = self.lowest(&weighed, &scanned)?;
-        // The errors of the load depend on the friction force. The second pass takes them at the force that the first
-        // pass has found.
+        // The errors of the load depend on the friction force. The second pass therefore uses the errors at the force
+        // that the first pass has found.
         let weighed = self.weighed(self.system, Some(best))?;
         let scanned: Vec<(f64, f64)> = scanned
             .iter()

@@ -69,8 +69,8 @@ pub(super) fn answer(
 /// → ∞. The scan needs this bound because no finite force makes the contact stick at its antiresonance.
 const FAR: f64 = 20.0;
 
-/// Returns two friction forces in N: the smallest force at which the contact is stuck, and the upper bound of the scan.
-/// The two forces are equal, unless the first force exceeds the bound that [`FAR`] gives.
+/// Returns two friction forces in N. The first is the smallest force at which the contact is stuck, and the second is
+/// the upper bound of the scan. The two forces are equal, unless the first force exceeds the bound that [`FAR`] gives.
 pub(super) fn sticks_from(system: &System, seen: &Observation) -> Option<(f64, f64)> {
     let r = system.frequency_ratio_at_hertz(seen.hertz);
     let limit = system.at(r).ok()?.sliding_limit();
@@ -168,7 +168,7 @@ pub(super) enum Direction {
     Quantity(Quantity),
 }
 
-/// A scene whose results carry the derivative with respect to one variable.
+/// A scene whose results contain the derivative with respect to one variable.
 pub(super) struct Along<'s> {
     system: &'s System,
     direction: Direction,

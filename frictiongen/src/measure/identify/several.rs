@@ -54,7 +54,7 @@ struct SeveralFit<'p, 'a> {
     problem: &'p IdentifyProblem<'a>,
     unknowns: &'p [Unknown],
     weighed: Vec<Weighed<'a>>,
-    /// Number of derivatives by finite differences so far.
+    /// Number of derivatives that the fit has computed by finite differences so far.
     differences: Cell<usize>,
 }
 

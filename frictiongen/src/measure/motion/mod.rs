@@ -12,7 +12,8 @@ use crate::OutOfDomain;
 use crate::study::{System, optimum::Tunable};
 use model::MotionProblem;
 
-/// Fraction of the motion that may remain unexplained before the fit starts from other friction forces too.
+/// Root mean square of the residuals, divided by that of the motion, from which on the fit also starts from other
+/// friction forces.
 const POOR: f64 = 0.1;
 /// Factors on the first guess of the friction force for further starting points of the fit.
 const FACTORS: [f64; 2] = [0.5, 2.0];
@@ -22,9 +23,10 @@ const FACTORS: [f64; 2] = [0.5, 2.0];
 const HOPS: [f64; 2] = [0.97, 1.03];
 const ROUNDS: usize = 4;
 const BETTER: f64 = 0.999;
-/// Relative distance from the best fit so far at which a further fit ends early.
+/// Relative distance from the best fit so far at which a further fit ends early. Such a fit would only find the best
+/// fit a second time.
 const BACK: f64 = 1e-5;
-/// Fraction of the motion below which nothing remains to be improved.
+/// Root mean square of the residuals, divided by that of the motion, below which further improvement is unnecessary.
 const PERFECT: f64 = 1e-6;
 
 /// Numbers of a scene that explain the whole motion in a recording, with their 95 % intervals.
@@ -45,7 +47,7 @@ pub struct MotionFit {
     pub runs: usize,
     /// Number of runs over the whole recording with an exact derivative.
     pub derivatives: usize,
-    /// Number of derivatives by finite differences, because the motion grazes an event.
+    /// Number of derivatives by finite differences. The fit uses them if an event is about to appear or vanish.
     pub differences: usize,
     /// The scene with the fitted numbers.
     pub system: System,
@@ -59,8 +61,9 @@ impl System {
     /// `friction` is the first guess of the friction force in N. It must be `None` if the recording has the channel
     /// `friction`. The first guess of each number in `vary` is its value in the scene.
     ///
-    /// The derivatives are exact, through all stops, break-aways and reversals. If the motion grazes an event, the fit
-    /// uses a difference instead, and counts it in [`MotionFit::differences`].
+    /// The derivatives are exact, through all stops, break-aways and reversals. If an event is about to appear or
+    /// vanish, no reliable derivative exists. The fit then uses a finite difference, and counts it in
+    /// [`MotionFit::differences`].
     ///
     /// # Errors
     /// [`MeasureError`] for the errors of [`Inputs::of`](super::Inputs::of), for a recording without the motion of a
@@ -144,9 +147,9 @@ fn solve(problem: &MotionProblem<'_>) -> Result<MotionFit, MeasureError> {
     })
 }
 
-/// Improves a fit by further fits from nearby starting points. Where an event appears or vanishes, the sum of squares has
-/// a bend and may have a false minimum. At a bound, the motion may not depend on a parameter at all, as on μ = 1 if the
-/// contact then reverses without a stop.
+/// Improves a fit by further fits from nearby starting points. The sum of squares has a bend where an event appears or
+/// vanishes, and may have a false minimum at the bend. At a bound, the motion may not depend on a parameter. For
+/// example, it does not depend on μ at μ = 1 if the contact then reverses without a stop.
 fn improved(
     problem: &MotionProblem<'_>,
     (start, bounds): (&[f64], &[(f64, f64)]),

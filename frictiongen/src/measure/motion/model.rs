@@ -35,12 +35,12 @@ pub(super) struct RunCount {
     pub(super) plain: usize,
     /// Runs with the exact derivative with respect to one quantity.
     pub(super) exact: usize,
-    /// Derivatives by finite differences. Each took one of the runs without derivatives.
+    /// Derivatives by finite differences. Each of these derivatives took one of the runs without derivatives.
     pub(super) differences: usize,
 }
 
-/// A recording, and the numbers of a scene that the fit changes. The parameters are the friction force, unless it was
-/// recorded, and then the values of the numbers.
+/// A recording, and the numbers of a scene that the fit changes. The first parameter is the friction force, unless the
+/// recording contains this force. The other parameters are the values of the numbers.
 pub(super) struct MotionProblem<'p> {
     pub(super) system: &'p System,
     pub(super) vary: &'p [Tunable],
@@ -49,7 +49,8 @@ pub(super) struct MotionProblem<'p> {
     inputs: Inputs<'p>,
     motions: Vec<RecordedMotion>,
     count: Cell<RunCount>,
-    /// True if the fit takes exact derivatives where they exist. Tests compare with finite differences.
+    /// True if the fit takes exact derivatives where they exist. Tests set it to false, to compare with finite
+    /// differences.
     exact: bool,
 }
 
@@ -180,7 +181,8 @@ impl<'p> MotionProblem<'p> {
         Some(DVector::from_vec(residuals.collect::<Option<_>>()?))
     }
 
-    /// Returns the computed motions at all samples after the first: for each sample the motions of the recorded masses.
+    /// Returns the computed motions at all samples after the first. For each sample in turn, the list has the motions
+    /// of all recorded masses.
     fn follow<S: Float>(
         &self,
         stepper: &mut SystemStepper<'_, S>,
@@ -226,8 +228,8 @@ impl<'p> MotionProblem<'p> {
         })
     }
 
-    /// Returns the derivatives of the residuals with respect to one parameter by dual numbers. Returns `None` if the
-    /// motion grazes an event, so that the derivatives are unreliable.
+    /// Returns the derivatives of the residuals with respect to one parameter, by dual numbers. Returns `None` if an
+    /// event is about to appear or vanish, because the derivatives are then unreliable.
     fn exact(&self, parameters: &[f64], index: usize) -> Option<DVector<f64>> {
         if !self.exact {
             return None;

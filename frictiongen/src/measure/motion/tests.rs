@@ -1,4 +1,4 @@
-//! Fits scenes to recordings that a stepper has made.
+//! Tests fits to recordings that a stepper has computed.
 #![allow(
     clippy::unwrap_used,
     clippy::indexing_slicing,
@@ -13,7 +13,7 @@ use crate::study::sensitivity::Quantity;
 use crate::study::{System, SystemInput};
 use std::time::Instant;
 
-/// The scene that makes the recordings. Its motion depends on every number.
+/// Scene from which the tests compute recordings. The motion depends on every number of the scene.
 const FRAME: &str = "struct Frame {
     masses: { lower: 3.0, upper: 2.0 }, springs: { base - lower: 1200, lower - upper: 900 },
     contact: upper - wall, excitation: base, damping: modal(0.02), stiction: 1.3,
@@ -21,7 +21,8 @@ const FRAME: &str = "struct Frame {
 const FRICTION: f64 = 6.0;
 const DT: f64 = 0.01;
 
-/// Random numbers with the standard normal distribution, as sums of twelve uniform ones (xorshift, Marsaglia 2003).
+/// Random numbers with approximately the standard normal distribution. Each number is the sum of twelve uniform
+/// numbers, minus 6 (xorshift, Marsaglia 2003).
 struct Noise(u64);
 
 impl Noise {
@@ -44,10 +45,10 @@ fn channel(name: &str, unit: &str, samples: Vec<f64>) -> Channel {
     }
 }
 
-/// Returns a recording of the base, the displacement of the upper mass in mm and the velocity of the lower mass. Its
-/// noise has a standard deviation of `noise` times the largest value.
+/// Returns a recording of the base in m, of the upper mass's displacement in mm and of the lower mass's velocity in
+/// m/s. The noise of each mass has a standard deviation of `noise` times the largest value of its channel.
 fn recorded(system: &System, samples: usize, noise: f64, seed: u64) -> Recording {
-    // Two beating frequencies, and a jump of the amplitude.
+    // The displacement of the base in m has two components, of 11 and 17.3 rad/s. Their amplitudes decrease at 1.5 s.
     let place = |sample: usize| {
         let time = sample as f64 * DT;
         let size = if time < 1.5 { 12e-3 } else { 8e-3 };
@@ -82,7 +83,7 @@ fn recorded(system: &System, samples: usize, noise: f64, seed: u64) -> Recording
     Recording::inputs(1.0 / DT, channels).unwrap()
 }
 
-/// Returns the scene of the first guess, and the numbers to fit.
+/// Returns a scene with wrong numbers as the first guess, and the numbers that the fit has to find.
 fn guess(system: &System) -> (System, Vec<Tunable>) {
     let names = ["mu", "k2", "zeta", "m upper"];
     let vary: Vec<Tunable> = names.map(|name| system.tunable_named(name).unwrap()).into();
@@ -105,7 +106,8 @@ fn told(fit: &MotionFit, started: Instant) {
     );
 }
 
-/// Compares the exact derivatives with differences of the residuals, and the number of runs and the time of both.
+/// Checks the exact derivatives of the residuals against central differences. Then fits once with exact derivatives and
+/// once with finite differences, and prints the number of runs and the time of both fits.
 #[test]
 fn derivatives_and_differences() {
     let system: System = FRAME.parse().unwrap();
@@ -130,7 +132,8 @@ fn derivatives_and_differences() {
         worst = worst.max((&expected - found).norm() / found.norm());
     }
     println!("largest relative difference of a column: {worst:e}");
-    // The differences have an error of about 1e-10 from rounding, and 1e-6 from the change of the events' instants.
+    // The central differences have a relative error of about 1e-10 from rounding, and of 1e-6 because the instants of
+    // the events change.
     assert!(worst < 1e-5, "{worst:e}");
 
     let solved = [true, false].map(|exact| {
@@ -153,7 +156,7 @@ fn derivatives_and_differences() {
     }
 }
 
-/// With noise, the intervals contain the true numbers.
+/// Checks that the 95 % intervals of fits to noisy recordings contain the true numbers.
 #[test]
 fn intervals_under_noise() {
     let system: System = FRAME.parse().unwrap();
@@ -169,9 +172,11 @@ fn intervals_under_noise() {
             told(&fit, started);
             fit
         });
-        // Both derivatives lead to the same minimum. The difference of a forward difference is about 1e-6.
+        // Exact derivatives and finite differences lead to the same minimum. A forward difference has a relative error
+        // of about 1e-6.
         assert!((fit.scatter / other.scatter - 1.0).abs() < 1e-6);
-        // The residuals of the true scene are the noise alone. A fit with few unknowns is not much nearer.
+        // At the true numbers, only the noise remains in the residuals. A fit of only five unknowns reduces the
+        // residuals by at most 3 %.
         let truth = [FRICTION, 1.3, 900.0, 0.02, 2.0];
         let problem = MotionProblem::new(&guess, &recording, (Some(6.0), &vary), true).unwrap();
         let noise = problem.residuals(&truth).unwrap().norm() / (problem.data() as f64).sqrt();
@@ -195,14 +200,16 @@ fn intervals_under_noise() {
         "{inside} of {} intervals contain the number",
         inside + outside
     );
-    // Each interval misses the number with a probability of 5 %. The probability that more than 4 of 20 miss is 0.3 %.
+    // Each interval misses the true number with a probability of 5 %. The probability that more than 4 of 20 miss is
+    // 0.3 %.
     assert!(
         outside <= 4,
         "{outside} intervals do not contain the number"
     );
 }
 
-/// If the force of the stuck contact just touches μF, no derivative exists. The fit uses a difference, and says so.
+/// Checks the fit if the force of the stuck contact just reaches μF. No derivative exists there, so that the fit must
+/// use a finite difference and report it.
 #[test]
 fn a_motion_that_grazes_an_event() {
     let system: System = "struct Block {
@@ -211,7 +218,7 @@ fn a_motion_that_grazes_an_event() {
     }"
     .parse()
     .unwrap();
-    // The base stops at 10 mm for an instant, where the spring pulls with 4 N. Later it moves farther.
+    // At 0.4 s the base reverses at 10 mm, where the spring pulls with 4 N. Later the base moves farther.
     let samples = 160;
     let base: Vec<f64> = (0..samples)
         .map(|sample| {
@@ -259,7 +266,7 @@ fn a_motion_that_grazes_an_event() {
     assert!(0 < differences, "no difference at a graze");
 }
 
-/// Recordings and requests that do not fit.
+/// Checks the errors for recordings and requests that do not fit the scene.
 #[test]
 fn what_is_refused() {
     let system: System = FRAME.parse().unwrap();

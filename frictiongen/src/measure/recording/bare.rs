@@ -8,7 +8,7 @@ use crate::measure::MeasureError;
 /// The possible formats of a file with a recording, as text for a message.
 const FORMATS: &str = "CSV with a line of names and units, columns of numbers alone with --channel NAME=COLUMN:UNIT, and PEER AT2 in g";
 
-/// Number of lines at the start of an AT2 record in which its number of samples and its time step may stand.
+/// Number of lines at the start of an AT2 record in which the reader looks for the number of samples and the time step.
 const HEADER: usize = 6;
 
 /// Returns the cells of a line of numbers, or `None` if a cell is not a number. If `commas_separate` is true, commas

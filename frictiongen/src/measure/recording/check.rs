@@ -22,9 +22,10 @@ const STEEP: f64 = 0.1;
 /// quotient is 0.5, because the motion is then a parabola. Before clipping it is nearly 1. For a sinusoid clipped at
 /// 0.99 of its amplitude it is 0.75.
 const STRAIGHT: f64 = 0.7;
-/// Largest acceleration a next to a flat interval that rounding of the samples can explain, divided by ω²A, for a
+/// Largest acceleration next to a flat interval that rounding of the samples can explain, divided by ω²A, for a
 /// sinusoid of amplitude A. With this acceleration, the signal approaches the flat interval on a parabola. At the
-/// distance g of the next rounded value, its slope is √(2ag/A). Only a larger slope is a sign of clipping.
+/// distance g of the next rounded value, the slope divided by ωA is √(2·`HARD`·g/A). Only a larger slope is a sign of
+/// clipping.
 const HARD: f64 = 10.0;
 
 /// Fails unless the channels are a usable recording: enough finite samples, no constant channel and no clipped channel.

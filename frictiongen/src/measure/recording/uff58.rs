@@ -93,7 +93,7 @@ impl Recording {
                 kind if kind.starts_with("58") => {
                     return lines.wrong("the data set 58 is binary; write it as text");
                 }
-                // Data sets of other types are skipped.
+                // The reader skips data sets of other types.
                 _ => while lines.next()?.trim() != "-1" {},
             }
         }
@@ -340,7 +340,7 @@ fn unspaced(name: &str, line: usize, values: &[f64]) -> Result<(f64, Vec<f64>), 
     let mean = (last.0 - first.0) / steps;
     for pair in pairs.windows(2) {
         let &[a, b] = pair else { continue };
-        // The times in the file have six digits.
+        // The times in the file have six digits. The tolerance therefore includes the rounding of a time.
         let rounded = 1e-5 * a.0.abs().max(b.0.abs());
         if 1e-2 * mean + rounded < (b.0 - a.0 - mean).abs() {
             return Err(MeasureError::MixedRates {

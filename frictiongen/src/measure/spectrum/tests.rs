@@ -46,7 +46,8 @@ fn a_step_is_exact_for_a_line() {
             for (from, expected) in steps.iter().zip(expected) {
                 state = step.of(state, *from);
                 for (found, expected) in state.iter().zip(expected) {
-                    // Displacements are below 2e-3 m and velocities below 0.2 m/s.
+                    // The tolerance is in m for displacements, which are below 2e-3 m, and in m/s for velocities, which
+                    // are below 0.2 m/s.
                     assert!(
                         (found - expected).abs() < 1e-11,
                         "{zeta} {omega} {found} {expected}"

@@ -6,7 +6,8 @@ use crate::measure::least_squares::{FitResult, minimise};
 
 /// Smallest and largest factor by which the starting points of a fit multiply the scene's own frequencies.
 const FACTORS: [f64; 2] = [0.5, 2.0];
-/// Number of equal intervals into which the code divides the range [`FACTORS`] for the starting points.
+/// Number of intervals, of equal width on a logarithmic scale, into which the code divides the range [`FACTORS`] for
+/// the starting points.
 const TRIED: u32 = 40;
 /// Factors by which the starting points of a fit multiply the scene's own mass and stiffness ratios. `TWO` is for
 /// scenes with two storeys, and `THREE` for scenes with three.

@@ -111,7 +111,8 @@ fn gradient(
 ) -> Option<DVector<f64>> {
     let slopes = fit.parameters.iter().enumerate().map(|(index, value)| {
         if index == 0 {
-            // The first parameter multiplies all frequencies.
+            // The first parameter multiplies all frequencies. The derivative is therefore the frequency divided by this
+            // parameter.
             return Some(hertz(omega) / value);
         }
         let mut sum = 0.0;

@@ -211,7 +211,7 @@ fn plain(number: Dual<Dd>) -> Dual<f64> {
 }
 
 /// Returns X/Y of a mass without friction, as real and imaginary part. The result is the modal sum Σ φ φᵀp/(λ − r² +
-/// 2iζ√λ r) over the modes.
+/// 2iζ√λ r). φ is the component of the mass in a mode, φᵀp the load on the mode, and √λ the resonance of the mode.
 fn free<F: Float, T: Scalar>(
     modal: &Modal<F>,
     mass: usize,

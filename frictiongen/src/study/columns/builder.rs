@@ -133,7 +133,8 @@ impl<'a, R: TableRow + 'a> Columns<'a, R> {
         );
     }
 
-    /// Adds a column of words. `widest` is the longest of the usual words, from which a printed table takes the width.
+    /// Adds a column of words. `widest` is the longest of the usual words. A printed table makes the column as wide as
+    /// this word.
     pub fn word(
         &mut self,
         head: impl Into<Head>,
@@ -163,7 +164,7 @@ impl<'a, R: TableRow + 'a> Columns<'a, R> {
         self.push(head.into(), kind, Box::new(move |row| read(row).into()));
     }
 
-    /// Adds a column whose cells can be of any kind.
+    /// Adds a column. `read` returns each cell, which may be any variant of [`Cell`]: number, word, flag or list.
     pub fn cell(
         &mut self,
         head: impl Into<Head>,
@@ -179,7 +180,7 @@ impl<'a, R: TableRow + 'a> Columns<'a, R> {
     }
 
     /// Sets the function that returns the derivatives of the values in an earlier column. `before` is the number of
-    /// columns after that column.
+    /// columns that were added after this earlier column.
     pub fn moves_before(&mut self, before: usize, of: impl Fn(&R) -> Option<&Sensed> + 'a) {
         if let Some(column) = self.all.iter_mut().rev().nth(before) {
             column.moves = Some(Box::new(of));

@@ -32,7 +32,8 @@ pub struct EventRow<'h> {
     pub omega: f64,
 }
 
-/// A row of the table of spectra: one order, that is frequency divided by the frequency of the excitation.
+/// A row of the table of spectra: one order. The order is the frequency of a component divided by the frequency of the
+/// excitation.
 #[derive(Clone, Copy, Debug)]
 pub struct HarmonicRow<'h> {
     /// The spectra of the motions, one for the contact and for each mass in the table.
@@ -104,7 +105,7 @@ impl<'a> HistoryTable<'a> {
     /// Returns a value of the motion `of` with the sign that the units of the table define.
     #[must_use]
     pub fn signed(&self, of: Of, value: f64) -> f64 {
-        // Unlike a change of the sign, the subtraction never gives −0.
+        // A negation would turn 0 into −0, which a table would print. The subtraction from 0 gives 0.
         if self.setting.measure.turns(of) {
             0.0 - value
         } else {
@@ -249,7 +250,8 @@ impl<'a> HistoryTable<'a> {
     }
 }
 
-/// Returns the word in the names of the columns: `force` for a spring or the base shear, otherwise `displacement`.
+/// Returns the word for a quantity in the names of columns: `force` for a spring or the base shear, otherwise
+/// `displacement`.
 fn word(part: &MovingPart) -> &'static str {
     if part.of.is_force() {
         "force"

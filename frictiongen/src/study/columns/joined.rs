@@ -147,7 +147,7 @@ impl<'a> JoinedTable<'a> {
     }
 
     /// Computes the row of the steady state that the motion from rest reaches. If the motion does not settle, the row
-    /// gives this as the reason.
+    /// has no steady state, and its state is the word `unsettled`.
     ///
     /// # Errors
     /// [`JoinedError`] for a frequency or a friction outside the domain.
@@ -310,7 +310,7 @@ fn limit(at: &JoinedAt<'_>) -> Option<(f64, String)> {
     Some((stuck.limit(), stuck.first().to_owned()))
 }
 
-/// Returns a word for the reason why there is no steady state. The table contains this word.
+/// Returns the word with which the table gives the reason why there is no steady state.
 pub(super) fn reason(error: &JointError) -> &'static str {
     match error {
         JointError::NotSteady => "unsettled",

@@ -42,8 +42,9 @@ impl TableRow for JoinedEventRow<'_> {
 }
 
 impl<'a> JoinedTable<'a> {
-    /// Returns the factor on the relative displacement of a contact. Under a load, a contact `a - b` of two masses has the
-    /// displacement x_b − x_a. Without a load, the displacement is that of the later mass minus that of the earlier one.
+    /// Returns the factor on the relative displacement of a contact. Under a load, a contact `a - b` of two masses has
+    /// the displacement x_b − x_a. Without a load, the contact has the displacement of the later mass minus the
+    /// displacement of the earlier mass.
     #[must_use]
     pub fn sign(&self, contact: usize) -> f64 {
         match self.setting.measure.scale() {

@@ -26,11 +26,11 @@ pub struct LimitsRow {
     pub frequency: Frequency,
     /// Limit of continuous motion β_lim.
     pub continuous: Option<f64>,
-    /// Upper bound on β_lim that needs no search. It uses the value of the velocity constraint for τ → 0 in place of
-    /// its maximum S.
+    /// Upper bound on β_lim that needs no search. The bound uses the value of the velocity constraint for τ → 0 in
+    /// place of its maximum S.
     pub without_search: Option<f64>,
-    /// Lower bound on β_lim. In place of the maximum S of the velocity constraint, it uses the sum of the maxima of the
-    /// single modes.
+    /// Lower bound on β_lim. In place of the maximum S of the velocity constraint, the bound uses the sum of the maxima
+    /// of the single modes.
     pub per_mode: Option<f64>,
     /// Limit of sliding β*_lim.
     pub sliding: f64,

@@ -112,8 +112,8 @@ fn placed<T>(
 }
 
 impl<'a> MapTable<'a> {
-    /// Returns the table rows of a map at these frequencies and frictions. The rows of one frequency follow each other.
-    /// If the amplitude of the load depends on frequency, each row has the friction ratio at its frequency.
+    /// Returns the table rows of a map at the given frequencies and frictions. The rows of one frequency follow each
+    /// other. If the amplitude of the load depends on frequency, each row has the friction ratio at its frequency.
     pub fn rows<'m>(
         measure: Measure,
         map: &'m Map,

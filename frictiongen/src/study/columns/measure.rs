@@ -118,8 +118,8 @@ impl Measure {
         self.base_motion
     }
 
-    /// Returns true if these units reverse the sign of the contact's motion. The sign then agrees with the description
-    /// for any order of the masses.
+    /// Returns true if these units reverse the sign of the contact's motion. The sign then follows the order of the two
+    /// sides of the contact in the description, for any order of the masses.
     #[must_use]
     pub fn turns_contact(&self) -> bool {
         self.reversed && self.scale.is_some()
@@ -162,7 +162,7 @@ impl Measure {
         }
     }
 
-    /// Converts a non-dimensional displacement to these units.
+    /// Converts a non-dimensional displacement x̄ to these units. Under a load the result is in m.
     #[must_use]
     pub fn length(&self, ratio: f64) -> f64 {
         self.scale.map_or(ratio, |scale| scale.displacement(ratio))
@@ -197,7 +197,7 @@ impl Measure {
         })
     }
 
-    /// Converts a force divided by P, such as β, to these units.
+    /// Converts a force divided by P, such as β, to these units. Under a load the result is in N.
     #[must_use]
     pub fn force(&self, ratio: f64) -> f64 {
         self.scale.map_or(ratio, |scale| scale.friction(ratio))
@@ -234,7 +234,7 @@ impl Measure {
         format!("{name}{suffix}")
     }
 
-    /// Returns the unit of a number on a line of its own. A ratio has its reference quantity in place of a unit.
+    /// Returns the unit of a quantity, such as `m`. For a ratio, returns the reference quantity, such as `P/k1`.
     #[must_use]
     pub fn unit_or_reference(&self, dimension: PhysicalQuantity) -> &'static str {
         match self.unit(dimension) {

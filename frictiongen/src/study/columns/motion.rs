@@ -26,7 +26,7 @@ pub struct PartMotion<'r> {
     /// Largest force in the contact, divided by P, and the energy that the contact dissipates in a cycle, divided by
     /// P²/k₁. For base motion, P is k₁Y.
     pub contact: Option<(f64, f64)>,
-    /// Equivalent viscous damping ratio of the contact. It is computed with the strain energy of all springs or of one
+    /// Equivalent viscous damping ratio of the contact, computed with the strain energy of all springs or of one
     /// spring.
     pub damping: Option<f64>,
     /// Complex amplitudes of the requested harmonics, in the order of the request.

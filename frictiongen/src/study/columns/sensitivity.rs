@@ -11,7 +11,7 @@ use crate::study::{
 };
 use frictiongen_model::scene::Scene;
 
-/// Symbol in the row that contains the answers instead of their derivatives.
+/// Symbol in the row that contains the answers, such as the amplitude, instead of their derivatives.
 const ITSELF: &str = "the answer";
 
 /// A row of the table: the derivatives of the answers with respect to one parameter at one operating point. `D`
@@ -141,7 +141,7 @@ pub(super) fn of_parameter<'a, D: Clone + 'a>(
 }
 
 /// Returns a word that is as long as the longest symbol of a parameter. Tables take the width of the column from this
-/// word. `others` are the lengths of the symbols that denote neither masses nor springs.
+/// word. `others` contains the lengths of all symbols that denote neither a mass nor a spring.
 pub(super) fn widest(scene: &Scene, others: impl Iterator<Item = usize>) -> String {
     let masses = scene.masses.iter().map(|mass| mass.name.len() + 2);
     let springs = scene

@@ -20,7 +20,8 @@ pub const CONTACT: &str = "contact";
 pub struct MovingPart {
     /// Selects the contact, a mass, or a combination such as the difference of two masses.
     pub of: Of,
-    /// The requested quantity of the motion: displacement, velocity or acceleration.
+    /// The requested quantity: displacement, velocity or acceleration of the motion, or the force, energy or equivalent
+    /// damping ratio of the contact.
     pub size: MotionQuantity,
     /// Name of the contact, of the mass or of the combination, such as `roof-base`.
     pub name: String,
@@ -71,7 +72,7 @@ impl MovingPart {
         }
     }
 
-    /// Returns the part that denotes the contact.
+    /// Returns the contact as a moving part, with its displacement as the quantity.
     #[must_use]
     pub fn contact() -> Self {
         Self {
@@ -195,8 +196,8 @@ impl FrictionSetting {
         }
     }
 
-    /// Returns the friction at a frequency, under a load whose amplitude may depend on frequency. Between F and β, the
-    /// number that the user gave stays the same, and the second number changes with frequency.
+    /// Returns the friction at a frequency. The amplitude of the load may depend on frequency. The number that the user
+    /// gave, F or β, then stays the same, and the second number changes with frequency.
     #[must_use]
     pub fn at(self, measure: &Measure, frequency: Frequency) -> Self {
         match measure.scale_at(frequency.omega) {

@@ -110,7 +110,7 @@ impl MotionGroups {
     }
 
     /// Removes the quantities that give no information while the contact is stuck: the contact's own motion, and the
-    /// harmonics. A stuck response has only its fundamental.
+    /// harmonics. A stuck response has only its fundamental component.
     fn leave_out_stuck(&mut self, of: Of) {
         match of {
             Of::Contact => *self = Self::default(),

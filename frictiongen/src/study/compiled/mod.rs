@@ -1,5 +1,5 @@
-//! A run-time system with tables. They correspond to the tables that the macro emits for the field `accuracy` of a
-//! description.
+//! A run-time system with tables of limits and motions. The macro emits the same tables for a description with the
+//! field `accuracy`.
 
 mod stuck;
 mod system;

@@ -16,8 +16,9 @@ use frictiongen_model::table::ProofWork;
 use frictiongen_model::table::{Fitted, Proof, Request, TableError, Tables};
 use std::ops::{Deref, Range};
 
-/// Number of functions of frequency in a table: β_lim, a, g, arg V and |V|. With a and g, the motion of the contact
-/// follows for any β. V is the amplitude of the contact without friction.
+/// Number of functions of frequency in a table: β_lim, a = β_lim·U/|V|, g = β_lim·G/|V|, arg V and |V|. V is the
+/// complex amplitude of the contact without friction. U and G are the velocity and the displacement that friction
+/// causes at a reversal, divided by β.
 const FUNCTIONS: usize = 5;
 
 /// The polynomial pieces of a table. The variant gives the degree of the polynomials.
@@ -97,8 +98,8 @@ impl<S: Float> System<S> {
     }
 }
 
-/// Converts the fitted polynomial pieces to arrays of C coefficients. A function that the request does not include is
-/// 0.
+/// Converts the fitted polynomial pieces to arrays with `C` coefficients for each function. A function that the request
+/// does not include has only coefficients of 0.
 fn arrays<S: Float, const C: usize>(pieces: &[Fitted<S>]) -> Vec<Piece<S, FUNCTIONS, C>> {
     let array = |piece: &Fitted<S>| {
         let mut coefficients = [[S::constant(0.0); C]; FUNCTIONS];
@@ -135,7 +136,8 @@ impl<'s, S: Float> CompiledSystem<'s, S> {
         self.system
     }
 
-    /// Returns the tables. They contain the request, and the result of their comparison with the exact functions.
+    /// Returns the tables. The tables contain the request, and the result of the comparison of the tables with the
+    /// exact functions.
     #[must_use]
     pub fn tables(&self) -> &Tables<S> {
         &self.tables

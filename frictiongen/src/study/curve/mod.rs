@@ -1,9 +1,8 @@
 //! Responses over frequency in every regime, as curves. The points are close together where a curve bends.
 //!
 //! A curve consists of pieces. The code cuts the curve where the regime changes, at poles, at jumps, and at the bounds
-//! of a range without response. It locates the cuts to rounding. Between two cuts the code adds points until straight
-//! lines are accurate enough. A picture therefore never joins points on two sides of a cut.
-//! to rounding. A picture therefore never joins points on two sides of a cut.
+//! of a range without response. The code locates the cuts to rounding. Between two cuts the code adds points until
+//! straight lines are accurate enough. A picture therefore never joins points on two sides of a cut.
 
 mod answer;
 mod pieces;
@@ -101,8 +100,9 @@ impl System {
             .collect()
     }
 
-    /// Returns several curves as [`curves`](Self::curves) does. Before each curve and at the end, it calls `go_on` with
-    /// the number of finished curves. If `go_on` returns false, the curves that have not begun are `None`.
+    /// Returns several curves as [`curves`](Self::curves) does. Before each curve and after each curve, the function
+    /// calls `go_on` with the number of finished curves. If `go_on` returns false, the function computes no further
+    /// curves, and their entries are `None`.
     #[doc(hidden)]
     pub fn curves_while(
         &self,

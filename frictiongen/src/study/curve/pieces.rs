@@ -10,7 +10,7 @@ use crate::Error;
 pub(super) struct CurveNode {
     pub r: f64,
     pub answer: Result<CurvePoint, Error>,
-    /// The reason why the curve is cut between this node and the next. `None` without a cut.
+    /// The reason why the curve is cut between this frequency ratio and the next. `None` without a cut.
     pub cut: Option<PieceEnd>,
     pub work: usize,
 }
@@ -54,7 +54,8 @@ struct PieceBuilder {
 impl PieceBuilder {
     fn point(&mut self, point: CurvePoint) {
         self.in_gap = false;
-        // On a boundary between two regimes, rounding may put a point into the wrong regime.
+        // Rounding may put a point on a regime boundary into the wrong regime. The curve therefore needs a cut wherever
+        // the regime changes.
         if self
             .open
             .last()

@@ -14,8 +14,8 @@ const MOST_SUBHARMONICS: usize = 25;
 const NEAR_POLE: f64 = 1e-5;
 /// Relative distance from a resonance at which the code evaluates the amplitude to detect a pole.
 const POLE: f64 = 1e-9;
-/// Number of steps in a search for another regime between three neighbouring frequency ratios. Each step reduces the
-/// interval to 0.62 of its length.
+/// Number of golden-section steps in a search for another regime between three neighbouring frequency ratios. Each step
+/// reduces the interval to 0.62 of its length.
 const STEPS: usize = 60;
 
 /// A frequency ratio that becomes a point of the curve.
@@ -24,8 +24,8 @@ pub(super) struct CurvePlace {
     pub r: f64,
     /// The reason why the curve is cut between this frequency ratio and the next. `None` without a cut.
     pub cut: Option<PieceEnd>,
-    /// True for a sub-harmonic of a resonance that is not next to a cut. If the curve reaches its bound on work, it
-    /// leaves out the points for which this flag is true.
+    /// True for a sub-harmonic of a resonance that is not next to a cut. If the curve reaches its bound on work, the
+    /// code leaves out the points for which this flag is true.
     pub spare: bool,
 }
 
@@ -67,7 +67,8 @@ pub(super) fn places(system: &System, request: &CurveRequest, beta: f64) -> Vec<
     }
     grid.extend(&subharmonics);
     let sides = |pole: &f64| [pole * (1.0 - NEAR_POLE), pole * (1.0 + NEAR_POLE)];
-    // The two points on both sides of a pole are nearer to the pole than all other points.
+    // The grid must have no point within the distance `NEAR_POLE` of a pole. The two points on both sides of the pole
+    // are then its nearest points.
     let beside = |r: &f64| poles.iter().any(|pole| (r / pole - 1.0).abs() <= NEAR_POLE);
     grid.retain(|r| request.from <= *r && *r <= request.to && !beside(r));
     let sides = poles.iter().flat_map(sides);
@@ -96,7 +97,8 @@ fn grid(request: &CurveRequest) -> Vec<f64> {
     let inner = (1..count).map(|i| request.from + width * i as f64 / count as f64);
     let mut grid: Vec<f64> = inner.collect();
     grid.extend([request.from, request.to]);
-    // Sub-harmonics become dense towards r = 0, so the spacing shrinks with r.
+    // Sub-harmonics of the resonances are closer together at low r. The spacing of the grid is therefore proportional
+    // to r.
     let mut low = request.from * 1.05;
     while low < request.to * 0.1 && grid.len() < count + 200 {
         grid.push(low);
@@ -221,8 +223,8 @@ impl PlaceSearch<'_> {
         }
     }
 
-    /// Returns frequency ratios at which the regime differs from that at the three neighbouring frequency ratios of the
-    /// grid around them.
+    /// Returns frequency ratios between grid points at which the contact has another regime than at the grid points.
+    /// The search starts from three neighbouring grid points with the same regime.
     fn hidden(&self, grid: &[f64]) -> Vec<f64> {
         let margins: Vec<_> = grid.iter().map(|r| self.margins(*r)).collect();
         let mut found = Vec::new();
@@ -238,6 +240,7 @@ impl PlaceSearch<'_> {
             ] {
                 let [a, b, c] = [a, b, c].map(|margins| sign * read(margins));
                 // All three margins are on one side of the limit, and the middle margin is nearest to the limit.
+                // Between the outer points, β may therefore cross the limit.
                 if a < 0.0 && b < 0.0 && c < 0.0 && a <= b && c <= b {
                     found.extend(self.beyond(left, right, read, sign));
                 }
@@ -246,8 +249,8 @@ impl PlaceSearch<'_> {
         found
     }
 
-    /// Returns a frequency ratio between `low` and `high` at which a margin has the opposite sign. Returns `None` if
-    /// the search finds none.
+    /// Searches for a frequency ratio between `low` and `high` at which `sign` times the margin is not negative.
+    /// Returns `None` if the search finds no such frequency ratio.
     fn beyond(&self, mut low: f64, mut high: f64, read: MarginOf, sign: f64) -> Option<f64> {
         let value = |r: f64| sign * read(self.margins(r));
         let golden = 0.618_033_988_749_894_8;

@@ -46,8 +46,8 @@ pub struct Movement {
     pub fundamental_phase: Option<f64>,
     /// Largest |dx̄/dτ| and largest |d²x̄/dτ²| of the motion, if the request contains them.
     pub rates: Option<(f64, f64)>,
-    /// Equivalent viscous damping ratio of the contact. It is present for the motion of the contact and for spring
-    /// forces, if the request contains rates.
+    /// Equivalent viscous damping ratio of the contact. The ratio is present for the motion of the contact and for
+    /// spring forces, if the request contains rates.
     pub damping: Option<f64>,
     /// The harmonics that were requested, in the order of the request.
     pub harmonics: Vec<Complex<f64>>,

@@ -22,27 +22,31 @@ pub(super) const NARROW: f64 = 1e-7;
 /// Smallest relative distance of neighbouring points where amplitudes scatter. Amplitudes scatter if motions do not
 /// settle, or if motions from rest end in different steady states at neighbouring points.
 pub(super) const NARROW_SCATTERED: f64 = 1e-3;
-/// Largest number of open intervals between two frequency ratios of the first grid at which a curve is not scattered.
-/// An interval is open if a straight line does not represent the curve in it.
+/// Largest number of open intervals between two neighbouring frequency ratios of the first grid. An interval is open if
+/// a straight line does not represent the curve in this interval. If more intervals are open, the code assumes that the
+/// amplitudes scatter from point to point.
 const MOST_BENT: usize = 32;
 /// Smallest relative width of an interval in which the search locates a change in the contact's pattern of stops.
 pub(super) const NARROW_PATTERN: f64 = 1e-4;
-/// Smallest relative width of an interval in which the search locates the end of a gap.
+/// Smallest relative width of an interval in which the search locates a bound of a gap. A gap is a range of frequency
+/// ratios without a response.
 const NARROW_GAP: f64 = 1e-7;
 /// Smallest amplitude at which the refinement follows a bend, divided by the median amplitude over the first grid.
 const SMALL: f64 = 1e-3;
-/// Number of less important frequency ratios that the code computes before it compares the work with its bound.
+/// Number of less important frequency ratios (sub-harmonics of resonances) that the code computes before it compares
+/// the work with the bound on work.
 const AT_ONCE: usize = 16;
 /// Largest amplitude of a motion that is treated as a rounding error, divided by the amplitude of another motion.
 const ROUNDING: f64 = 1e-6;
 
-/// An interval between two neighbouring nodes of the curve, which the refinement may halve.
+/// An interval between two neighbouring nodes of the curve, which the refinement may halve. A node is a frequency ratio
+/// with its response.
 #[derive(Clone, Copy, Debug)]
 struct NodeInterval {
     left: usize,
     right: usize,
-    /// True if the interval whose halving gave this interval was straight. A single test may miss a bend, because the
-    /// middle of an interval may be on the straight line by chance.
+    /// True if the curve was straight over the interval whose halving gave this interval. A single test may miss a
+    /// bend, because the middle of an interval may be on the straight line by chance.
     was_straight: bool,
     /// Index of the interval of the first grid that contains this interval.
     part: usize,
@@ -100,8 +104,9 @@ impl<'a> Refine<'a> {
         (point, work)
     }
 
-    /// Returns one amplitude for each motion. The code does not refine the curve where the amplitude is smaller. The
-    /// returned amplitude is a fraction of the median over the first points, because a pole hardly changes the median.
+    /// Returns one amplitude for each motion. The code does not refine the curve where the motion has a smaller
+    /// amplitude. The returned amplitude is a fraction of the median over the first points, because a pole hardly
+    /// changes the median.
     pub(super) fn scales(&self, nodes: &[CurveNode]) -> Vec<f64> {
         let median = |index: usize| {
             let points = nodes.iter().filter_map(|node| node.answer.as_ref().ok());
@@ -122,7 +127,7 @@ impl<'a> Refine<'a> {
     }
 
     /// Computes the points of the first grid. The flag is true if the permitted work sufficed for all points. The code
-    /// computes less important points last.
+    /// computes less important points (sub-harmonics of resonances) last.
     fn grid(&self, places: &[CurvePlace]) -> (Vec<CurveNode>, bool) {
         let (spare, needed): (Vec<CurvePlace>, Vec<CurvePlace>) =
             places.iter().partition(|place| place.spare);
@@ -175,8 +180,8 @@ impl<'a> Refine<'a> {
         pieces::curve((self.beta, self.request.start), nodes.into_iter(), refined)
     }
 
-    /// Returns the middles of all open intervals that are wide enough to halve. If the two points of a narrow interval
-    /// are on different curves, the function cuts the curve between them.
+    /// Returns the middles of all intervals in `open` that are wide enough to halve. If the two points of a narrow
+    /// interval are on different curves, the function cuts the curve between them.
     fn worth_halving(
         &self,
         open: &[NodeInterval],
@@ -271,7 +276,7 @@ impl<'a> Refine<'a> {
     }
 }
 
-/// Returns the total work that the code has spent on some nodes.
+/// Returns the total work that the code has spent on the given nodes (frequency ratios with their responses).
 pub(super) fn spent(nodes: &[CurveNode]) -> usize {
     nodes.iter().map(|node| node.work).sum()
 }

@@ -39,8 +39,8 @@ pub struct CurveRequest {
     pub harmonics: Vec<u32>,
     /// True if each point contains velocities and accelerations.
     pub rates: bool,
-    /// True to reverse the sign of the contact's motion. The sign then agrees with the description in the case
-    /// [`System::contact_is_reversed`](crate::study::System::contact_is_reversed).
+    /// True if the curve contains the contact's motion with the opposite sign. The sign then agrees with the
+    /// description if [`System::contact_is_reversed`](crate::study::System::contact_is_reversed) returns true.
     pub turned: bool,
     /// Bound on the work of the curve, in units of about 10 µs. The code counts work instead of time, so that the same
     /// request gives the same curve on every machine. The code always computes the points at cuts and on an even grid,
@@ -86,7 +86,7 @@ impl CurveRequest {
         if system.single().is_err() {
             return Err(CurveError::SeveralContacts);
         }
-        // Subnormal bounds are refused, because too few floating-point numbers lie between them.
+        // The check refuses subnormal bounds, because too few floating-point numbers lie between two subnormal bounds.
         if !(f64::MIN_POSITIVE <= self.from && self.to.is_finite() && self.from < self.to) {
             return Err(CurveError::Range);
         }

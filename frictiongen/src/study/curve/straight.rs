@@ -10,11 +10,12 @@ use std::f64::consts::PI;
 pub(super) struct Straight {
     /// The largest permitted deviation of a straight line from the curve, divided by the value of the curve.
     pub accuracy: f64,
-    /// One amplitude for each motion. Deviations do not matter where the amplitude is smaller.
+    /// One amplitude for each motion. Where the motion has a smaller amplitude, deviations from a straight line do not
+    /// matter.
     pub scales: Vec<f64>,
     /// True if μ > 1 or if the chain has no damping. The offset of a stuck contact then depends on every earlier slip,
-    /// and jumps from point to point. The criteria then use the centred amplitude, because more points would not remove
-    /// the jumps.
+    /// and jumps from point to point. The criteria then use the centred amplitude (without the offset), because more
+    /// points would not remove the jumps.
     pub offsets_jump: bool,
     /// Exponent n of the load: its amplitude is proportional to r⁻ⁿ.
     pub fall: i32,
@@ -26,13 +27,14 @@ impl Straight {
         point.r.powi(-self.fall)
     }
 
-    /// Returns true if the straight line from a to b passes m within the requested accuracy.
+    /// Returns true if the straight line from point `a` to point `b` passes the middle point `m` within the requested
+    /// accuracy.
     pub(super) fn is_straight(&self, a: &CurvePoint, m: &CurvePoint, b: &CurvePoint) -> bool {
         let accuracy = self.accuracy;
         self.swings([a, m, b]).all(|([a, m, b], scale)| {
             let stray = (m.amplitude - 0.5 * (a.amplitude + b.amplitude)).abs();
             let bends = accuracy * m.amplitude.abs().max(scale);
-            // A phase has no meaning where the amplitude vanishes. The code then does not compare the phases.
+            // A motion without amplitude has no phase. In this case the code compares the amplitudes only.
             let phases = match (a.phase, m.phase, b.phase) {
                 (Some(a), Some(m), Some(b)) => 0.5 * (turn(a, m) + turn(b, m)).abs(),
                 _ => 0.0,

@@ -13,7 +13,8 @@ use crate::study::settled::Carried;
 use crate::study::work::work;
 use crate::{Error, OutOfDomain};
 
-/// Largest number of jumps between two frequency ratios of the sweep's first grid at which the motion is not scattered.
+/// Largest number of jumps between two neighbouring frequency ratios of the sweep's first grid. If more jumps occur,
+/// the code assumes that the amplitudes scatter from point to point.
 const MOST_JUMPS: u32 = 4;
 
 /// A point of a sweep, with the state from which the next point starts.
@@ -26,7 +27,8 @@ impl Refine<'_> {
     /// Returns the curve that the sweep follows through the given frequency ratios, in the requested direction.
     pub(super) fn swept(mut self, places: &[CurvePlace]) -> Curve {
         let down = self.request.start == CurveStart::Down;
-        // A sweep follows every motion twice. It therefore leaves out the less important frequency ratios.
+        // A sweep computes every motion twice. To save work, the sweep leaves out the less important frequency ratios
+        // (sub-harmonics of resonances).
         let places = places.iter().filter(|place| !place.spare);
         let mut places: Vec<CurvePlace> = places.copied().collect();
         if down {
@@ -54,7 +56,7 @@ impl Refine<'_> {
         let mut nodes: Vec<CurveNode> = steps.into_iter().map(|step| step.node).collect();
         if down {
             nodes.reverse();
-            // After the reversal of the order, each cut belongs to the lower of its two nodes.
+            // Each cut must belong to the node with the lower frequency ratio, also after the reversal of the order.
             let cuts: Vec<Option<PieceEnd>> = nodes.iter().skip(1).map(|node| node.cut).collect();
             for (node, cut) in nodes.iter_mut().zip(cuts.into_iter().chain([None])) {
                 node.cut = cut;
@@ -64,7 +66,8 @@ impl Refine<'_> {
         pieces::curve(asked, nodes.into_iter(), left.is_some())
     }
 
-    /// Returns only the points at the first frequency ratios. Their amplitudes give the scale of each motion.
+    /// Returns only the points at the first frequency ratios, without refinement. The amplitudes at these points give
+    /// the scale of each motion.
     fn coarse(&self, places: &[CurvePlace]) -> Vec<CurveNode> {
         let mut carried = None;
         let nodes = places.iter().map(|place| {
@@ -149,7 +152,8 @@ impl Refine<'_> {
         }
     }
 
-    /// Returns the reason why the curve is cut between two neighbouring nodes. Returns `None` without a cut.
+    /// Returns the reason why the curve is cut between two neighbouring nodes (frequency ratios with their responses).
+    /// Returns `None` without a cut.
     fn cut(&self, last: &CurveNode, next: &CurveNode, pole: bool) -> Option<PieceEnd> {
         match (&last.answer, &next.answer) {
             _ if pole => Some(PieceEnd::Pole),

@@ -2,8 +2,9 @@
 //! harmonic force in the contact) and U (response to a square wave of friction).
 //!
 //! Every sum in this module is the thesis's sum divided by y² = 1/r², which is a factor of all its terms. Let x = √λ y
-//! and d = x² − 1 + 2iζx for a mode with the squared frequency ratio λ. Then V is y² times the sum Σ wp/d over the
-//! modes. H has the same form with w² in place of wp. Without damping, U is y² times Σ w² tan(πx/2)/x.
+//! and d = x² − 1 + 2iζx for a mode with the squared frequency ratio λ. Let w be the contact component of the mode, and
+//! p its load. Then V is y² times the sum Σ wp/d over the modes. H has the same form with w² in place of wp. Without
+//! damping, U is y² times Σ w² tan(πx/2)/x.
 
 use frictiongen_kernel::Float;
 use frictiongen_kernel::number::dd::Dd;
@@ -21,9 +22,9 @@ pub(super) struct ModeNumbers<T> {
     pub contact: T,
     /// Component φ of the mode at the requested mass, or φᵀw for the motion of the contact.
     pub shape: T,
-    /// Two numbers for the load that is 90° out of phase with the motion of the base: 2ζλΓ, where Γ is the
-    /// participation factor, and the contribution of springs to the wall. The two numbers are 0 unless damping acts on
-    /// velocities relative to the moving base.
+    /// Two numbers for the load that is 90° out of phase with the motion of the base. The first number is 2ζλΓ, with
+    /// the participation factor Γ and the squared frequency ratio λ of the mode. The second number is the contribution
+    /// of springs to the wall. The two numbers are 0 unless damping acts on velocities relative to the moving base.
     pub quadrature: [T; 2],
 }
 
@@ -31,10 +32,10 @@ pub(super) struct ModeNumbers<T> {
 #[derive(Clone, Debug)]
 pub(super) struct ChainNumbers<T> {
     pub modes: Vec<ModeNumbers<T>>,
-    /// The static displacement wᵀK̄⁻¹p − 1 of the contact relative to the base. `None` unless the contact slides on the
-    /// moving base.
+    /// The static displacement wᵀK̄⁻¹p − 1 of the contact relative to the base. K̄ is the stiffness matrix, p the load
+    /// vector, and w the direction vector of the contact. `None` unless the contact slides on the moving base.
     pub on_base: Option<T>,
-    /// Inverse of the effective mass of the contact, m*.
+    /// Inverse effective mass m* of the contact.
     pub inverse_mass: T,
     /// ρ = k₁/k, the compliance of an elastic contact of stiffness k. `None` for a rigid contact.
     pub compliance: Option<T>,
@@ -95,35 +96,37 @@ pub(super) enum Target<T> {
     Receptance,
     /// The function is U_k, the slope at the reversal of mass k's response to a square wave of friction (6.9).
     Quadrature,
-    /// The function is V U_k − 2 V_k U for mass k. It is zero where friction does not change the monoharmonic estimate
-    /// of the amplitude (6.10). V is the motion without friction, and U the response to a square wave of friction.
+    /// The function is V U_k − 2 V_k U for mass k. The function is zero where friction does not change the monoharmonic
+    /// estimate of the amplitude (6.10). V is the motion without friction, and U the response to a square wave of
+    /// friction.
     Estimate,
-    /// The function is V_k U + (2/π) H_k V for mass k, or U + (2/π) H for the contact. It is zero where friction does
-    /// not change the amplitude of the fundamental component. V, H and U are the responses to the load, to a harmonic
-    /// contact force and to a square wave of friction.
+    /// The function is V_k U + (2/π) H_k V for mass k, or U + (2/π) H for the contact. The function is zero where
+    /// friction does not change the amplitude of the fundamental component. V, H and U are the responses to the load,
+    /// to a harmonic contact force and to a square wave of friction.
     Fundamental,
     /// The function is V − βμH, or |V|² − (βμ)²|H|² with damping (6.13). V is the contact's motion without friction,
     /// and H its receptance. For an elastic contact, H + ρ replaces H. The function is zero where β*_lim equals β.
     Sliding(T),
-    /// The function is V² − β²(U² + (μm*/r²)²) for an undamped chain. It is zero where the upper bound on β_lim without
-    /// a search equals β.
+    /// The function is V² − β²(U² + (μm*/r²)²) for an undamped chain. V is the contact's motion without friction, U its
+    /// response to a square wave of friction, and m* its inverse effective mass. The function is zero where the upper
+    /// bound on β_lim that needs no search equals β.
     Continuous(T),
 }
 
-/// A pole p of one or more modes on the axis of y = 1/r. `members` lists these modes, each with the odd integer that x
-/// = √λ y equals at the pole.
+/// A pole p of one or more modes on the axis of y = 1/r. `members` lists these modes by index. Each index is paired
+/// with the odd integer that x = √λ y equals at the pole, where λ is the squared frequency ratio of the mode.
 #[derive(Clone, Debug)]
 pub(super) struct ModalPole {
     pub y: f64,
     pub members: Vec<(usize, f64)>,
 }
 
-/// The functions over an interval of y = 1/r that contains a pole p: the distance y − p, and the functions of the modes
-/// that have this pole, multiplied by y − p.
+/// The functions over an interval of y = 1/r that contains a pole p. The data are the distance y − p, and the functions
+/// of the modes with this pole, multiplied by y − p.
 pub(super) struct Near<T> {
     gap: T,
-    /// For each mode with this pole: 1/d and tan(πx/2)/x, both multiplied by the distance y − p. `None` for modes
-    /// without this pole.
+    /// For each mode with this pole: 1/d and tan(πx/2)/x, both multiplied by the distance y − p. x is √λ y, with the
+    /// squared frequency ratio λ of the mode, and d is x² − 1. `None` for modes without this pole.
     own: Vec<Option<[T; 2]>>,
 }
 
@@ -136,8 +139,8 @@ enum ModalSum<T> {
     HOf,
     U,
     UOf,
-    /// V − level·H, where the code takes the difference for each mode before it sums. If the difference of a mode
-    /// vanishes, the sum has no pole at this mode.
+    /// V − level·H. The code takes the difference for each mode, and then adds the differences. If the difference of a
+    /// mode vanishes, the sum has no pole at this mode.
     Against(T),
 }
 
@@ -180,8 +183,8 @@ impl<T: Arithmetic> ChainNumbers<T> {
                 sum = [sum[0] + term[0] * outside, sum[1] + term[1] * outside];
                 continue;
             }
-            // For a contact on a moving base, the sum contains v − 1 = (1 − 2iζx)/d in place of v. With v − 1 the sum
-            // has no cancellation for large r.
+            // For a contact on a moving base, the sum contains v − 1 = (1 − 2iζx)/d in place of v = x²/d, with d = x² −
+            // 1 + 2iζx. With v − 1 the sum has no cancellation for large r.
             let [re, im] = match (which, self.on_base.is_some()) {
                 (ModalSum::V, true) => {
                     let turn = two * mode.zeta * x;
@@ -215,8 +218,8 @@ impl<T: Arithmetic> ChainNumbers<T> {
         sum
     }
 
-    /// Returns the term of a mode in V or V_k, including the load that is 90° out of phase. `response` is 1/(x² − 1 +
-    /// 2iζx).
+    /// Returns the term of a mode in V or V_k, the responses of the contact or of mass k to the load. The term includes
+    /// the load that is 90° out of phase with the base. `response` is 1/(x² − 1 + 2iζx).
     fn loaded(
         &self,
         mode: &ModeNumbers<T>,
@@ -244,7 +247,7 @@ impl<T: Arithmetic> ChainNumbers<T> {
     }
 
     /// Returns the target function at y = 1/r. With `near`, the function is multiplied by a power of y − p, which
-    /// removes the pole p. The exponent is the number of factors that have the pole.
+    /// removes the pole p. The exponent is the number of factors of the function that have this pole.
     pub fn value(&self, target: Target<T>, y: T, near: Option<&Near<T>>) -> T {
         let sum = |which| self.sum(which, y, near);
         let real = |which| sum(which)[0];
@@ -320,8 +323,8 @@ impl ChainNumbers<Interval> {
 const SAME: f64 = 4e-15;
 
 impl Target<Dd> {
-    /// Returns two flags for a mode: true if the target has a pole at x = 1, and true if the target has poles at x = 3,
-    /// 5, ….
+    /// Returns two flags for a mode. The first flag is true if the target has a pole at x = 1. The second flag is true
+    /// if the target has poles at x = 3, 5, …. x is √λ y, with the squared frequency ratio λ of the mode.
     fn poles_of(&self, numbers: &ChainNumbers<Dd>, mode: &ModeNumbers<Dd>) -> [bool; 2] {
         let drives = |a: Dd, b: Dd| !(a.is_zero() || b.is_zero());
         let undamped = mode.zeta.is_zero();

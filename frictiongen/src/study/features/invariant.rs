@@ -1,6 +1,6 @@
-//! Finds three features of chains without damping: frequencies at which friction does not change a motion (invariant
-//! points), ranges in which more friction makes a motion larger (inversions), and frequencies at which a motion
-//! vanishes without friction (antiresonances).
+//! Finds three features of chains without damping. Invariant points are frequencies at which friction does not change a
+//! motion. Inversions are ranges of frequency in which more friction makes a motion larger. Antiresonances are
+//! frequencies at which a motion vanishes without friction.
 
 use super::functions::Target;
 use super::isolate::{Crowded, FunctionZero, MotionFunction};
@@ -13,7 +13,7 @@ use frictiongen_kernel::number::dd::Dd;
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum InvariantQuantity {
     /// At the invariant point the amplitude does not depend on friction. For the contact's motion the point is exact
-    /// (6.9). For another mass it follows from the monoharmonic estimate of the amplitude (5.50, 6.10).
+    /// (6.9). For another mass the point follows from the monoharmonic estimate of the amplitude (5.50, 6.10).
     Amplitude,
     /// At the invariant point the fundamental component does not depend on friction. The point is exact. The amplitude
     /// of the fundamental component is the frequency-based transmissibility (4.4).
@@ -28,7 +28,7 @@ pub enum Condition {
     /// has no slope at the reversal (6.9).
     Quadrature,
     /// The condition is V U_k = 2 V_k U for mass k, from the monoharmonic estimate of the amplitude (6.10). V is the
-    /// motion without friction, and U the response to a square wave of friction. Without an index they belong to the
+    /// motion without friction, and U the response to a square wave of friction. V and U without an index belong to the
     /// contact.
     Estimate,
     /// The condition is H_k = 0: mass k does not respond to a harmonic force in the contact.
@@ -55,15 +55,15 @@ pub struct InvariantPoint {
     pub amplitude: f64,
     /// β_lim at the invariant point, in N under a load. The motion does not depend on friction up to this value.
     pub continuous_limit: f64,
-    /// True if the function of the condition crosses 0. False if it only touches 0, or if two of its zeros are within a
-    /// relative distance of 1e-9.
+    /// True if the function of the condition crosses 0. False if the function only touches 0, or if two of its zeros
+    /// are within a relative distance of 1e-9.
     pub simple: bool,
 }
 
 /// Reason why the range of an [`Inversion`] begins or ends at a frequency.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum Edge {
-    /// The requested range of frequencies begins or ends here.
+    /// The requested range of frequencies begins or ends at this frequency.
     Range,
     /// Invariant point: a frequency ratio at which friction does not change the motion.
     Invariant,
@@ -95,8 +95,8 @@ pub struct Antiresonance {
     pub frequency: Sensed,
 }
 
-/// Largest β_lim at which the contact is treated as unable to slide. Its motion V without friction is then zero apart
-/// from rounding.
+/// Largest β_lim at which the contact is treated as unable to slide. The contact's motion V without friction is then
+/// zero apart from rounding.
 const STILL: f64 = 1e-10;
 /// Largest relative distance at which two points of different conditions are treated as one point.
 const SAME: f64 = 1e-13;
@@ -167,8 +167,7 @@ impl Features<'_> {
                     frequency: self.variations.of_zero(&function, &zero, None),
                     condition: *condition,
                     phase_too: mass.is_none() && measured == InvariantQuantity::Amplitude,
-                    // The sums of this function leave out the factor 1/r². The code therefore divides the amplitude by
-                    // r².
+                    // The sums of the function leave out the factor 1/r². The division adds this factor.
                     amplitude: self.variations.length(free.at(r).abs() / (r * r)),
                     continuous_limit: self.variations.friction(limit),
                     simple: zero.crosses,
@@ -176,8 +175,8 @@ impl Features<'_> {
             }
         }
         points.sort_by(|a, b| a.r.total_cmp(&b.r));
-        // For a mass in contact with the moving base, U_k = U. Every point that satisfies (6.9) then also satisfies
-        // (6.10).
+        // Mass k in contact with the moving base responds to a square wave of friction as the contact does (U_k = U).
+        // Every point that satisfies (6.9) then also satisfies (6.10).
         points.dedup_by(|b, a| {
             let same = a.condition != b.condition && (b.r - a.r).abs() <= SAME * a.r;
             if same && b.condition == Condition::Quadrature {
@@ -237,7 +236,8 @@ impl Features<'_> {
             Edge::Invariant => 3,
         };
         edges.sort_by(|a, b| a.0.total_cmp(&b.0).then(rank(&a.1).cmp(&rank(&b.1))));
-        // Zeros of two functions at the same frequency differ by rounding, in either order.
+        // Two functions may be zero at the same frequency. Because of rounding, the two computed zeros differ, and
+        // either may be the smaller.
         edges.dedup_by(|b, a| {
             let same = (b.0 - a.0).abs() <= SAME * a.0;
             if same && rank(&b.1) < rank(&a.1) {
@@ -251,12 +251,15 @@ impl Features<'_> {
                 .map_or(f64::NAN, |function| function.at(r));
             let second = functions.get(1).map(|function| function.at(r));
             match (measured, second) {
-                // The change of the amplitude with friction has the sign of −U².
+                // The change of the contact's amplitude with friction has the sign of −U², where U is the response to a
+                // square wave of friction.
                 (InvariantQuantity::Amplitude, None) => -1.0,
-                // The change with friction has the sign of U_k (V U_k − 2 V_k U)/V.
+                // The change of mass k's amplitude with friction has the sign of U_k (V U_k − 2 V_k U)/V. V is the
+                // motion without friction, and U the response to a square wave of friction.
                 (InvariantQuantity::Amplitude, Some(second)) => first * second / own.at(r),
-                // The change with friction has the sign of H_k (V_k U + (2/π) H_k V)/V for a mass, and of H (U + (2/π)
-                // H) for the contact.
+                // The change of the fundamental component with friction has the sign of H_k (V_k U + (2/π) H_k V)/V for
+                // mass k. For the contact, the change has the sign of H (U + (2/π) H). V, H and U are the responses to
+                // the load, to a harmonic contact force and to a square wave of friction.
                 (InvariantQuantity::Fundamental, Some(second)) if mass.is_some() => {
                     first * second / own.at(r)
                 }
@@ -273,7 +276,8 @@ impl Features<'_> {
                 continue;
             }
             match found.last_mut() {
-                // The motion grows with friction on both sides of this bound. The two ranges therefore become one.
+                // The motion grows with friction on both sides of this bound. The two ranges therefore become one
+                // range.
                 Some(last) if last.to == from => {
                     (last.to, last.to_edge) = (to, to_edge);
                 }

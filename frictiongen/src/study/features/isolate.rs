@@ -4,9 +4,9 @@
 //! The search covers intervals of y = 1/r. An *enclosure* is an interval that contains all values of a function over an
 //! interval of y. The search discards an interval of y if the enclosure of the function excludes 0. If the interval
 //! contains no pole and the enclosure of the slope excludes 0, the interval has at most one zero. The signs at both
-//! bounds then show whether it has one. If the interval contains one pole p, the search encloses the function times y −
-//! p, which is finite. It divides an undecided interval in two. Every zero therefore lies in an interval that the
-//! search has not discarded.
+//! bounds then show if the interval has a zero. If the interval contains one pole p, the search encloses the function
+//! times y − p, which is finite. The search divides an undecided interval in two. Every zero therefore lies in an
+//! interval that the search has not discarded.
 
 use super::functions::{ChainNumbers, ModalPole, Target};
 use frictiongen_kernel::number::dd::Dd;
@@ -22,7 +22,7 @@ const MOST_INTERVALS: usize = 20 * MOST_POLES;
 /// the pole of a pair that cancels.
 const CANCELLED: f64 = 1e-13;
 /// Largest distance at which two zeros are treated as one point where the function touches 0. The distance is divided
-/// by y, or by the distance from a pole.
+/// by y = 1/r, or by the distance from a pole.
 const TOUCH: f64 = 1e-9;
 /// Largest relative distance at which two points are treated as one point where the function touches 0.
 const ONE_TOUCH: f64 = 1e-6;
@@ -32,7 +32,7 @@ const CUT: f64 = 0.487_3;
 /// Relative width of a bracket of a zero, below which Newton's method replaces the bisection.
 const NEAR: f64 = 1e-6;
 
-/// The range has too many poles, or needs too many intervals.
+/// Error of a search whose range has more than `MOST_POLES` poles or needs more than `MOST_INTERVALS` intervals.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) struct Crowded;
 
@@ -80,7 +80,8 @@ fn converted<T>(target: Target<Dd>, to: impl Fn(Dd) -> T) -> Target<T> {
 }
 
 fn enclosed(value: Dd) -> Interval {
-    // An exact 0 becomes a constant, so that its slope is exactly 0 too.
+    // An exact 0 stays exactly 0, without an interval of rounding errors. A term with this factor then has the value 0
+    // and the slope 0.
     if value.is_zero() {
         Interval::point(0.0)
     } else {
@@ -106,8 +107,7 @@ impl<'m> MotionFunction<'m> {
         self.target.vanishes(&self.exact)
     }
 
-    /// Returns the function at a frequency ratio r. The result leaves out the power of 1/r that all its sums have in
-    /// common.
+    /// Returns the function at a frequency ratio r, without the power of 1/r that is a common factor of its sums.
     pub fn at(&self, r: f64) -> f64 {
         let target = converted(self.target, |beta| beta.to_f64());
         self.plain.value(target, 1.0 / r, None)
@@ -173,7 +173,7 @@ impl<'m> MotionFunction<'m> {
             last = y;
         }
         zeros.sort_by(|a, b| b.y.to_f64().total_cmp(&a.y.to_f64()));
-        // If a zero is the common end of two intervals, the search finds it twice.
+        // If a zero is the common bound of two intervals, the search finds this zero twice.
         zeros.dedup_by(|a, b| {
             a.crosses && b.crosses && (a.y - b.y).abs() <= b.y * Dd::from(CANCELLED)
         });
@@ -253,12 +253,12 @@ impl<'m> MotionFunction<'m> {
     }
 
     /// Returns ∂f/∂p, the derivative of the function f at a zero with respect to a parameter p. The modal analysis
-    /// `along` and the friction ratio `beta` carry derivatives with respect to p.
+    /// `along` and the friction ratio `beta` contain derivatives with respect to p.
     pub fn moved(&self, zero: &FunctionZero, along: &Modal<Dual<Dd>>, beta: Dual<Dd>) -> Dd {
         let numbers = ChainNumbers::of(along, self.mass, |value| value);
         let target = match self.target {
             Target::Sliding(value) => {
-                // The friction ratio gets the sign that it has in the target function.
+                // The target function may contain β or −β. The friction ratio `beta` gets the same sign.
                 let sign = if value < Dd::ZERO { -Dd::ONE } else { Dd::ONE };
                 Target::Sliding(beta * Dual::fixed(sign))
             }
@@ -305,8 +305,8 @@ impl ZeroSearch<'_, '_> {
         Ok(())
     }
 
-    /// Examines an interval that contains one pole. The method records a zero, discards the interval, or adds its two
-    /// parts to `open`.
+    /// Examines an interval that contains one pole. The method discards the interval, or adds up to three parts of the
+    /// interval to `open`.
     fn about(&self, pole: &ModalPole, [low, high]: [f64; 2], open: &mut Vec<[f64; 2]>) {
         let value = self.function.without_pole(Interval::new(low, high), pole);
         let excluded = value.is_some_and(|value| !value.holds_zero());
@@ -336,7 +336,7 @@ impl ZeroSearch<'_, '_> {
         if rises != 0 {
             let at = |y: f64| self.function.over(Interval::point(y)).sign();
             match (at(low), at(high)) {
-                // This end of the interval equals the zero to rounding.
+                // This bound of the interval equals the zero to rounding.
                 (0, _) => self.zeros.push(self.function.polished(low)),
                 (_, 0) => self.zeros.push(self.function.polished(high)),
                 (first, last) if first != last => {

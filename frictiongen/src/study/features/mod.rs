@@ -34,7 +34,7 @@ pub enum Certainty {
     /// of a pole does not appear.
     Proven,
     /// The search samples the range in `steps` steps of equal length in 1/r, and refines each change between two
-    /// samples. It finds every interval that is longer than one step.
+    /// samples. The search finds every interval that is longer than one step.
     ///
     /// The search finds a shorter interval in two cases only. In the first case, the middle of three neighbouring
     /// samples is closest to the value at which the feature begins. In the second case, the interval is next to a
@@ -105,10 +105,10 @@ impl From<isolate::Crowded> for FeatureError {
 
 /// Features of a system's response, in non-dimensional form or under a load: see [`System::features`].
 ///
-/// The methods take frequencies as r and frictions as β. Every result has r, and a [`Sensed`] number: a number in its
-/// unit, with derivatives. Under a load the units are Hz, N and m. Forces and lengths are then constant in the
-/// derivatives. Without a load the results are r, β, and displacements divided by P/k₁ (by Y for base motion). The
-/// non-dimensional groups are then constant in the derivatives.
+/// The methods take frequencies as r and frictions as β. Every result has r and a [`Sensed`] number, which is a number
+/// in its unit with derivatives. Under a load the units are Hz, N and m. The derivatives then keep the forces and
+/// lengths constant. Without a load the results are r, β, and displacements divided by P/k₁ (by Y for base motion). The
+/// derivatives then keep the non-dimensional groups constant.
 pub struct Features<'s> {
     system: &'s System,
     variations: Variations,
@@ -141,7 +141,7 @@ pub struct LimitsAtEnd {
 }
 
 /// Lower bound of the default range, divided by the lowest resonance. The range never begins at less than `FAR_BELOW`
-/// times the highest resonance. It ends at `ABOVE` times the highest resonance.
+/// times the highest resonance. The range ends at `ABOVE` times the highest resonance.
 const BELOW: f64 = 0.55;
 /// Upper bound of the default range, divided by the highest resonance.
 const ABOVE: f64 = 1.5;

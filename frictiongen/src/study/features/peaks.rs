@@ -56,7 +56,7 @@ pub struct Crossing {
 }
 
 /// Number of samples in each range of frequencies in which the contact slides all the time with both frictions. The
-/// search also samples the equal steps of the whole range.
+/// search also uses samples over the whole range, which are evenly spaced in 1/r.
 const SAMPLES: usize = 128;
 /// Step of a finite difference next to a peak, divided by r.
 const BESIDE: f64 = 1e-6;
@@ -69,9 +69,9 @@ impl Features<'_> {
     /// the largest amplitude over all regimes.
     ///
     /// The call samples the exact amplitude and refines its peaks. The samples are close together in three places: near
-    /// the resonances of the chain, near those of the chain with its contact stuck, and near the sub-harmonics of all
-    /// these resonances. Further samples are in 96 even steps. The call gives no guarantee that it finds narrow peaks,
-    /// because a steady amplitude with stops takes much work.
+    /// the resonances of the free chain, near the resonances of the chain with its contact stuck, and near the
+    /// sub-harmonics of all these resonances. Further samples are in 96 even steps. The call gives no guarantee that it
+    /// finds narrow peaks, because the amplitude of a steady state with stops takes much work.
     ///
     /// # Errors
     /// [`FeatureError::Friction`] for an invalid friction ratio. [`FeatureError::UnknownMass`] for a mass that the
@@ -82,7 +82,8 @@ impl Features<'_> {
         let modal = self.system.modal();
         let estimated = match of {
             Of::Mass(mass) => Some(mass),
-            // If the support is at rest, the contact's motion is the motion of its mass.
+            // The estimate describes the motion of a mass. On a moving base the contact has another motion than its
+            // mass. On a support at rest the two motions are equal.
             Of::Contact if modal.on_moving_base => None,
             Of::Contact => modal.rubbing().or(mass),
             _ => None,
@@ -133,7 +134,7 @@ impl Features<'_> {
             slopes: Vec::new(),
         };
         if best.value.is_infinite() {
-            // The frequency of a peak with infinite amplitude is exactly its resonance.
+            // A peak with infinite amplitude is exactly at a resonance.
             let frequency = self
                 .variations
                 .of_frequency(best.r, Some(beta), |variation| {
@@ -207,8 +208,8 @@ impl Features<'_> {
             return None;
         }
         let bend = (above - below) / (2.0 * step);
-        // Near a peak the amplitude is flat, and determines the position of the peak to half of the digits only. The
-        // zero of the slope gives more digits.
+        // Near a peak the amplitude is flat. The amplitude alone therefore gives only half of the digits of the peak's
+        // position. The zero of the slope gives more digits.
         let r = r - along(r)? / bend;
         let scale = self.variations.scale;
         let frequency = self.variations.of_frequency(r, Some(beta), |variation| {
@@ -273,7 +274,7 @@ impl Features<'_> {
                 .copied()
                 .filter(|r| stretch.from < *r && *r < stretch.to)
                 .collect();
-            // At the bound of the range another regime begins. The samples therefore stay slightly inside the range.
+            // Another regime begins at each bound of the range. All samples therefore lie slightly inside the range.
             let ends = [stretch.from * (1.0 + 1e-12), stretch.to * (1.0 - 1e-12)];
             let mut places = samples(ends, SAMPLES, &marks);
             merge(&mut places, &steps);

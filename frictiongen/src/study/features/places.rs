@@ -1,4 +1,4 @@
-//! Finds sign changes of a function whose values the code can only sample. The search takes more samples where the
+//! Finds sign changes of a function whose values the code can only sample. The search uses additional samples where the
 //! function comes near 0.
 
 use super::Certainty;
@@ -42,7 +42,8 @@ pub(super) fn steps([from, to]: [f64; 2]) -> Vec<f64> {
         .collect()
 }
 
-/// Adds to the ascending points in `places` those points of `steps` that lie between the first and the last of them.
+/// Adds points of `steps` to the ascending list `places`. The added points lie between the first and the last point of
+/// `places`.
 pub(super) fn merge(places: &mut Vec<f64>, steps: &[f64]) {
     let (Some(first), Some(last)) = (places.first().copied(), places.last().copied()) else {
         return;
@@ -116,8 +117,8 @@ fn bisected([mut low, mut high]: [f64; 2], at_low: f64, f: impl Fn(f64) -> f64) 
 mod tests {
     use super::{changes, samples};
 
-    /// Checks that the search finds two sign changes between the same two samples, because a sample next to them is
-    /// closest to 0.
+    /// Checks that the search finds two sign changes between two neighbouring samples. The middle one of three samples
+    /// is closest to 0, and the search then looks for hidden sign changes.
     #[test]
     fn a_narrow_pair() {
         let places = samples([1.0, 2.0], 16, &[]);

@@ -11,12 +11,12 @@ use crate::Regime;
 /// The reason why a range of frequencies with one regime ends at its upper bound.
 #[derive(Clone, Debug, PartialEq)]
 pub enum RegimeEnd {
-    /// The requested range of frequencies ends here.
+    /// The requested range of frequencies ends at this bound.
     Range,
-    /// At this end the limit of continuous motion β_lim equals the friction. The field is the frequency, in Hz under a
-    /// load.
+    /// At this bound the limit of continuous motion β_lim equals the friction. The field is the frequency, in Hz under
+    /// a load.
     Continuous(Sensed),
-    /// At this end the limit of sliding β*_lim equals the friction. The field is the frequency, in Hz under a load.
+    /// At this bound the limit of sliding β*_lim equals the friction. The field is the frequency, in Hz under a load.
     Sliding(Sensed),
 }
 
@@ -33,10 +33,10 @@ pub struct RegimeRange {
     pub end: RegimeEnd,
 }
 
-/// Number of samples in each interval of frequencies in which β_lim may exceed β. The search also samples the equal
-/// steps of the whole range.
+/// Number of samples in each interval of frequencies in which β_lim may exceed β. The search also uses samples over the
+/// whole range, which are evenly spaced in 1/r.
 const SAMPLES: usize = 128;
-/// Largest number of odd sub-harmonics of a resonance near which the search takes additional samples.
+/// Largest number of odd sub-harmonics of a resonance near which the search uses additional samples.
 const SUBHARMONICS: usize = 12;
 
 impl Features<'_> {
@@ -114,7 +114,8 @@ impl Features<'_> {
         let fastest = modal.resonances.last().map_or(0.0, |last| last.to_f64());
         let closed = if modal.is_damped() { to } else { 0.5 * fastest };
         let mut bounds = Vec::new();
-        // At frequency ratios above `closed`, β_lim equals its closed form, which needs no search.
+        // For frequency ratios above `closed`, β_lim equals its closed form. The search uses samples only below
+        // `closed`.
         let function = MotionFunction::new(modal, None, Target::Continuous(exact(beta)));
         let mut edges = vec![from];
         let mut marks = Vec::new();
@@ -163,7 +164,8 @@ impl Features<'_> {
                 limits.is_ok_and(|limits| beta < limits.continuous)
             };
             if !modal.is_damped() && !upper(0.5 * (low + high)) {
-                // The upper bound on β_lim is less than β in the whole interval.
+                // The upper bound on β_lim is less than β in the whole interval. The interval therefore needs no
+                // samples.
                 bounds.push(self.continuous_bound(low, beta));
                 continue;
             }

@@ -1,5 +1,5 @@
 //! Derivatives of a feature with respect to every parameter. If a zero of a function defines the feature, implicit
-//! differentiation gives the derivatives. Otherwise closed forms give them.
+//! differentiation gives the derivatives. Otherwise closed forms give the derivatives.
 
 use super::isolate::{FunctionZero, MotionFunction};
 use crate::study::parameter::{OperatingPoint, Parameter, parameters_of};
@@ -71,8 +71,8 @@ pub(super) struct Variation {
     pub frequency: Sensitive,
 }
 
-/// The scene with derivatives, once for each parameter. Under a load the numbers are in physical units, otherwise they
-/// are non-dimensional groups.
+/// The scene with its derivatives with respect to each parameter. Under a load the numbers are in physical units.
+/// Otherwise the numbers are non-dimensional groups.
 pub(super) struct Variations {
     pub scale: Option<LoadScale>,
     pub all: Vec<Variation>,
@@ -175,7 +175,7 @@ impl Variations {
     }
 
     /// Returns the frequency at the frequency ratio r with its derivatives, in Hz under a load. `of` returns the
-    /// derivative of r.
+    /// derivative of r with respect to one parameter.
     pub fn of_frequency(
         &self,
         r: f64,
@@ -216,8 +216,8 @@ impl Variations {
         })
     }
 
-    /// Returns the frequency at which a function f of r and β is zero. The derivatives of the frequency follow from
-    /// those of f.
+    /// Returns the frequency at which a function f of r and β is zero. The derivatives of the frequency follow from the
+    /// derivatives of f, by implicit differentiation.
     pub fn of_place(
         &self,
         r: f64,

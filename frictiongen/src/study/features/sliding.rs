@@ -19,8 +19,8 @@ pub struct HeldResonance {
     /// True if sticking changes the mode. False for a mode that the contact does not drive, because the free chain has
     /// the same mode.
     pub new: bool,
-    /// Limit of sliding β*_lim at the resonance, in N under a load. It is infinite if the contact slides with any
-    /// friction.
+    /// Limit of sliding β*_lim at the resonance, in N under a load. The limit is infinite if the contact slides with
+    /// any friction.
     pub sliding_limit: f64,
 }
 
@@ -134,8 +134,8 @@ impl Features<'_> {
                 });
             }
         }
-        // V and H have poles on an undamped resonance. On an undamped resonance β*_lim can equal β although V − βμH has
-        // no zero.
+        // V is the motion of the contact without friction, and H its receptance. V and H have poles on an undamped
+        // resonance. On this resonance, β*_lim can equal β although V − βμH has no zero.
         let resonances = modal.resonances.iter().zip(&modal.damping_ratios);
         for (resonance, zeta) in resonances {
             let r = resonance.to_f64();
@@ -180,7 +180,8 @@ impl Features<'_> {
                 continue;
             }
             match found.last_mut() {
-                // The limit only touches β at the common bound of the two ranges. They therefore become one range.
+                // The limit β*_lim only touches β at the common bound of the two ranges. The two ranges therefore
+                // become one range.
                 Some(last) if last.to == *from => {
                     (last.to, last.to_frequency) = (*to, after.clone());
                 }

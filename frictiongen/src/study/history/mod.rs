@@ -30,7 +30,8 @@ pub struct HistoryRequest {
     pub of: Vec<Of>,
     /// The state at τ = 0, a maximum of the excitation: x̄ and dx̄/dτ of every mass. `None` is rest.
     pub from: Option<(Vec<f64>, Vec<f64>)>,
-    /// Amplitude of the load in the scene's units, P or Y. The speeds of `friction: stribeck` need it.
+    /// Amplitude of the load in the scene's units, P or Y. The friction law `friction: stribeck` requires the
+    /// amplitude, to convert its speeds to non-dimensional groups.
     pub amplitude: Option<f64>,
     /// Number of cycles of the excitation before the first sample.
     pub skip: u64,
@@ -162,7 +163,8 @@ pub struct HistoryEvent {
 }
 
 impl History {
-    /// Returns an empty history with room for the samples of whole cycles and of their last instant.
+    /// Returns an empty history. It has room for the samples of all cycles, and for one more sample at the end of the
+    /// last cycle.
     fn new(skipped: u64, cycles: u32, samples: u32, of: &[Of]) -> Self {
         let room = cycles as usize * samples as usize + 1;
         Self {
@@ -206,7 +208,8 @@ impl History {
         let samples = u64::from(self.samples.max(1));
         let index = index as u64;
         let cycles = self.skipped.saturating_add(index / samples);
-        // The code adds whole cycles separately. A sample then has the same phase in every cycle, to the last bit.
+        // The phase within the cycle is computed separately from the whole cycles. Rounding of this phase is then the
+        // same in every cycle.
         TAU * (cycles as f64) + phase(index % samples, samples)
     }
 
@@ -252,7 +255,8 @@ fn phase(index: u64, samples: u64) -> f64 {
     TAU * (index as f64) / (samples as f64)
 }
 
-/// Fails if the request has an invalid number of cycles or samples, or a motion that the system does not have.
+/// Checks a request. Fails if the number of cycles or samples is invalid, or if the system does not have a requested
+/// motion.
 fn check(system: &System, of: &[Of], cycles: u32, samples: u32) -> Result<(), HistoryError> {
     if cycles == 0 {
         return Err(HistoryError::NoCycle);

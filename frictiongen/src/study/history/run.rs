@@ -8,8 +8,8 @@ use crate::study::{System, simulation::SystemSimulation};
 use frictiongen_kernel::simulation::Event;
 use std::f64::consts::TAU;
 
-/// Largest distance in rad of the excitation (τ) between an instant and a sample at which they are treated as the same
-/// instant. It is a few rounding units of a phase.
+/// Largest difference in rad between the phases τ of an instant and of a sample, at which the code treats them as
+/// simultaneous. The difference is a few rounding units of a phase.
 const NEAR: f64 = 16.0 * f64::EPSILON;
 
 impl System {
@@ -109,8 +109,8 @@ impl Follower<'_, '_> {
         mut note: impl FnMut(&Self, Event) -> Result<(), HistoryError>,
     ) -> Result<(), HistoryError> {
         for _ in 0..MOST_EVENTS {
-            // The code measures each step from the run's own clock. Rounding errors of the steps therefore do not
-            // accumulate.
+            // The code computes the length of each step from the run's own time. Rounding errors of the steps therefore
+            // do not accumulate.
             let whole = cycle as f64 - self.run.cycles() as f64;
             let left = whole * TAU + (TAU * part - self.run.phase());
             if !(NEAR < left) {

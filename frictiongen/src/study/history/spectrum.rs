@@ -1,4 +1,4 @@
-//! Spectra of motions. For a steady state they are exact. For a run they come from samples.
+//! Spectra of motions. The spectrum of a steady state is exact. The spectrum of a run in time comes from samples.
 
 use super::History;
 use crate::study::response::SystemResponse;
@@ -47,10 +47,10 @@ impl History {
     /// are multiples of 1/c, where c is the number of cycles, up to half the number of samples in a cycle. The phase τ
     /// is 0 at the first sample.
     ///
-    /// Components with more than half the sampling rate appear at lower orders (aliasing). Because friction changes its
-    /// sign at reversals, the harmonics decrease with the third power of their order. The error of a harmonic therefore
-    /// decreases with the third power of the number of samples. For a steady state, [`SystemResponse::spectrum`] is
-    /// exact.
+    /// Components with frequencies above half the sampling rate appear at lower orders (aliasing). Because friction
+    /// changes its sign at reversals, the harmonics decrease with the third power of their order. The error of a
+    /// harmonic therefore decreases with the third power of the number of samples. For a steady state,
+    /// [`SystemResponse::spectrum`] is exact.
     ///
     /// ```
     /// use frictiongen::study::history::HistoryRequest;
@@ -86,7 +86,8 @@ impl History {
             .plan_fft_forward(count)
             .process(&mut values);
         let one_sided = |(index, value): (usize, &Complex<f64>)| {
-            // The mean and the component of the highest order have no counterpart of negative order.
+            // A component with its counterpart of negative order counts twice. The mean and the component of the
+            // highest order have no such counterpart.
             let sides = if index == 0 || index == count / 2 {
                 1.0
             } else {
@@ -111,8 +112,8 @@ impl SystemResponse<'_> {
     ///
     /// p is the [`period`](Self::period) in cycles of the excitation. Component k = np is the
     /// [`harmonic`](Self::harmonic) of order n. The phase τ is 0 at a maximum of the excitation. If the period has
-    /// several maxima, it is the maximum closest to the instant at which the contact's relative motion leaves its
-    /// maximum.
+    /// several maxima of the excitation, τ is 0 at the maximum closest to the instant at which the contact's relative
+    /// motion leaves its maximum.
     #[must_use]
     pub fn subharmonic(&self, of: Of, k: u32) -> Option<Complex<f64>> {
         match self {

@@ -1,5 +1,5 @@
-//! One period of a steady state. It comes from the closed form, from the steady state with stops, or from the stuck
-//! response.
+//! Samples one period of a steady state. The samples come from the closed form, from the steady state with stops, or
+//! from the stuck response.
 
 use super::{History, HistoryError, HistoryEvent, check, phase};
 use crate::study::{
@@ -73,7 +73,7 @@ impl SystemResponse<'_> {
     }
 }
 
-/// Returns the phases τ of all samples in the cycles of the history, and that of the end of the last cycle.
+/// Returns the phases τ of all samples in the cycles of the history, and the phase at the end of the last cycle.
 fn instants(history: &History) -> impl Iterator<Item = f64> + use<> {
     let samples = u64::from(history.samples);
     let all = 0..=samples * u64::from(history.cycles);

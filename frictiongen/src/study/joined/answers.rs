@@ -8,7 +8,7 @@ use crate::Complex;
 use crate::study::error::UnknownMass;
 use crate::study::joints::StuckResponse;
 
-/// Linear response of a chain to its load, as the complex amplitude of each mass.
+/// Linear response of a chain to its load. It consists of the complex amplitude of each mass.
 #[derive(Clone, Debug)]
 pub struct LinearResponse<'a> {
     joined: Joined<'a>,
@@ -72,14 +72,14 @@ impl<'a> StuckState<'a> {
     }
 
     /// Returns β*_lim, the smallest common friction at which no contact slides. It is the largest value of
-    /// |f|/(μ·share) among the contacts, where f is the amplitude of the force in a contact, and the share is its
+    /// |f|/(μ·share) among the contacts. f is the amplitude of the force in a contact, and the share is the contact's
     /// friction force divided by the common friction. If the load is in N or m, the result is a force in N.
     #[must_use]
     pub fn limit(&self) -> f64 {
         self.limit
     }
 
-    /// Returns the name of the contact that slides first if the common friction falls below the limit.
+    /// Returns the name of the contact that slides first if the common friction falls below the limit β*_lim.
     #[must_use]
     pub fn first(&self) -> &str {
         &self.first

@@ -12,9 +12,10 @@ use crate::study::joints::{
 use crate::{Given, OutOfDomain};
 use frictiongen_model::scene::Excitation;
 
-/// Number of cycles that the code skips before it takes the amplitude of a motion that does not settle.
+/// Number of cycles of the load that the code skips, before it takes the amplitude of a motion that does not settle.
 const SKIPPED: usize = 512;
-/// Number of cycles after the skipped ones over which the code takes the amplitude of a motion that does not settle.
+/// Number of cycles of the load, after the skipped cycles, over which the code takes the amplitude of a motion that
+/// does not settle.
 const KEPT: usize = 64;
 
 /// Displacements and velocities of all masses, in the units of [`JoinedAt::units`].
@@ -24,7 +25,7 @@ type GivenState<'s> = (&'s [f64], &'s [f64]);
 #[derive(Clone, Debug)]
 pub struct JoinedAt<'a> {
     joined: Joined<'a>,
-    /// The chain with its load. The friction force of each contact is the contact's share of a common friction of 1.
+    /// The chain with its load, for a common friction of 1. The friction force of each contact is therefore its share.
     chain: Chain,
     omega: f64,
     units: AnswerUnits,
@@ -44,8 +45,8 @@ impl<'a> Joined<'a> {
         self.at_any(r)
     }
 
-    /// Evaluates the scene at a frequency ratio, as [`at`](Self::at) does, but with k₁ = 1 in the units of the
-    /// description if the scene has no spring.
+    /// Evaluates the scene at a frequency ratio, as [`at`](Self::at) does. If the scene has no spring, the method uses
+    /// k₁ = 1 in the units of the description.
     ///
     /// # Errors
     /// [`OutOfDomain`] unless r is above 0 and finite. [`JoinedError::NoAmplitude`] for `friction: stribeck` without the
@@ -80,7 +81,8 @@ impl<'a> Joined<'a> {
     /// units.
     ///
     /// # Errors
-    /// [`JoinedError::Frequency`] unless ω is above 0 and finite, [`JoinedError::Amplitude`] unless the amplitude is.
+    /// [`JoinedError::Frequency`] unless ω is above 0 and finite. [`JoinedError::Amplitude`] unless the amplitude is
+    /// above 0 and finite.
     pub fn under(&self, omega: f64, amplitude: f64) -> Result<JoinedAt<'a>, JoinedError> {
         if !(omega > 0.0 && omega.is_finite()) {
             return Err(JoinedError::Frequency(Given::of(omega)));
@@ -254,9 +256,9 @@ impl<'a> JoinedAt<'a> {
         JoinedSimulation::new(self.joined.clone(), motion, (self.omega, self.units))
     }
 
-    /// Returns the state in which no contact slides, in closed form: the amplitudes, the force of each contact, and the
-    /// smallest friction for this state. The call assumes that no earlier motion has left a constant force in a
-    /// contact.
+    /// Returns the state in which no contact slides, in closed form. The state contains the amplitudes, the force of
+    /// each contact, and the smallest friction for this state. The call assumes that no earlier motion has left a
+    /// constant force in a contact.
     ///
     /// # Errors
     /// [`JoinedError::Resonance`] on an undamped resonance of the chain with its contacts stuck.
@@ -279,7 +281,7 @@ impl<'a> JoinedAt<'a> {
     }
 }
 
-/// Converts the error of a linear response. The frequency is valid for every load of a scene. Only a resonance can
+/// Converts the error of a linear response. The frequency of a load in a scene is always valid. Only a resonance can
 /// therefore cause an error.
 fn resonance(error: JointError) -> JoinedError {
     match error {

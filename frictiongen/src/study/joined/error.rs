@@ -36,15 +36,15 @@ pub enum JoinedError {
     OutOfDomain(OutOfDomain),
     /// The scene has more masses than the solver supports. The field is the number of masses.
     TooManyMasses(usize),
-    /// The scene has no spring. The ratios r and β need the stiffness k₁.
+    /// The scene has no spring. The ratios r and β are not defined without the stiffness k₁ of a spring.
     NoSpring,
     /// The angular frequency is not positive and finite.
     Frequency(Given),
     /// The amplitude of the load is not positive and finite.
     Amplitude(Given),
-    /// The scene has `friction: stribeck`. Its speeds have units, so that the load needs an amplitude in units.
+    /// The scene has `friction: stribeck`, whose speeds have units. The load therefore needs an amplitude in units.
     NoAmplitude,
-    /// The frequency is an undamped resonance of the linear chain.
+    /// The frequency is an undamped resonance of the linear chain, whose response is then unbounded.
     Resonance,
     /// The interval of a contact's share does not begin above 0, or does not end above its start.
     Shares,

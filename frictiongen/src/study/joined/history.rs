@@ -5,8 +5,8 @@ use super::orbit::JoinedOrbit;
 use super::simulation::{JoinedContactNow, JoinedEvent, JoinedSimulation};
 use std::f64::consts::TAU;
 
-/// Distance of the two samples of [`JoinedSimulation::path`] from an event, in radians of the load. It exceeds the
-/// rounding error of the instant of an event, and no picture shows it.
+/// Distance between an event and the two samples of [`JoinedSimulation::path`] next to this event, in radians of the
+/// load. The distance exceeds the rounding error of the event's instant, and is too small to be visible in a plot.
 const BESIDE: f64 = 1e-9;
 
 /// A motion over time of a scene with several contacts: equally spaced samples, and the events between them.
@@ -18,13 +18,13 @@ pub struct JoinedHistory {
     pub states: Vec<(Vec<f64>, Vec<f64>)>,
     /// For each sample, the motion and force of every contact.
     pub contacts: Vec<Vec<JoinedContactNow>>,
-    /// The events in the order of time. Their phase τ is counted from the first sample.
+    /// The events in the order of time. The phase τ of each event is counted from the first sample.
     pub events: Vec<JoinedEvent>,
 }
 
 impl JoinedSimulation<'_> {
-    /// Advances by `skip` cycles of the load, and then takes samples over `cycles` cycles. The first sample is at the
-    /// start of these cycles, and the last sample is at their end.
+    /// Advances by `skip` cycles of the load, and then samples `cycles` cycles, each with `samples` intervals. The
+    /// first sample is at the start of these cycles, and the last sample is at their end.
     ///
     /// # Errors
     /// Same errors as [`advance`](Self::advance).
@@ -37,8 +37,9 @@ impl JoinedSimulation<'_> {
         self.sampled((skip, cycles, samples), false)
     }
 
-    /// Samples the motion as [`history`](Self::history) does, with two more samples at each event, one just before the
-    /// event and one just after it. A line through these samples has the corners of a hysteresis loop.
+    /// Samples the motion as [`history`](Self::history) does, and takes two more samples at each event. One sample is
+    /// just before the event, and one is just after it. A line through the samples then has the corners of a hysteresis
+    /// loop.
     ///
     /// # Errors
     /// Same errors as [`advance`](Self::advance).
@@ -85,16 +86,17 @@ impl JoinedSimulation<'_> {
         Ok(history)
     }
 
-    /// Advances to the phase `tau` after the phase `start`. A phase in the past has no effect.
+    /// Advances to the phase `start` + `tau`. If this phase is in the past, the call has no effect.
     fn advance_from(&mut self, start: f64, tau: f64) -> Result<Vec<JoinedEvent>, JoinedError> {
         self.advance((start + tau - self.tau()).max(0.0))
     }
 }
 
 impl JoinedHistory {
-    /// Adds the present state of a motion.
+    /// Adds the present state of a motion to the samples.
     fn push(&mut self, tau: f64, motion: &JoinedSimulation<'_>) {
-        // Several events at one instant have the same samples.
+        // If two events are at nearly the same instant, a sample before the second event can lie before an earlier
+        // sample. The phases must not decrease.
         let last = self.taus.last().copied().unwrap_or(f64::NEG_INFINITY);
         self.taus.push(tau.max(last));
         self.states.push(motion.state());

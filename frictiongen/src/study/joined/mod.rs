@@ -2,8 +2,8 @@
 //! support.
 //!
 //! These scenes have the field `contacts` or `dampers` in their description.
-//! [`System::joined`](crate::study::System::joined) gives access to its results. Every other method of a `System`
-//! returns an error that names these fields. The solver is in [`joints`](super::joints).
+//! [`System::joined`](crate::study::System::joined) gives access to their results. The methods of `System` for a single
+//! contact return an error that names these fields. The solver is in [`joints`](super::joints).
 //!
 //! ```
 //! use frictiongen::{Regime, System};

@@ -1,4 +1,5 @@
-//! Finds the best common friction. With it, the largest amplitude of a mass over a band of frequencies is smallest.
+//! Finds the best common friction. This friction makes the largest amplitude of a mass over a band of frequencies
+//! smallest.
 
 use super::error::JoinedError;
 use super::scene::Joined;
@@ -6,14 +7,14 @@ use crate::study::golden::smallest;
 use crate::study::joints::JointError;
 use crate::{Given, OutOfDomain};
 
-/// Number of frequencies of the search's first grid over the band.
+/// Number of frequency ratios in the first grid of the search over the band.
 const FREQUENCIES: usize = 25;
-/// Number of frictions of the search's first grid.
+/// Number of friction values in the first grid of the search.
 const FRICTIONS: usize = 11;
 /// Number of golden sections in each refinement of the search.
 const STEPS: usize = 8;
 /// Smallest friction of the search's first grid, divided by the largest friction of the grid. The largest friction is
-/// the largest limit of the stuck state.
+/// the largest β*_lim (limit of the stuck state) in the band. No contact slides at this friction.
 const LEAST: f64 = 0.01;
 
 /// Result of a search for the best common friction.
@@ -92,11 +93,11 @@ impl Joined<'_> {
 /// Accuracy with which the search computes the largest amplitude over the band.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub(super) enum BandAccuracy {
-    /// The search evaluates every second frequency of the grid.
+    /// The search evaluates every second frequency of the grid over the band.
     Roughly,
-    /// The search evaluates every frequency of the grid.
+    /// The search evaluates every frequency of the grid over the band.
     OnGrid,
-    /// The search evaluates every frequency of the grid, and searches between them.
+    /// The search evaluates every frequency of the grid, and then searches between the grid's frequencies for the peak.
     Refined,
 }
 
@@ -108,7 +109,7 @@ pub(super) struct FrictionSearch<'j, 'a> {
     grid: Vec<f64>,
     evaluations: usize,
     watch: &'j dyn Fn() -> bool,
-    /// The smallest peak so far, among those that were computed with the highest accuracy.
+    /// The smallest peak so far, among the peaks with the highest accuracy so far.
     best: Option<FrictionPeak>,
 }
 
@@ -159,7 +160,8 @@ impl<'j, 'a> FrictionSearch<'j, 'a> {
         self.evaluations
     }
 
-    /// Returns the best friction that the search has found so far.
+    /// Returns the best friction that the search has found so far. `is_complete` is false if the caller stopped the
+    /// search.
     fn found(&self, is_complete: bool) -> Result<JoinedOptimum, JoinedError> {
         let best = self.best.ok_or(JoinedError::Stopped)?;
         Ok(JoinedOptimum {
@@ -184,7 +186,8 @@ impl<'j, 'a> FrictionSearch<'j, 'a> {
                 best = (amplitude, place);
             }
         }
-        // The frictions in `tried` are in descending order.
+        // The frictions in `tried` are in descending order. The neighbour in front of the best friction is therefore
+        // larger.
         let high = tried.get(best.1.saturating_sub(1)).copied();
         let low = tried.get(best.1 + 1).copied();
         let ends = (low.unwrap_or(LEAST * most), high.unwrap_or(most));
@@ -195,13 +198,15 @@ impl<'j, 'a> FrictionSearch<'j, 'a> {
         self.peak(friction, BandAccuracy::Refined).map(|_| ())
     }
 
-    /// Returns the largest limit of the stuck state over the frequencies of the grid.
+    /// Returns the largest β*_lim (limit of the stuck state) over the frequencies of the grid. With this common
+    /// friction, no contact slides.
     fn most(&self) -> Result<f64, Early> {
         let mut most = 0.0_f64;
         for r in &self.grid {
             match self.joined.at_any(*r)?.stuck() {
                 Ok(stuck) => most = most.max(stuck.limit()),
-                // On an undamped resonance of the stuck chain, no friction keeps all contacts stuck.
+                // On an undamped resonance of the chain with its contacts stuck, no friction force keeps all contacts
+                // stuck.
                 Err(JoinedError::Resonance) => {}
                 Err(error) => return Err(error.into()),
             }
@@ -218,15 +223,16 @@ impl<'j, 'a> FrictionSearch<'j, 'a> {
         let at = self.joined.at_any(r)?;
         let amplitudes = match at.orbit(friction) {
             Ok(orbit) => orbit.amplitudes(),
-            // With a friction just below the limit of the stuck state, the contacts move less and less in each cycle,
-            // but never come to rest.
+            // The common friction may be just below the limit of the stuck state. The contacts then move less and less
+            // in each cycle, but never come to rest.
             Err(JoinedError::Engine(JointError::NotSteady)) => at.last_cycles(friction)?,
             Err(error) => return Err(error.into()),
         };
         Ok(amplitudes.get(self.mass).copied().unwrap_or_default())
     }
 
-    /// Returns the largest amplitude over the band, and its frequency ratio. Stores them if they are the best so far.
+    /// Returns the largest amplitude over the band with one friction, and its frequency ratio. Stores this peak if it
+    /// is the best so far.
     fn peak(&mut self, friction: f64, closely: BandAccuracy) -> Result<(f64, f64), Early> {
         let (amplitude, r) = self.largest(friction, closely)?;
         let is_better = self.best.is_none_or(|best| {

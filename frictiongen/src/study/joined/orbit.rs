@@ -101,7 +101,7 @@ impl<'a> JoinedOrbit<'a> {
     }
 
     /// Returns the Floquet multipliers of the motion over a period, in descending order of their modulus. The list
-    /// leaves out the multipliers 1 of marginal directions.
+    /// leaves out the multipliers 1 of marginal directions, in which a small deviation stays constant.
     #[must_use]
     pub fn multipliers(&self) -> &[Complex<f64>] {
         &self.steady.multipliers
@@ -114,8 +114,8 @@ impl<'a> JoinedOrbit<'a> {
         self.steady.is_stable()
     }
 
-    /// Returns true if the steady state depends on the initial state. It does if a contact never slides and keeps its
-    /// position, or if a part of the chain has no path of springs to a support.
+    /// Returns true if the steady state depends on the initial state. It depends on the initial state if a contact
+    /// never slides and keeps its position, or if a part of the chain has no path of springs to a support.
     #[must_use]
     pub fn is_marginal(&self) -> bool {
         !self.steady.marginal.is_empty() || self.steady.neutral > 0
@@ -130,8 +130,9 @@ impl<'a> JoinedOrbit<'a> {
         kept.map(|(_, name)| name).collect()
     }
 
-    /// Returns the number of marginal directions that come from parts without a path of springs to a support. These
-    /// directions are displacements and constant velocities of the parts.
+    /// Returns the number of marginal directions of the parts of the chain without a path of springs to a support. In a
+    /// marginal direction a small deviation stays constant. The directions of these parts are displacements and
+    /// constant velocities.
     #[must_use]
     pub fn free_directions(&self) -> usize {
         self.steady.neutral
@@ -192,14 +193,14 @@ impl<'a> JoinedOrbit<'a> {
         amplitudes.map(|x| x / self.units.length).collect()
     }
 
-    /// Returns the largest |x̄| of every mass, including the displacement of the mean motion.
+    /// Returns the largest |x̄| of every mass, including the mean displacement of the motion.
     #[must_use]
     pub fn largest_displacements(&self) -> Vec<f64> {
         let largest = self.steady.cycle.amplitudes.iter();
         largest.map(|x| x / self.units.length).collect()
     }
 
-    /// Returns the centred amplitude of every mass, (max − min)/2.
+    /// Returns the centred amplitude of every mass: (max − min)/2 of its displacement x̄.
     #[must_use]
     pub fn centred_amplitudes(&self) -> Vec<f64> {
         let centred = self.steady.cycle.centred.iter();

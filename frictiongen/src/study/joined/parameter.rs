@@ -19,11 +19,13 @@ pub enum JoinedParameter {
     ContactStiffness(usize),
     /// Ratio μ of the static to the kinetic friction force of a contact. The number is the index of the contact.
     Stiction(usize),
-    /// The common friction. It is the force F under a load, and otherwise β.
+    /// The common friction of all contacts. It is the force F at a physical operating point, and β at a non-dimensional
+    /// operating point.
     Friction,
-    /// The amplitude of the load.
+    /// The amplitude of the load, at a physical operating point.
     Load,
-    /// The frequency in Hz under a load, otherwise the frequency ratio r.
+    /// The frequency. It is in Hz at a physical operating point, and is the ratio r at a non-dimensional operating
+    /// point.
     Frequency,
 }
 
@@ -35,7 +37,7 @@ pub(super) struct JoinedPoint {
 }
 
 impl JoinedPoint {
-    /// Creates the setting. Each mode gets a damping ratio of its own, so that each ratio can vary alone.
+    /// Creates the operating point of a scene. Each mode gets its own damping ratio, so that each ratio can vary alone.
     pub(super) fn new(scene: &Scene, point: OperatingPoint) -> Self {
         let mut scene = scene.clone();
         if let Damping::Uniform(ratio) = scene.damping {
@@ -83,7 +85,8 @@ impl JoinedPoint {
         self.clone().number(parameter).copied()
     }
 
-    /// Returns the number of a parameter, to change it, or `None` if the scene does not have the parameter.
+    /// Returns a reference to the number of a parameter, so that the caller can change the number. Returns `None` if
+    /// the scene does not have the parameter.
     pub(super) fn number(&mut self, parameter: JoinedParameter) -> Option<&mut f64> {
         let Self { scene, point } = self;
         let contacts = &mut scene.joints.contacts;
@@ -139,8 +142,8 @@ impl JoinedParameter {
         }
     }
 
-    /// Returns the symbol of the parameter, with the names of the description: for example `m upper`, `share brace` or
-    /// `F`.
+    /// Returns the symbol of the parameter, which contains names from the description. Examples are `m upper`, `share
+    /// brace` and `F`.
     #[must_use]
     pub fn symbol(self, scene: &Scene, point: &OperatingPoint) -> String {
         let contact = |short: &str, index: usize| {
@@ -166,7 +169,7 @@ impl JoinedParameter {
         }
     }
 
-    /// Returns the SI unit of the parameter. The unit of a ratio is empty.
+    /// Returns the SI unit of the parameter. The text is empty if the parameter is a ratio.
     #[must_use]
     pub fn unit(self, point: &OperatingPoint) -> &'static str {
         match (self, self.single()) {

@@ -13,12 +13,12 @@ use frictiongen_model::scene::Scene;
 #[derive(Clone, Debug)]
 pub struct Joined<'a> {
     scene: &'a Scene,
-    /// The chain without loads. The friction force of each contact is its share of a common friction force of 1.
+    /// The chain without loads, for a common friction of 1. The friction force of each contact is therefore its share.
     chain: Chain,
     /// Reference angular frequency √(k₁/m₁), in rad per unit of time.
     reference: f64,
-    /// Unit of displacement of a load, for answers in ratios: P/k₁, or Y for base motion. The speeds of a friction law
-    /// need it.
+    /// Unit of displacement of a load, for results in ratios: P/k₁, or Y for base motion. The solver needs this unit if
+    /// a friction law depends on the sliding speed.
     length: Option<f64>,
 }
 
@@ -77,15 +77,15 @@ impl<'a> Joined<'a> {
         self.scene
     }
 
-    /// Returns the chain without loads. The friction force of each contact is its share of a common friction force of
-    /// 1.
+    /// Returns the chain without loads, for a common friction of 1. The friction force of each contact is therefore its
+    /// share.
     #[must_use]
     pub fn chain(&self) -> &Chain {
         &self.chain
     }
 
-    /// Returns a solver for ratios under a load whose unit of displacement is `length`: P/k₁, or Y for base motion. Only
-    /// the speeds of `friction: stribeck` depend on it.
+    /// Returns a solver for results in ratios, under a load whose unit of displacement is `length`. This unit is P/k₁,
+    /// or Y for base motion. Only the speeds of `friction: stribeck` depend on it.
     #[must_use]
     pub fn with_length(&self, length: f64) -> Self {
         Self {
@@ -99,7 +99,7 @@ impl<'a> Joined<'a> {
         self.length
     }
 
-    /// Replaces the shares of the contacts. `shares` follows the order of the description.
+    /// Replaces each contact's share of the common friction. `shares` has the order of the description.
     pub(super) fn set_shares(&mut self, shares: &[f64]) {
         for (contact, share) in self.chain.contacts.iter_mut().zip(shares) {
             contact.level = Wave::constant(*share);
@@ -113,9 +113,9 @@ impl<'a> Joined<'a> {
         contacts.map(|contact| contact.name).collect()
     }
 
-    /// Returns −1 for a contact that the description writes as `b - a`, with the later of two masses first, and
-    /// otherwise 1. With this factor, the relative displacement of a contact `a - b` is x_b − x_a, as in the answers in
-    /// N and m for a scene with a single contact.
+    /// Returns the sign of a contact in the description. It is −1 for a contact `b - a` whose first mass is the later
+    /// of its two masses, and otherwise 1. With this factor, the relative displacement of a contact `a - b` is x_b −
+    /// x_a. Results in N and m for a scene with a single contact have the same sign.
     #[must_use]
     pub fn sign(&self, contact: usize) -> f64 {
         let contacts = self.scene.named_contacts();

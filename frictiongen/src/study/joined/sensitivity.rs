@@ -1,10 +1,10 @@
 //! Derivatives of steady states with several contacts with respect to every number of a description and of an operating
 //! point.
 //!
-//! Newton's method finds the steady state of a slightly changed scene from the known state, with a residual below
-//! 1e-11. The derivatives are central differences of these changed states, with Richardson's extrapolation from two
-//! steps. A step is valid only if the contacts have the same numbers of stops and reversals on both sides of the known
-//! state.
+//! The module finds the steady state of a slightly changed scene by Newton's method, from the known state, with a
+//! residual below 1e-11. The derivatives are central differences of these changed states, with Richardson's
+//! extrapolation from two steps. A step is valid only if the contacts have the same numbers of stops and reversals on
+//! both sides of the known state.
 
 use super::error::JoinedError;
 use super::parameter::{JoinedParameter, JoinedPoint};
@@ -18,12 +18,12 @@ use crate::study::units::angular_frequency;
 use crate::{Given, OutOfDomain, Regime};
 use frictiongen_model::scene::{Excitation, Scene};
 
-/// Largest change of a parameter for a difference, divided by the parameter.
+/// First step of a central difference, divided by the value of the parameter.
 const STEP: f64 = 1e-3;
-/// Number of steps of the parameter that the code tries. Each step is a quarter of the previous step.
+/// Largest number of steps of the parameter that the code tries. Each step is a quarter of the previous step.
 const STEPS: usize = 5;
-/// Largest change of a difference by the extrapolation, divided by the result. The relative error of the extrapolation
-/// is then about the square of this number.
+/// Largest change of a difference by Richardson's extrapolation, divided by the result. The relative error of the
+/// extrapolated derivative is about the square of this number.
 const AGREES: f64 = 3e-5;
 
 /// Derivatives of a steady state with respect to one parameter p.
@@ -52,7 +52,7 @@ pub struct JoinedSensitivities {
     pub parameters: Vec<JoinedSensitivity>,
 }
 
-/// A scene at an operating point, in the form that the solver for several contacts needs.
+/// A scene at an operating point, with the data that the solver for several contacts needs.
 struct Prepared {
     chain: Chain,
     omega: f64,
@@ -66,10 +66,10 @@ struct SteadyAmplitudes {
 }
 
 impl Joined<'_> {
-    /// Returns derivatives of the steady state that the motion from rest reaches: those of the amplitude of each mass,
-    /// and those of the energy that each contact dissipates. A difference of steady states gives each derivative. Its
-    /// error is about 1e-8 of the amplitude, or of the sum of all energies. The steady state may have a period of
-    /// several cycles.
+    /// Returns derivatives of the steady state that the motion from rest reaches. They are the derivatives of the
+    /// amplitude of each mass, and of the energy that each contact dissipates. The method computes each derivative as a
+    /// difference of steady states. Its error is about 1e-8 of the amplitude, or of the sum of all energies. The steady
+    /// state may have a period of several cycles.
     ///
     /// ```
     /// use frictiongen::study::{System, joined::JoinedParameter, sensitivity::OperatingPoint};
@@ -96,8 +96,8 @@ impl Joined<'_> {
     /// ```
     ///
     /// # Errors
-    /// [`NoDerivative::Marginal`] if the steady state depends on the initial state, because a contact never slides or
-    /// because no spring connects a part of the chain to a support. [`NoDerivative::Graze`] if an event is about to
+    /// [`NoDerivative::Marginal`] if the steady state depends on the initial state. It does if a contact never slides,
+    /// or if no spring connects a part of the chain to a support. [`NoDerivative::Graze`] if an event is about to
     /// appear or to vanish. [`JoinedError::Engine`] if the motion does not settle. Other [`JoinedError`]s for an
     /// operating point outside the domain.
     pub fn sensitivities(&self, point: OperatingPoint) -> Result<JoinedSensitivities, JoinedError> {
@@ -170,7 +170,8 @@ impl SteadyAmplitudes {
     }
 }
 
-/// The known steady state of a scene, from which the search for neighbouring states starts.
+/// The known steady state of a scene. The search for the steady states of slightly changed scenes starts from this
+/// state.
 struct NeighbourSearch {
     setting: JoinedPoint,
     steady: Steady,
@@ -180,8 +181,8 @@ struct NeighbourSearch {
 }
 
 impl NeighbourSearch {
-    /// Returns the derivatives with respect to one parameter. Returns `None` if the parameter is 0 or a μ of 1, because
-    /// no central difference exists.
+    /// Returns the derivatives with respect to one parameter. No central difference exists if the parameter is 0, or if
+    /// it is a ratio μ that the first step would reduce below 1. The method then returns `None`.
     fn sensitivity(
         &self,
         parameter: JoinedParameter,
@@ -234,8 +235,8 @@ impl NeighbourSearch {
         Err(NoDerivative::Graze.into())
     }
 
-    /// Returns the central difference over a relative step of the parameter. Returns `None` if the steady states on
-    /// both sides have other events than the known state.
+    /// Returns the central difference over a relative step of the parameter. Returns `None` if on either side no steady
+    /// state is found, or one with other numbers of stops or reversals than the known state.
     fn difference(
         &self,
         parameter: JoinedParameter,
@@ -258,8 +259,8 @@ impl NeighbourSearch {
         ))
     }
 
-    /// Returns the steady state for another value of a parameter. Returns `None` if this state has other events than
-    /// the known state.
+    /// Returns the steady state for another value of a parameter. Returns `None` if Newton's method finds no steady
+    /// state, or one with other numbers of stops or reversals than the known state.
     fn moved(
         &self,
         parameter: JoinedParameter,

@@ -25,7 +25,7 @@ pub struct ShareRange {
     pub to: f64,
 }
 
-/// Result of a search for the best common friction together with the best shares of the contacts.
+/// Result of a search for the best common friction and the best shares of the contacts.
 #[derive(Clone, Debug, PartialEq)]
 pub struct JoinedDistribution {
     /// The best share of each contact, in the order of the description.
@@ -37,7 +37,8 @@ pub struct JoinedDistribution {
 }
 
 impl<'a> Joined<'a> {
-    /// Returns this scene with other shares. A contact for which the list has no number keeps its share.
+    /// Returns this scene with other shares of the common friction. A contact without a number in `shares` keeps its
+    /// share.
     #[must_use]
     pub fn with_shares(&self, shares: &[f64]) -> Self {
         let mut joined = self.clone();
@@ -126,7 +127,7 @@ struct Distribution {
     peak: (f64, f64),
 }
 
-/// A search that changes one number after the other: the friction, then each share.
+/// A search that changes one number after the other: first the friction, then each share.
 struct Descent<'j, 'a> {
     search: FrictionSearch<'j, 'a>,
     ranges: &'j [ShareRange],
@@ -145,7 +146,7 @@ impl Descent<'_, '_> {
             }
         }
         start.peak = self.peak(&start)?;
-        // The shares of the description may be outside the intervals.
+        // The shares of the description may be outside the permitted intervals. The search therefore begins at `start`.
         self.best = start;
         self.descend(FIRST)?;
         self.closely = BandAccuracy::Refined;
@@ -154,7 +155,7 @@ impl Descent<'_, '_> {
         self.descend(REFINED)
     }
 
-    /// Changes one number after the other, and reduces the factor of the changes.
+    /// Changes one number after the other by a factor. Reduces the factor when no change gives a smaller peak.
     fn descend(&mut self, mut factor: f64) -> Result<(), Early> {
         while LAST < factor && self.compared < MOST {
             let before = self.best.clone();
@@ -195,9 +196,9 @@ impl Descent<'_, '_> {
         self.keep(tried)
     }
 
-    /// Multiplies the friction and each share of the best distribution by its ratio to the value in `before`, and keeps
-    /// the result if it is better. The call thereby repeats the change from `before` to the best distribution, which
-    /// has reduced the peak.
+    /// Repeats the change from `before` to the best distribution, because this change has reduced the peak. The call
+    /// multiplies the friction and each share by their ratio to the value in `before`. It keeps the result if the peak
+    /// is smaller.
     fn leap(&mut self, before: &Distribution) -> Result<(), Early> {
         let mut tried = self.best.clone();
         tried.friction *= tried.friction / before.friction;
@@ -210,7 +211,7 @@ impl Descent<'_, '_> {
         self.keep(tried).map(|_| ())
     }
 
-    /// Stores a distribution if it is better than the best distribution so far.
+    /// Stores the distribution `tried` if it is better than the best distribution so far. Returns true if it is better.
     fn keep(&mut self, mut tried: Distribution) -> Result<bool, Early> {
         tried.peak = self.peak(&tried)?;
         let better = tried.peak.0 < self.best.peak.0;

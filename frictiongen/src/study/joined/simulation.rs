@@ -19,29 +19,30 @@ pub struct JoinedEvent {
     pub contact: usize,
     /// Name of the contact in the description.
     pub name: String,
-    /// Kind of the event: a stop, a break-away or a reversal.
+    /// Type of the event: a stop, a break-away or a reversal.
     pub event: Event,
 }
 
-/// State of one contact at one instant of a motion.
+/// State of one contact at one instant of a motion. The numbers are in the units of the results of this motion.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct JoinedContactNow {
-    /// Relative displacement of the contact's two sides.
+    /// Relative displacement of the contact's two sides, in the unit of length of the results.
     pub displacement: f64,
-    /// Relative velocity of the contact's two sides.
+    /// Relative velocity of the contact's two sides, in the unit of velocity of the results.
     pub velocity: f64,
-    /// Force in the contact at this instant.
+    /// Force in the contact at this instant, in the unit of force of the results.
     pub force: f64,
-    /// Distance that the slider has travelled since the start, added over both directions.
+    /// Distance that the slider has travelled since the start, added over both directions, in the unit of length.
     pub slip: f64,
-    /// Energy that friction has dissipated in the contact since the start.
+    /// Energy that friction has dissipated in the contact since the start, in the unit of force times the unit of
+    /// length.
     pub energy: f64,
     /// True if the contact sticks at this instant.
     pub is_sticking: bool,
 }
 
 impl JoinedContactNow {
-    /// Returns the state with displacement, velocity and force multiplied by a sign, 1 or −1.
+    /// Returns the state with displacement, velocity and force multiplied by `sign`, which is 1 or −1.
     #[must_use]
     pub fn signed(self, sign: f64) -> Self {
         Self {
@@ -60,7 +61,7 @@ pub struct JoinedSimulation<'a> {
     motion: Motion,
     omega: f64,
     units: AnswerUnits,
-    /// For each contact, the distance that its slider has travelled, and the energy that it has dissipated.
+    /// For each contact, the distance that the slider has travelled, and the energy that friction has dissipated.
     slides: Slides,
 }
 
@@ -138,8 +139,8 @@ impl<'a> JoinedSimulation<'a> {
         })
     }
 
-    /// Advances by `reach` in the phase τ = ωt, and returns the events on the way. Several contacts may have an event
-    /// at the same instant.
+    /// Advances the motion by `reach` in the phase τ = ωt, and returns the events in this interval. Several contacts
+    /// may have an event at the same instant.
     ///
     /// # Errors
     /// [`OutOfDomain`] for a reach that is negative or not finite. [`JoinedError::Engine`] if the motion has too many
@@ -151,7 +152,7 @@ impl<'a> JoinedSimulation<'a> {
         self.advance_to(self.motion.time() + reach / self.omega)
     }
 
-    /// Advances to a time in seconds, and returns the events on the way.
+    /// Advances the motion to a time in seconds, and returns the events until this time.
     ///
     /// # Errors
     /// [`JoinedError::Engine`], as [`advance`](Self::advance).

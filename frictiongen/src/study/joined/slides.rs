@@ -1,9 +1,10 @@
-//! Distances that the sliders of the contacts travel, and the energy that friction dissipates in them.
+//! Distances that the sliders of the contacts travel, and energies that friction dissipates in the contacts.
 
 use crate::study::joints::{Heap, Model, Series, State, Transition};
 use frictiongen_kernel::joints::{FREE, Observe, STUCK};
 
-/// Distance and energy of each contact since the start of a motion, and the events of its present step.
+/// Travelled distance and dissipated energy of each contact since the start of a motion, and the events since the last
+/// call of `take_events`.
 #[derive(Clone, Debug)]
 pub(super) struct Slides {
     contacts: Vec<Slide>,
@@ -28,14 +29,14 @@ pub(super) struct Slide {
 }
 
 impl Slides {
-    /// Starts with distances and energies of 0. The contacts have the friction forces of the model.
+    /// Creates an entry for each contact of the model, with its friction force. Distances and energies are 0.
     pub fn new(model: &Model) -> Self {
         let contacts = model.contacts.iter().map(|contact| Slide {
             ends: (contact.plus, contact.minus),
             level: contact.level.constant,
             has_law: contact.is_rigid() && !model.law.is_empty(),
-            // At the break-away the force falls from μF to F. Friction dissipates the energy that the spring of the
-            // contact loses.
+            // At the break-away the force falls from μF to F. Friction then dissipates the energy (μ² − 1)F²/(2k) that
+            // the spring of the contact loses.
             drop: contact.stiffness.map_or(0.0, |stiffness| {
                 (contact.stiction * contact.stiction - 1.0) / (2.0 * stiffness)
             }),
@@ -53,8 +54,8 @@ impl Slides {
         &self.contacts
     }
 
-    /// Sets the kinetic friction force of a contact to `level`. If the `force` of an elastic contact exceeds it, the
-    /// spring loses a part of its energy.
+    /// Sets the kinetic friction force of a contact to `level`. If the `force` of an elastic contact exceeds `level`,
+    /// the spring of the contact loses a part of its energy.
     pub fn set_level(&mut self, index: usize, level: f64, (force, stiffness): (f64, Option<f64>)) {
         let Some(slide) = self.contacts.get_mut(index) else {
             return;
@@ -77,7 +78,8 @@ impl Observe<f64, Heap> for Slides {
     fn stretch(&mut self, series: &Series, end: f64, state: &State) {
         for (index, slide) in self.contacts.iter_mut().enumerate() {
             if ![STUCK, FREE].contains(&state.phase(index)) {
-                // A contact keeps its direction of sliding during a stretch (time interval of a power series).
+                // A contact does not reverse during a stretch (time interval of a power series). The distance is
+                // therefore the difference of two displacements.
                 let travel = series.place(slide.ends, end) - series.place(slide.ends, 0.0);
                 slide.slip += travel.abs();
                 slide.energy += if slide.has_law {

@@ -4,16 +4,17 @@ use super::at::JoinedAt;
 use super::error::JoinedError;
 use super::orbit::JoinedOrbit;
 
-/// Factors on the states of linear responses. Each state multiplied by each factor is one more initial state of the
+/// Factors on the states of linear responses. The product of each state and each factor is an initial state of the
 /// search.
 const FACTORS: [f64; 3] = [1.0, -1.0, 3.0];
-/// Largest relative difference of the amplitudes at which two steady states are treated as the same.
+/// Largest difference of the amplitudes at which two steady states are treated as the same, divided by the largest
+/// amplitude.
 const SAME: f64 = 1e-6;
 
 impl<'a> JoinedAt<'a> {
-    /// Returns every steady state that the search finds. The initial states are rest, the state in which no contact
-    /// slides, the response without friction, and multiples of the last two. The steady state from rest is the first in
-    /// the list. The list is empty if the search finds no steady state.
+    /// Returns every steady state that the search finds at one common friction. The initial states are rest, the state
+    /// in which no contact slides, the response without friction, and multiples of these two responses. The first entry
+    /// is the steady state from rest. The list is empty if the search finds no steady state.
     ///
     /// # Errors
     /// [`OutOfDomain`](crate::OutOfDomain) for a friction that is negative or not finite.
@@ -43,7 +44,8 @@ impl<'a> JoinedAt<'a> {
     }
 }
 
-/// Returns true if two steady states are the same. The code treats two marginal states of one continuum as the same.
+/// Returns true if two steady states are the same. Two marginal states of one continuum of steady states also count as
+/// the same.
 fn same(one: &JoinedOrbit<'_>, other: &JoinedOrbit<'_>) -> bool {
     let (a, b) = (one.centred_amplitudes(), other.centred_amplitudes());
     let size = a

@@ -22,7 +22,7 @@ pub struct JoinedInput<'i> {
     pub frictions: &'i [(&'i str, f64)],
 }
 
-/// Stepper of a scene with several contacts. It has a fixed time step, and uses the units of the description.
+/// Stepper of a scene with several contacts. All time steps have equal length. The units are those of the description.
 #[derive(Clone, Debug)]
 pub struct JoinedStepper<'a> {
     joined: Joined<'a>,
@@ -30,7 +30,7 @@ pub struct JoinedStepper<'a> {
     steps: u64,
     /// Kinetic friction force of each contact in the last step.
     frictions: Vec<f64>,
-    /// For each contact, the distance that its slider has travelled, and the energy that it has dissipated.
+    /// For each contact, the distance that the slider has travelled, and the energy that friction has dissipated.
     slides: Slides,
 }
 
@@ -68,10 +68,11 @@ impl JoinedStepper<'_> {
     /// Advances by one step. Returns the number of events in the step.
     ///
     /// # Errors
-    /// [`OutOfDomain`](crate::OutOfDomain) for a force or a base motion that is not finite, for motion of a base at
-    /// rest, for a friction force that is negative or not finite, and for a step in which the motion exceeds a bound of
-    /// the solver. [`JoinedError::UnknownMass`] and [`JoinedError::UnknownContact`] for a name that the scene does not
-    /// have. After an error the stepper is unchanged.
+    /// [`OutOfDomain`](crate::OutOfDomain) for a force or a base motion that is not finite, and for motion of a base at
+    /// rest. [`OutOfDomain`](crate::OutOfDomain) also for a friction force that is negative or not finite, and for a
+    /// step in which the motion exceeds a bound of the solver. [`JoinedError::UnknownMass`] and
+    /// [`JoinedError::UnknownContact`] for a name that the scene does not have. After an error the stepper is
+    /// unchanged.
     pub fn advance(&mut self, input: JoinedInput<'_>) -> Result<usize, JoinedError> {
         let Ordered { forces, frictions } = self.ordered(&input)?;
         let mut slides = self.relaxed(&frictions);
@@ -120,8 +121,9 @@ impl JoinedStepper<'_> {
         Ok(Ordered { forces, frictions })
     }
 
-    /// Returns the travelled distances and dissipated energies after a change of the friction forces. If the friction
-    /// force of an elastic contact falls below its present force, its spring loses a part of its energy.
+    /// Returns the travelled distances and dissipated energies after a change of the friction forces. If the new
+    /// friction force of an elastic contact is below its present force, the spring of the contact loses a part of its
+    /// energy.
     fn relaxed(&self, frictions: &[f64]) -> Slides {
         let mut slides = self.slides.clone();
         let contacts = self.stepper.motion().model().contacts.iter();
@@ -132,7 +134,7 @@ impl JoinedStepper<'_> {
         slides
     }
 
-    /// Returns the scene that the stepper follows.
+    /// Returns the scene whose motion the stepper computes.
     #[must_use]
     pub fn joined(&self) -> &Joined<'_> {
         &self.joined

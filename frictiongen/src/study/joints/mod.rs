@@ -1,11 +1,14 @@
-//! Chains with several contacts, rigid and elastic, dashpots, and masses that no spring holds, at run time.
+//! Chains with several contacts (rigid or elastic), with dashpots, or with masses that no path of springs connects to a
+//! support, at run time.
 //!
-//! All quantities are in the units of the description. A contact of the nodes `later - earlier` has the relative
+//! All quantities are in the units of the description. A contact between the nodes `later - earlier` has the relative
 //! displacement z. Between two masses, z is the displacement of the later mass minus that of the earlier mass. On the
 //! base or the wall, z is the displacement of the mass minus that of the base or the wall. The force f of the contact
-//! acts against z on the later mass. [`frictiongen_kernel::joints`] has the motion from event to event, the closed form
-//! of the stuck state and the steady states, which emitted code shares. This module has the check of a chain and its
-//! damping matrix.
+//! acts against z on the later mass.
+//!
+//! [`frictiongen_kernel::joints`] contains the motion from event to event, the closed form of the stuck state, and the
+//! steady states. Emitted code uses the same functions. This module contains the check of a chain, and its damping
+//! matrix.
 
 mod damping;
 mod model;
@@ -36,7 +39,7 @@ pub type Watch = joints::Watch<f64, Heap>;
 pub type Cycle = joints::Cycle<f64, Heap>;
 /// Stops, reversals, slip, force and energy of one contact in a period.
 pub type ContactCycle = joints::ContactCycle<f64>;
-/// A straight line plus one harmonic: c + bt + a cos(ωt + φ).
+/// A straight line over time plus one harmonic: c + bt + a cos(ωt + φ).
 pub type Wave = joints::Wave<f64>;
 
 /// Largest number of contacts that a chain may have.
@@ -69,7 +72,8 @@ pub struct Chain {
     /// Rows of the matrix of modal or Rayleigh damping. The list is empty if the scene has neither modal nor Rayleigh
     /// damping.
     pub damping: Vec<Vec<f64>>,
-    /// True if the damping matrix acts on velocities relative to the base. False if it acts on absolute velocities.
+    /// Selects the velocities on which the damping matrix acts. True means velocities relative to the base, and false
+    /// means absolute velocities.
     pub damping_from_base: bool,
     /// Contacts of the chain.
     pub contacts: Vec<Joint>,
@@ -85,7 +89,7 @@ pub struct Chain {
 /// Reason why the solver returns no result for a chain.
 #[derive(Clone, Debug, PartialEq)]
 pub enum JointError {
-    /// The chain has no mass, or has more masses or contacts than the solver supports.
+    /// The chain has no mass, or it has more masses or contacts than the solver supports.
     Size,
     /// A number of the chain is not finite, or has an invalid sign. The field names the number.
     Number(&'static str),
@@ -94,14 +98,14 @@ pub enum JointError {
     /// Several rigid contacts, given by their indices, form a closed loop and can all stick at the same time. Their
     /// forces are then not determined.
     Redundant(Vec<usize>),
-    /// To decide which contacts stick, the solver would need more than [`MAX_PATTERNS`] patterns of sticking and
-    /// sliding contacts.
+    /// The solver would need more than [`MAX_PATTERNS`] patterns to decide which contacts stick. A pattern says for
+    /// each contact that it sticks or slides.
     Patterns,
     /// The motion has more than [`MAX_EVENTS`] events.
     Events,
     /// The motion needs more than [`MAX_STRETCHES`] stretches (time intervals of a power series).
     Stretches,
-    /// The solver finds one event after the other without any time between them.
+    /// The solver finds event after event at the same instant, so that the motion does not advance.
     Stalled,
     /// The motion exceeds the range of the number type.
     NotFinite,

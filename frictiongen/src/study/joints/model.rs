@@ -70,7 +70,7 @@ fn numbered(masses: usize, joint: &Joint) -> Result<Contact<f64>, JointError> {
     })
 }
 
-/// Returns an error if rigid contacts form a closed loop. For this check the wall and the base are one node.
+/// Returns an error if rigid contacts form a closed loop. The check treats the wall and the base as one node.
 fn check_redundant(model: &Model) -> Result<(), JointError> {
     let ground = |node: usize| node.min(model.wall());
     let mut tree: Vec<(usize, usize, usize)> = Vec::new();
@@ -89,7 +89,8 @@ fn check_redundant(model: &Model) -> Result<(), JointError> {
     Ok(())
 }
 
-/// Returns the numbers of two nodes. The node whose displacement has a positive sign comes first.
+/// Returns the numbers of two nodes. The first number is that of the node whose displacement has a positive sign in the
+/// relative displacement.
 fn ends(
     masses: usize,
     (from, to): (Node, Node),

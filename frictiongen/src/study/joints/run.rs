@@ -184,8 +184,8 @@ impl Motion {
         Ok(self.motion.set_load(load, to)?)
     }
 
-    /// Advances the motion to the given instant, and returns the events on the way. The function calls `watch` with
-    /// each stretch (time interval of a power series), and with the fraction of the stretch that the motion has
+    /// Advances the motion to the given instant, and returns the events until this instant. The function calls `watch`
+    /// with each stretch (time interval of a power series), and with the fraction of the stretch that the motion has
     /// covered.
     ///
     /// # Errors

@@ -17,8 +17,8 @@ pub struct Steady {
     /// Number of independent displacements and velocities of parts of the chain that no spring connects to a support.
     /// In the steady state, they have the values that the motion from rest has reached.
     pub neutral: usize,
-    /// Floquet multipliers over a period, in descending order of modulus. The list leaves out the multipliers 1 that
-    /// belong to `marginal` and `neutral`.
+    /// Floquet multipliers over a period, in descending order of modulus. The list leaves out the multipliers 1 of
+    /// contacts that never slide (`marginal`), and of parts of the chain without springs to a support (`neutral`).
     pub multipliers: Vec<Complex<f64>>,
     /// Indices of the contacts that do not slide during the period. The steady state depends on their positions, or on
     /// the constant forces in them.
@@ -47,7 +47,8 @@ impl Steady {
         }
     }
 
-    /// Returns true if every small deviation decays, except deviations that belong to `marginal` and `neutral`.
+    /// Returns true if every small deviation decays. The method ignores deviations of contacts that never slide
+    /// (`marginal`), and of parts of the chain without springs to a support (`neutral`).
     pub fn is_stable(&self) -> bool {
         self.found.is_stable()
     }

@@ -12,8 +12,8 @@ pub struct StuckResponse {
     pub displacements: Vec<Complex<f64>>,
     /// Amplitude of the force in each contact.
     pub forces: Vec<f64>,
-    /// Factor by which all friction forces must be multiplied so that the first contact is about to slide, and the
-    /// index of this contact. `None` if no contact has a friction force.
+    /// The factor on all friction forces at which the first contact is about to slide, and the index of this contact.
+    /// `None` if no contact has a friction force.
     pub limit: Option<(f64, usize)>,
 }
 

@@ -50,7 +50,7 @@ pub fn eigen(mut a: Vec<Vec<f64>>) -> (Vec<f64>, Vec<Vec<f64>>) {
     (values, vectors.collect())
 }
 
-/// Returns the stiffness matrix of a list of springs.
+/// Returns the stiffness matrix of a list of springs, each with its two nodes and its stiffness.
 pub fn stiffness(masses: usize, springs: &[(Node, Node, f64)]) -> Vec<Vec<f64>> {
     let mut k = vec![vec![0.0; masses]; masses];
     for &(from, to, value) in springs {
@@ -67,7 +67,8 @@ pub fn stiffness(masses: usize, springs: &[(Node, Node, f64)]) -> Vec<Vec<f64>> 
     k
 }
 
-/// Returns the matrix of modal damping, M Φ diag(2ζσ) Φᵀ M.
+/// Returns the matrix of modal damping, MΦ diag(2ζσ) ΦᵀM. M is the mass matrix, Φ the matrix of mode shapes, and σ a
+/// natural frequency in rad/s.
 pub fn modal(masses: &[f64], springs: &[(Node, Node, f64)], zeta: &[f64]) -> Vec<Vec<f64>> {
     let n = masses.len();
     let mut k = stiffness(n, springs);
@@ -129,8 +130,8 @@ impl Random {
     }
 }
 
-/// Creates a random chain of 1 to 6 masses with 1 to 4 contacts of both kinds. In chains without a support, some
-/// springs are missing.
+/// Creates a random chain of 1 to 6 masses with at most 4 contacts, rigid or elastic. A chain without a support has no
+/// spring to the base.
 pub fn random_chain(random: &mut Random) -> (Chain, f64) {
     let n = 1 + random.below(6);
     let free = random.unit() < 0.3;
@@ -146,8 +147,7 @@ pub fn random_chain(random: &mut Random) -> (Chain, f64) {
     }
     let zeta: Vec<f64> = (0..n).map(|_| random.between(0.0, 0.05)).collect();
     let mut contacts = Vec::new();
-    // Each mass has at most one contact, to the wall or to the mass before it. The contacts are therefore never
-    // redundant.
+    // Each mass has at most one contact, to the wall or to the previous mass. Rigid contacts therefore form no loop.
     for i in 0..n {
         if random.unit() < 0.6 && contacts.len() < 4 {
             let other = if i > 0 && random.unit() < 0.5 {

@@ -24,7 +24,7 @@ pub struct Boundary {
 }
 
 impl Boundary {
-    /// Returns the boundary in the units that the load has at r = 1, under a load whose amplitude is proportional to r⁻ⁿ
+    /// Returns the boundary in the units that the load has at r = 1. The amplitude of the load is proportional to r⁻ⁿ
     /// with n = `fall`.
     #[doc(hidden)]
     #[must_use]
@@ -42,10 +42,10 @@ impl System {
     /// Returns the boundaries in a map, at each of its frequency ratios.
     ///
     /// A boundary of the continuous or of the stuck regime is the exact limit. Between β_lim and β*_lim the contact
-    /// alternately sticks and slides. In this range the search evaluates further points in each interval between two
-    /// neighbouring β of the map: its middle and its quarters. It halves every interval with different patterns at its
-    /// bounds, until it knows the boundary to `digits` significant digits. If the middle has a third pattern, the
-    /// search continues in both halves.
+    /// alternately sticks and slides. In this range the search also evaluates the middle and the quarters of each
+    /// interval between two neighbouring β of the map. If the patterns at the bounds of an interval differ, the search
+    /// halves the interval until it knows the boundary to `digits` significant digits. If the middle has a third
+    /// pattern, the search continues in both halves.
     ///
     /// The search finds all boundaries that are more than a quarter of the map's step apart. It can miss two boundaries
     /// of one region within a quarter of a step. It can also miss a boundary close to a limit. Let a be the part of a
@@ -111,8 +111,8 @@ impl System {
 
 /// Number of times that the search halves an interval although both bounds have the same pattern.
 const LOOKS: u32 = 2;
-/// Number of times between two neighbouring β that the search may continue in both halves of an interval. It continues
-/// in both if the pattern at the middle differs from the patterns at both bounds (a third pattern).
+/// Number of times between two neighbouring β that the search may continue in both halves of an interval. The search
+/// continues in both halves if the pattern at the middle differs from the patterns at both bounds (a third pattern).
 const MOST_BRANCHES: u32 = 6;
 /// Distance from a limit at which the search evaluates the pattern, divided by the length of the interval between the
 /// limits.
@@ -150,13 +150,15 @@ impl Trace<'_> {
         if let Some(limit) = from
             && to.is_none_or(|to| limit < to)
         {
-            // Even closer to the limit, a motion would take too long to settle.
+            // The search begins at this distance from the limit. Closer to the limit, a motion would take too long to
+            // settle.
             low = self.known(limit + BESIDE * left);
             self.exact(limit, below.1, low.1);
         }
         if let Some(limit) = to {
             if from.is_some_and(|from| limit <= from) {
-                // No interval remains between the limits in which the contact stops and slides.
+                // β_lim is not below β*_lim. No interval therefore remains in which the contact alternately sticks and
+                // slides.
                 return self.exact(limit, below.1, above.1);
             }
             high = self.known(limit - BESIDE * left);

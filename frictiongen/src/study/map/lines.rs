@@ -20,7 +20,7 @@ pub struct LimitLines {
 }
 
 impl LimitLines {
-    /// Returns the limits in the units that the load has at r = 1, under a load whose amplitude is proportional to r⁻ⁿ
+    /// Returns the limits in the units that the load has at r = 1. The amplitude of the load is proportional to r⁻ⁿ
     /// with n = `fall`.
     #[doc(hidden)]
     #[must_use]
@@ -88,7 +88,7 @@ impl System {
         };
         let straight = !strays(|limits| limits.continuous) && !strays(|limits| limits.sliding);
         // The middle of an interval may be on the straight line by chance, so that one test may miss a kink. The code
-        // therefore requires two successive tests.
+        // therefore stops only after two successive tests.
         let done = straight && was_straight;
         if !done {
             self.between(left, middle, accuracy, straight, points)?;

@@ -58,7 +58,7 @@ pub struct MapPoint {
     pub centred: Vec<f64>,
 }
 
-/// A column of a map: the responses at one frequency ratio.
+/// A column of a map: the responses at one frequency ratio, one for each friction ratio.
 #[derive(Clone, Debug)]
 pub struct MapColumn {
     /// Frequency ratio r = ω√(m₁/k₁) of the excitation.
@@ -179,9 +179,9 @@ impl System {
     }
 
     /// Returns a map as [`map`](Self::map) does, under a load whose amplitude P or Y is proportional to r⁻ⁿ with n =
-    /// `fall`. The friction ratios of the request are those at r = 1. At another r they are multiplied by rⁿ, so that
-    /// the friction force is the same at every frequency. The amplitudes of a point are multiples of P/k₁ (of Y for base
-    /// motion) with P and Y at the frequency of the point.
+    /// `fall`. The friction ratios of the request are those at r = 1. At another r the friction ratios are multiplied
+    /// by rⁿ, so that the friction force is the same at every frequency. The amplitudes of a point are multiples of
+    /// P/k₁ (of Y for base motion) with P and Y at the frequency of the point.
     ///
     /// # Errors
     /// Same errors as [`map`](Self::map).
@@ -214,7 +214,7 @@ impl System {
             Ok(column)
         };
         // The work varies widely between distant columns, but little between neighbouring ones. Each core therefore
-        // gets one column at a time. All cores then stay busy.
+        // computes one column at a time, so that no core is idle.
         let columns = request.r.par_iter().with_max_len(1).map(column);
         let columns: Vec<Option<MapColumn>> = columns.collect::<Result<_, OutOfDomain>>()?;
         Ok(Map {
@@ -263,8 +263,7 @@ impl Map {
         beta * r.powi(self.fall)
     }
 
-    /// Returns the map in the units that the load has at r = 1. These units are the same at all frequencies, as a
-    /// picture needs them.
+    /// Returns the map in the units that the load has at r = 1. A picture needs the same units at all frequencies.
     #[doc(hidden)]
     #[must_use]
     pub fn at_reference(&self) -> Self {

@@ -14,7 +14,7 @@ use std::cell::Cell;
 /// friction.
 const DIFFERENCE: f64 = 1e-6;
 
-/// Amount of friction: a given friction ratio, or so much friction that the contact never slides.
+/// Amount of friction: a given friction ratio, or a friction so large that the contact never slides.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(in crate::study) enum FrictionAmount {
     /// A given friction: the friction force divided by the unit of force that the load has at r = 1. For a load of
@@ -33,8 +33,8 @@ pub(in crate::study) struct Amplitude<'s> {
     pub system: &'s System,
     pub objective: Objective,
     unvaried: Varied,
-    /// Each undamped resonance that the contact drives, with its threshold. At a smaller friction ratio its amplitude
-    /// is unbounded.
+    /// Each undamped resonance that the contact drives, with its threshold. At a friction ratio below the threshold,
+    /// the amplitude at this resonance is unbounded.
     thresholds: Vec<[f64; 2]>,
     /// Number of evaluations of the amplitude so far.
     pub asked: Cell<usize>,
@@ -48,7 +48,7 @@ pub(in crate::study) struct Amplitude<'s> {
     stopped: Cell<bool>,
     /// Number of evaluations without a result, because the solvers found no amplitude.
     pub silent: Cell<usize>,
-    /// True if the search also computes the motion from rest if the closed form exists.
+    /// True if evaluations use the motion from rest even if the closed form exists.
     follows: Cell<bool>,
 }
 
@@ -80,9 +80,9 @@ impl<'s> Amplitude<'s> {
         }
     }
 
-    /// From now on, the search also computes the motion from rest if the closed form exists. With μ > 1 this motion may
-    /// end in another state. The amplitude of that state may be larger, even at a frequency at which the closed form is
-    /// not largest.
+    /// Makes later evaluations use the motion from rest, even if the closed form exists, until they reach the bound on
+    /// work. With μ > 1 the motion from rest may end in another steady state than the closed form. The amplitude of
+    /// this steady state may be the largest over the band, although the amplitude of the closed form is not.
     pub(super) fn follow_from_rest(&self) {
         self.follows.set(true);
     }
@@ -100,8 +100,8 @@ impl<'s> Amplitude<'s> {
         self.watch.set(watch);
     }
 
-    /// Removes the caller's function, so that the code can complete the result of a stopped search. Returns true if the
-    /// caller has stopped the search.
+    /// Removes the caller's function that can stop the search. Otherwise this function would also stop the code that
+    /// completes the result. Returns true if the caller has stopped the search.
     pub(super) fn end_watch(&self) -> bool {
         self.watch.set(None);
         self.stopped.replace(false)
@@ -214,8 +214,8 @@ impl<'s> Amplitude<'s> {
             .map_or(Regime::Stuck, |response| response.regime())
     }
 
-    /// Returns the exact derivatives of the amplitude with respect to r and β. Returns `None` if a derivative does not
-    /// exist.
+    /// Returns the derivatives of the amplitude with respect to r and β. They are exact for a displacement under a load
+    /// of constant amplitude, and otherwise central differences. Returns `None` if a derivative does not exist.
     pub(super) fn slopes(&self, r: f64, beta: f64) -> Option<[f64; 2]> {
         if !self.objective.has_derivatives() {
             return self.differences(r, beta);

@@ -13,7 +13,7 @@ pub enum OptimumKind {
     SinglePeak,
     /// The best friction is 0, because any friction increases the largest amplitude.
     NoFriction,
-    /// The amplitude is smallest while the contact is stuck. More friction does not change it.
+    /// The amplitude is smallest while the contact is stuck. More friction does not change the amplitude.
     Stuck,
     /// The requested quantity is 0, so that the result is trivial. Either the contact is stuck over the whole band, or
     /// the quantity is the contact force and there is no friction.
@@ -41,8 +41,8 @@ pub struct OptimumPeak {
     pub slope: Option<f64>,
 }
 
-/// An interval of friction around the best friction. In it, the amplitude exceeds the best amplitude by at most a given
-/// fraction.
+/// An interval of friction around the best friction. In this interval, the amplitude exceeds the best amplitude by at
+/// most a given fraction.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Tolerance {
     /// Largest value of (amplitude − best amplitude)/best amplitude in the interval.
@@ -63,22 +63,22 @@ pub enum OptimumEnd {
     /// The search ended at a friction at which the amplitude jumps. On one side of the jump the motion reaches another
     /// steady state, which has a larger amplitude.
     Jump,
-    /// The search reached its bound on work. The result is the best friction until then.
+    /// The search reached its bound on work. The result is the best friction that the search found before.
     WorkSpent,
-    /// The caller stopped the search. The result is the best friction until then.
+    /// The caller stopped the search. The result is the best friction that the search found before.
     Stopped,
 }
 
-/// The best friction: with it, the largest amplitude over a band of frequencies is smallest.
+/// The best friction, which makes the largest amplitude over a band of frequencies smallest.
 #[derive(Clone, Debug)]
 pub struct Optimum {
     /// Best friction ratio β. If the amplitude of the load depends on frequency, it is the friction ratio at r = 1.
     pub beta: f64,
     /// Largest value of the requested quantity over the band with this friction.
     ///
-    /// The unit of a displacement is P/k₁ (Y for base motion). The unit of a velocity is that unit times ω₁ = √(k₁/m₁),
-    /// and the unit of an acceleration is that unit times ω₁². The unit of a force is P (k₁Y for base motion). If the
-    /// amplitude of the load depends on frequency, P and Y are those at r = 1.
+    /// The unit of a displacement is P/k₁ (Y for base motion). The unit of a velocity is the unit of displacement times
+    /// ω₁ = √(k₁/m₁). The unit of an acceleration is the unit of displacement times ω₁². The unit of a force is P (k₁Y
+    /// for base motion). If the amplitude of the load depends on frequency, P and Y are those at r = 1.
     pub amplitude: f64,
     /// Angular frequency √(k₁/m₁) at the frequency ratio r = 1, in rad/s.
     #[doc(hidden)]

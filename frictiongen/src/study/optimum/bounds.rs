@@ -9,8 +9,8 @@ use super::peaks::{AmplitudeBand, POLE};
 const HALVINGS: usize = 36;
 
 impl AmplitudeBand<'_> {
-    /// Returns two frequency ratios for each frequency of the band at which β_lim or β*_lim equals β: one just below it
-    /// and one just above it.
+    /// Finds the frequency ratios of the band at which β_lim or β*_lim equals β. For each of these frequency ratios,
+    /// returns two numbers: one just below it and one just above it.
     pub(super) fn bounds(&self, beta: f64) -> Vec<f64> {
         let (system, objective) = (self.amplitude.system, &self.amplitude.objective);
         let mut bounds = Vec::new();

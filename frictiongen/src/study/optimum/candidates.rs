@@ -5,16 +5,17 @@ use super::creep::meeting;
 use super::scan::Scanned;
 use std::cmp::Ordering;
 
-/// Largest amplitude for which the search examines an interval of the scan, divided by the best amplitude. The
-/// amplitude is that at which the tangents at the two points of the interval meet.
+/// Largest amplitude for which the search examines an interval of the scan over friction, divided by the best
+/// amplitude. The amplitude of an interval is estimated as that at which the tangents at its two bounds meet.
 const WORTH: f64 = 1.05;
-/// Largest number of intervals of the scan that the search examines, beginning with the smallest expected amplitude.
+/// Largest number of intervals of the scan over friction that the search examines, beginning with the smallest expected
+/// amplitude.
 const MOST_LOOKED_INTO: usize = 6;
-/// Smallest amplitude that the search expects within an interval of the scan, divided by the smaller amplitude at the
-/// two points of the interval.
+/// Smallest amplitude that the search expects within an interval of the scan over friction, divided by the smaller
+/// amplitude at the two points of the interval.
 const SHARE: f64 = 0.7;
 /// Largest relative difference at which two amplitudes are treated as equal. If a more precise evaluation of the band
-/// exceeds the earlier amplitude by more than this fraction, it has found a higher peak.
+/// exceeds the earlier amplitude by more than this fraction, the evaluation has found a higher peak.
 pub(super) const HOLDS: f64 = 1e-9;
 
 /// A friction ratio that may be the best, with its largest amplitude over the band.
@@ -36,14 +37,15 @@ pub(super) fn of_scan(scan: &[Scanned]) -> Vec<FrictionCandidate> {
     complete.map(candidate).collect()
 }
 
-/// Returns the smallest friction ratio of the scan above which the largest amplitude is constant, and this amplitude.
+/// Returns the smallest scanned friction ratio above which the largest amplitude over the band is constant, and this
+/// amplitude.
 pub(super) fn stays(scan: &[Scanned]) -> Option<(f64, f64)> {
     let last = scan.last().filter(|last| last.complete)?;
     let same = |scanned: &&Scanned| {
         scanned.complete && (scanned.value - last.value).abs() <= HOLDS * last.value
     };
     let first = scan.iter().rev().take_while(same).last()?;
-    // If the last point evaluated the whole band, its friction keeps the contact stuck over the band. Otherwise the
+    // At a last point with the flag `whole`, the friction keeps the contact stuck over the whole band. Otherwise the
     // function returns the first of the points with equal amplitudes.
     Some((if last.whole { last.beta } else { first.beta }, last.value))
 }
@@ -72,7 +74,8 @@ pub(super) fn before(
     order.then(a.2.total_cmp(&b.2))
 }
 
-/// Returns pairs of neighbouring points of the scan. The smallest minimum may lie between the points of a pair.
+/// Returns pairs of neighbouring points of the scan over friction. The smallest minimum of the amplitude may lie
+/// between the two points of a pair.
 pub(super) fn between(scan: &[Scanned], best: f64) -> Vec<(Scanned, Scanned)> {
     let pairs = scan.windows(2).filter_map(|pair| match pair {
         [below, above] => Some((below, above)),
@@ -84,12 +87,13 @@ pub(super) fn between(scan: &[Scanned], best: f64) -> Vec<(Scanned, Scanned)> {
                 return None;
             }
             if !below.value.is_finite() {
-                // The amplitude at the resonance is unbounded at the lower friction ratio and bounded at the upper one.
+                // The amplitude at a resonance is unbounded at the lower friction ratio and bounded at the upper
+                // friction ratio. The minimum may lie between the two friction ratios.
                 return Some((0.0, (below.clone(), above.clone())));
             }
             let falls = below.slope < 0.0;
-            // If the steady state changes to another steady state in the interval, the slope at one point does not
-            // predict the amplitude at the next point.
+            // The steady state may change to another steady state in the interval. The slope at one point then does not
+            // predict the amplitude at the next point. `least` therefore bounds the estimate from below.
             let least = SHARE * below.value.min(above.value);
             // If the tangents do not meet in the interval, the amplitude is not a convex function of friction. Its
             // tangents then give no bound.
@@ -105,8 +109,8 @@ pub(super) fn between(scan: &[Scanned], best: f64) -> Vec<(Scanned, Scanned)> {
         .collect()
 }
 
-/// Returns friction ratios of the scan that may be the best, each with its two neighbours. The amplitude at each
-/// returned friction ratio is at most that at its neighbours.
+/// Returns scanned friction ratios that may be the best, each with its two neighbours. The amplitude at each returned
+/// friction ratio is at most that at its neighbours.
 pub(super) fn valleys(scan: &[Scanned], best: f64) -> Vec<(Scanned, Scanned, Scanned)> {
     let triples = scan.windows(3).filter_map(|triple| match triple {
         [below, at, above] => {

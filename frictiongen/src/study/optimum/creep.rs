@@ -6,15 +6,15 @@ use super::look::{BandPeak, Look};
 use super::peaks::AmplitudeBand;
 use super::scan::{Scanned, slope, with_slope};
 
-/// Largest number of peaks that the search tracks from each side.
+/// Largest number of peaks that the search tracks from each of the two friction ratios that enclose the minimum.
 const MOST_FOLLOWED: usize = 6;
 /// Largest number of steps of the search towards one minimum.
 const STEPS: usize = 40;
 /// Largest relative difference of the heights at which two peaks are treated as equally high.
 const EQUAL: f64 = 2e-13;
 
-/// Returns the friction ratio at which the tangents of two points of the scan meet, and the amplitude at this friction
-/// ratio.
+/// Returns the friction ratio at which the tangents at two points of the amplitude curve over friction meet, and the
+/// amplitude at this friction ratio.
 pub(super) fn meeting(below: &Scanned, above: &Scanned) -> Option<(f64, f64)> {
     let rise = below.slope - above.slope;
     let beta =
@@ -30,11 +30,12 @@ pub(super) struct Crept {
     /// it already rises (`above`).
     pub below: Scanned,
     pub above: Scanned,
-    /// True if the search has reached the minimum of these peaks.
+    /// True if the search has reached the minimum of the tracked peaks.
     pub done: bool,
 }
 
-/// Returns the friction ratio between two given friction ratios with which the highest of their peaks is smallest.
+/// Returns the friction ratio between two given friction ratios with which the highest tracked peak is smallest. The
+/// tracked peaks are the peaks at the two given friction ratios.
 pub(super) fn crept(band: &AmplitudeBand<'_>, below: &Scanned, above: &Scanned) -> Option<Crept> {
     let (mut below, mut above) = (below.clone(), above.clone());
     let mut best: Option<Scanned> = None;
@@ -47,8 +48,8 @@ pub(super) fn crept(band: &AmplitudeBand<'_>, below: &Scanned, above: &Scanned) 
         }
         let inside = |beta: &f64| below.beta < *beta && *beta < above.beta;
         let met = meeting(&below, &above);
-        // If both sides have the same highest peak, its minimum is at the zero of its slope. If they have different
-        // highest peaks, the minimum is where the heights of the two peaks are equal.
+        // If the two friction ratios have the same highest peak, the minimum is at the zero of the slope of this peak.
+        // If the highest peaks are different, the minimum is where the two peaks have equal heights.
         let (a, b) = (below.peaks.first(), above.peaks.first());
         let one = matches!((a, b), (Some(a), Some(b)) if (a.r - b.r).abs() <= 0.02 * a.r);
         let zero = below.beta - below.slope * width / (above.slope - below.slope);
@@ -86,8 +87,7 @@ pub(super) fn crept(band: &AmplitudeBand<'_>, below: &Scanned, above: &Scanned) 
             break;
         }
         let falls = here.slope < 0.0 || !here.value.is_finite();
-        // The second peak is one that grows while the highest peak falls. At the minimum both peaks have the same
-        // height.
+        // The second peak grows while the highest peak falls. At the minimum the two peaks have the same height.
         let other = if falls { &above } else { &below };
         let partner = other.peaks.first().and_then(|known| {
             let distance = |peak: &&BandPeak| (peak.r - known.r).abs();
@@ -108,7 +108,8 @@ pub(super) fn crept(band: &AmplitudeBand<'_>, below: &Scanned, above: &Scanned) 
                 next = Some(beta - apart / (here.slope - other_slope));
             }
         } else if one {
-            // The next step then uses the zero of the slope instead of the crossing of the two heights.
+            // No suitable second peak is more than half as high as the highest peak. The next step therefore uses the
+            // zero of the slope.
             next = None;
         }
         let before = width;

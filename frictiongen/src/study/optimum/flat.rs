@@ -18,8 +18,8 @@ const MOST_FOLLOWED: usize = 3;
 /// Bound on the work of finding one bound of an interval of friction, in units of about 10 µs.
 const WORK: usize = 12_000;
 
-/// Returns the interval of friction around the optimum in which the largest amplitude exceeds the best amplitude by at
-/// most the fraction `excess` of the best amplitude.
+/// Returns an interval of friction around the optimum. In this interval, the largest amplitude exceeds the best
+/// amplitude by at most the fraction `excess` of the best amplitude.
 pub(super) fn tolerance(band: &AmplitudeBand<'_>, least: &Least, excess: f64) -> Tolerance {
     let level = least.at.value * (1.0 + excess);
     if level == 0.0 {
@@ -40,8 +40,8 @@ pub(super) fn tolerance(band: &AmplitudeBand<'_>, least: &Least, excess: f64) ->
     let mut above = above.filter(|scanned| least.at.beta < scanned.beta);
     let to = match edge(band, &least.at, &mut above, (level, near)) {
         Some(to) => to,
-        // The amplitude is below the level at all further points of the scan. It is also below the level if the contact
-        // is stuck over the whole band.
+        // The amplitude is below the level at all further points of the scan, and also if the contact is stuck over the
+        // whole band.
         None if least.locked_from.is_finite() => f64::INFINITY,
         None => least
             .scan
@@ -53,8 +53,8 @@ pub(super) fn tolerance(band: &AmplitudeBand<'_>, least: &Least, excess: f64) ->
     Tolerance { excess, from, to }
 }
 
-/// Returns the friction ratio at which the largest amplitude reaches a level. The search goes from the optimum
-/// outwards.
+/// Returns the friction ratio at which the largest amplitude reaches a level. The search begins at the optimum and
+/// moves away from it. Returns `None` if the amplitude at no scanned friction ratio exceeds the level.
 fn edge<'a>(
     band: &AmplitudeBand<'_>,
     best: &'a Scanned,
@@ -82,7 +82,8 @@ fn edge<'a>(
     };
     let (mut a, mut at_a) = (inside.beta, inside.value - level);
     let (mut b, mut at_b) = (outside.beta, outside.value - level);
-    // The search uses regula falsi with the Illinois rule. Towards an unbounded amplitude it bisects.
+    // The search uses regula falsi with the Illinois rule. If the amplitude at one bound is infinite, the search
+    // bisects.
     for _ in 0..STEPS {
         if (b - a).abs() <= near * b.abs() || band.amplitude.is_spent() {
             break;

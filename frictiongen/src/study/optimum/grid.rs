@@ -14,26 +14,27 @@ const FINE: f64 = 0.0025;
 const MOST_INTERVALS: f64 = 1500.0;
 /// Smallest amplitude of a grid peak that the search adds, divided by the largest known amplitude.
 const WORTH: f64 = 0.98;
-/// Number of passes over the fine grid. Each pass takes every ninth frequency.
+/// Number of passes over the fine grid. Each pass evaluates every ninth frequency.
 const PASSES: usize = 9;
 /// Smallest relative difference of two amplitudes that belong to two different peaks.
 const ANOTHER: f64 = 1e-6;
 /// Number of additional frequencies on each side of the largest peak, all within one step of the grid.
 const DENSE: i32 = 100;
 /// Bound on the work of the evaluations close to the largest peak, in units of about 10 µs. Motions that do not settle
-/// reach it after a few frequencies.
+/// reach this bound after a few frequencies.
 const WORK_BESIDE: usize = 60_000;
 /// Largest number of peaks that one search adds.
 const MOST: usize = 3;
 /// Smallest amplitude of a peak that the search also evaluates at other friction ratios, divided by the largest
 /// amplitude.
 const LEARNED: f64 = 0.9;
-/// Number of grid points on each side of a peak that the search adds to all later evaluations. They are necessary
-/// because the peak moves with friction.
+/// Number of grid points on each side of a peak that the search adds to all later evaluations. The grid points are
+/// necessary because the peak moves with friction.
 const SIDE: i32 = 4;
 
 impl AmplitudeBand<'_> {
-    /// Adds the largest peaks of one evaluation to the frequencies of all later first evaluations of the band.
+    /// Adds the frequency ratios of the largest peaks of one evaluation to the frequencies that every later evaluation
+    /// of the band includes.
     pub(super) fn learn_largest(&self, look: &Look) {
         let most = look.peaks.first().map_or(0.0, |peak| peak.value);
         for peak in look
@@ -45,8 +46,8 @@ impl AmplitudeBand<'_> {
         }
     }
 
-    /// Adds the frequency ratio of a peak and its neighbours on the grid to the frequencies of all later first
-    /// evaluations of the band.
+    /// Adds the frequency ratio of a peak and its neighbours on the grid to the frequencies that every later evaluation
+    /// of the band includes.
     fn learn_around(&self, r: f64) {
         let [from, to] = self.ends();
         for index in -SIDE..=SIDE {
@@ -55,7 +56,7 @@ impl AmplitudeBand<'_> {
     }
 
     /// Adds the largest local maxima on the grid to the peaks of an evaluation. The evaluation stays incomplete if an
-    /// amplitude exceeds `cutoff`, or if the work ends before the grid does.
+    /// amplitude exceeds `cutoff`, or if the bound on work is reached before the end of the grid.
     pub(super) fn add_grid(&self, look: &mut Look, friction: FrictionAmount, cutoff: f64) {
         let [from, to] = self.ends();
         let width = (to / from).ln();

@@ -1,7 +1,8 @@
 //! Finds the best friction among those that keep other quantities within bounds.
 //!
-//! The scan over friction shows which friction ratios satisfy all bounds. Between a friction ratio that satisfies them
-//! and one that violates a bound, bisection finds the limit. The result satisfies every bound over the whole band.
+//! The scan over friction shows which friction ratios satisfy all bounds. Between a friction ratio that satisfies all
+//! bounds and a friction ratio that violates a bound, bisection finds the limit. The result satisfies every bound over
+//! the whole band.
 
 use super::amplitude::KeepGoing;
 use super::answer::{Optimum, OptimumEnd, OptimumKind};
@@ -19,15 +20,15 @@ use std::cell::Cell;
 
 /// Largest number of bisections between a friction ratio that satisfies all bounds and one that does not.
 const HALVINGS: usize = 36;
-/// Relative width of the interval of friction at which the bisections end.
+/// Relative width of an interval of friction at which the bisection of this interval ends.
 const NARROW: f64 = 1e-9;
 /// Largest number of friction ratios whose bounds the search checks over the whole band. If a check finds a violated
 /// bound, the search continues.
 const CHECKS: usize = 12;
-/// Largest amplitude of a point that the search examines, divided by the smallest amplitude among the points that
-/// satisfy all bounds.
+/// Largest amplitude of a scan point that the search examines, divided by the smallest amplitude among the scan points
+/// that satisfy all bounds.
 const NEARLY: f64 = 1.5;
-/// Largest number of points of the scan that the search examines.
+/// Largest number of points of the scan over friction that the search examines.
 const MOST_POINTS: usize = 6;
 
 /// A quantity whose largest value over the band must not exceed a bound.
@@ -57,13 +58,14 @@ impl KeptQuantity {
 pub struct KeptOptimum {
     /// The best friction that satisfies all bounds, with its peaks.
     pub optimum: Optimum,
-    /// The largest value over the band of each kept quantity with this friction, in the order of the bounds.
+    /// The largest value over the band of each quantity with a bound, at this friction, in the order of the bounds.
     pub largest: Vec<f64>,
 }
 
 impl System {
-    /// Finds the best friction under bounds. With it, the largest value of a quantity over a band of frequencies is
-    /// smallest, among all frictions with which other quantities stay within their bounds over the whole band.
+    /// Finds the best friction under bounds. The search compares all frictions with which other quantities stay within
+    /// their bounds over the whole band. The best of these frictions makes the largest value of a quantity over the
+    /// band smallest.
     ///
     /// The search calls `watch` after each evaluation. If `watch` returns false once, it must return false from then
     /// on.
@@ -99,7 +101,7 @@ pub(super) struct Kept<'s> {
     band: AmplitudeBand<'s>,
     /// True if a bound excluded a better friction.
     bounded: bool,
-    /// The largest value over the band of each kept quantity, in the order of the bounds.
+    /// The largest value over the band of each quantity with a bound, in the order of the bounds.
     pub largest: Vec<f64>,
     /// Number of amplitudes that the search has computed.
     pub asked: usize,
@@ -166,7 +168,7 @@ impl<'s> KeptProblem<'s> {
         })
     }
 
-    /// Returns the whole result for the best friction under bounds.
+    /// Returns the complete result for the best friction under bounds, with peaks and limits.
     pub(super) fn told(&self, found: &Kept<'_>) -> Result<Optimum, OptimumError> {
         let optimum = self.own.told(&found.band, &found.least)?;
         Ok(if found.bounded {
@@ -250,7 +252,8 @@ impl<'s> KeptSearch<'s, '_> {
             if self.holds(found.beta) {
                 return Ok((whole(&self.band, found.beta, self.left), true));
             }
-            // The check of the whole band has found a peak. Further evaluations take this peak into account.
+            // The check of the whole band may have found a new peak, which later evaluations include. A friction ratio
+            // that satisfied the bounds before may now violate a bound.
             for (beta, holds) in &mut known {
                 *holds = *holds && self.seems_to_hold(*beta);
             }
@@ -266,8 +269,8 @@ impl<'s> KeptSearch<'s, '_> {
         Ok((whole(&self.band, beta, self.left), true))
     }
 
-    /// Returns the best friction ratio near the known points. The flag of a known point is true if the point satisfies
-    /// all bounds.
+    /// Returns the best friction ratio near the known points (friction ratios). The flag of a known point is true if
+    /// the point satisfies all bounds.
     fn refined(&self, known: &[(f64, bool)]) -> Option<Scanned> {
         let value = |beta: f64| scanned_at(&self.band, beta, f64::INFINITY);
         let mut all: Vec<(usize, Scanned)> = known
@@ -316,8 +319,8 @@ impl<'s> KeptSearch<'s, '_> {
         best
     }
 
-    /// Returns a friction ratio that satisfies all bounds and lies next to one that violates a bound. `holds` is a
-    /// friction ratio that satisfies all bounds, and `violates` is one that does not.
+    /// Returns a friction ratio that satisfies all bounds and lies next to a friction ratio that violates a bound.
+    /// `holds` is a friction ratio that satisfies all bounds, and `violates` is a friction ratio that violates a bound.
     fn edge(&self, mut holds: f64, mut violates: f64) -> f64 {
         for _ in 0..HALVINGS {
             if (holds - violates).abs() <= NARROW * holds.max(violates) {
@@ -333,8 +336,8 @@ impl<'s> KeptSearch<'s, '_> {
         holds
     }
 
-    /// Returns a friction ratio that satisfies all bounds. The search calls this function if no point of the scan
-    /// satisfies them.
+    /// Returns a friction ratio that satisfies all bounds. The search calls this function if no point of the scan over
+    /// friction satisfies all bounds.
     ///
     /// # Errors
     /// [`OptimumError::Unreachable`] names the first bound that cannot be satisfied together with all earlier bounds in
@@ -368,11 +371,12 @@ impl<'s> KeptSearch<'s, '_> {
             }
             found = Some(at.beta);
         }
-        // The last friction ratio satisfies all bounds.
+        // The friction ratio of the last iteration satisfies all bounds.
         Ok(found)
     }
 
-    /// Returns true if all bounds hold at the frequencies of a first, incomplete evaluation.
+    /// Returns true if all quantities satisfy their bounds at the frequencies of a first, incomplete evaluation of the
+    /// band.
     fn seems_to_hold(&self, beta: f64) -> bool {
         self.others.iter().zip(&self.most).all(|(band, most)| {
             let found = scanned_at(band, beta, *most);
@@ -380,14 +384,14 @@ impl<'s> KeptSearch<'s, '_> {
         })
     }
 
-    /// Returns true if all bounds hold over the whole band.
+    /// Returns true if all quantities satisfy their bounds over the whole band.
     fn holds(&self, beta: f64) -> bool {
         let largest = self.largest(beta);
         let mut checked = largest.iter().zip(&self.most);
         checked.all(|(found, most)| found.complete && found.value <= *most)
     }
 
-    /// Returns the largest value over the band of each kept quantity.
+    /// Returns the largest value over the band of each quantity with a bound.
     fn largest(&self, beta: f64) -> Vec<Scanned> {
         let bands = self.others.iter();
         bands.map(|band| whole(band, beta, self.left)).collect()

@@ -2,11 +2,11 @@
 
 /// Smaller of the two fractions into which a golden section divides an interval.
 const GOLDEN: f64 = 0.381_966_011_250_105_1;
-/// Largest number of steps of the search. A golden section keeps at most 0.62 of the interval.
+/// Largest number of steps of the search. A golden-section step reduces the interval to at most 0.62 of its length.
 const STEPS: usize = 90;
 
-/// Returns the position and height of a function's maximum on [a, b], by Brent's method from a starting position
-/// within the interval. The method fits parabolas, and uses golden sections where parabolas fail. `relative` is the
+/// Returns the position and height of a function's maximum on [a, b], by Brent's method from a starting position within
+/// the interval. The method fits parabolas, and uses golden sections where parabolas fail. `relative` is the relative
 /// tolerance of the position. `f` must return −∞ where it is undefined.
 pub(super) fn largest(
     mut f: impl FnMut(f64) -> f64,

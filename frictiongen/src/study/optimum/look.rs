@@ -2,7 +2,7 @@
 //! evaluation is called a *look*.
 //!
 //! The first look at a friction ratio computes motions in time at only some frequencies of the band. A whole look
-//! computes them at all frequencies of the band.
+//! computes motions at all frequencies of the band.
 
 use super::amplitude::FrictionAmount;
 use super::places::BandPlace;
@@ -10,14 +10,16 @@ use super::places::BandPlace;
 /// Relative tolerance in r of a refined maximum of the amplitude. The amplitude at the maximum is then exact to
 /// rounding.
 pub(super) const PLACE: f64 = 2e-9;
-/// Expected change of the amplitude with friction, in a first look. If the friction ratio changes by at most the first
-/// factor, the search expects the amplitude to change by at most the second factor.
+/// Expected change of the amplitude with friction, in a first look (an evaluation at only some frequencies of the
+/// band). If the friction ratio changes by at most the first factor, the search expects the amplitude to change by at
+/// most the second factor.
 const FIRST: [f64; 2] = [1.5, 2.0];
-/// Expected change of the amplitude with friction, in a whole look. If the friction ratio changes by at most the first
-/// factor, the search expects the amplitude to change by at most the second factor.
+/// Expected change of the amplitude with friction, in a whole look (an evaluation at all frequencies of the band). If
+/// the friction ratio changes by at most the first factor, the search expects the amplitude to change by at most the
+/// second factor.
 const WHOLE: [f64; 2] = [1.1, 4.0];
-/// Factor on the expected amplitude if every friction ratio with a known amplitude is too far away. The first factor of
-/// `FIRST` or `WHOLE` defines how far this is.
+/// Factor on the expected amplitude if the amplitude is not known at a similar friction ratio. Two friction ratios are
+/// similar if their quotient is at most the first factor of `FIRST` or `WHOLE`.
 const UNKNOWN: f64 = 5.0;
 
 /// A local maximum of the amplitude over the band.
@@ -32,24 +34,25 @@ pub(in crate::study) struct BandPeak {
 /// Precision of an evaluation of the amplitude over a band.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Closely {
-    /// The evaluation is sufficient for a comparison of friction ratios. If a frequency has no closed form, the
-    /// evaluation includes it only if its [`BandPlace::first`] is true. It finds the maxima roughly.
+    /// The evaluation is sufficient for a comparison of friction ratios. The evaluation includes a frequency without a
+    /// closed form only if [`BandPlace::first`] is true for this frequency. The evaluation finds the maxima roughly.
     First,
     /// The evaluation includes all frequencies of the band, and finds each maximum to rounding.
     Whole,
 }
 
-/// Result of a look: the local maxima of the amplitude over a band at one friction ratio.
+/// Result of a look, which is an evaluation of the amplitude over a band at one friction ratio.
 #[derive(Clone, Debug)]
 pub(super) struct Look {
     /// The local maxima that were found, in descending order.
     pub peaks: Vec<BandPeak>,
-    /// True if the look is complete. False if the largest amplitude exceeds the cutoff, or if the look reached its
-    /// bound on work.
+    /// True if the evaluation of the band is complete. False if the largest amplitude exceeds the cutoff, or if the
+    /// evaluation reached its bound on work.
     pub complete: bool,
 }
 
-/// The latest known amplitude at one frequency. From it the search estimates the amplitude for another friction ratio.
+/// The latest known amplitude at one frequency. The search estimates the amplitude for another friction ratio from this
+/// known amplitude.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct KnownAmplitude {
     /// The friction ratio of the latest motion at this frequency. It is NaN if no motion has been computed yet.
@@ -94,8 +97,8 @@ pub(super) struct OpenBand {
     pub peaks: Vec<BandPeak>,
     /// The largest amplitude from closed forms. It is a lower bound on the largest amplitude over the band.
     pub floor: f64,
-    /// Estimate of the largest amplitude over the band. It is the largest of `floor` and the stuck amplitudes at the
-    /// frequencies at which a stuck state exists.
+    /// Estimate of the largest amplitude over the band. The estimate is the largest of `floor` and the stuck amplitudes
+    /// at all frequencies at which a stuck state exists.
     pub expected: f64,
 }
 
@@ -107,8 +110,8 @@ impl OpenBand {
     }
 }
 
-/// A local maximum of the amplitude. It consists of the two frequency ratios that enclose it (`None` on a plateau), and
-/// of its frequency ratio and amplitude.
+/// A local maximum of the amplitude. The first item has the two frequency ratios that enclose the maximum, or `None` on
+/// a plateau. The second item has the frequency ratio and the amplitude of the maximum.
 pub(super) type Top = (Option<[f64; 2]>, (f64, f64));
 
 /// Returns the local maxima whose amplitude is at least `least`. If `closed` is true, the result contains the maxima

@@ -1,4 +1,4 @@
-//! Finds the minima over friction of the largest amplitude, between points of a scan.
+//! Finds the minima of the largest amplitude as a function of friction, between points of a scan over friction.
 
 use super::amplitude::FrictionAmount;
 use super::candidates::{FrictionCandidate, between, valleys};
@@ -17,18 +17,19 @@ const NARROW: f64 = 1e-7;
 /// Smaller of the two fractions into which a golden section divides an interval.
 const GOLDEN: f64 = 0.381_966_011_250_105_1;
 
-/// Returns the minima between points of the scan that may have an amplitude below `top`, the best amplitude so far.
+/// Returns the minima between points of the scan over friction. Their amplitude may be below `top`, the best amplitude
+/// so far.
 pub(super) fn minima(
     band: &AmplitudeBand<'_>,
     scan: &[Scanned],
     mut top: f64,
 ) -> Vec<FrictionCandidate> {
-    // With μ > 1 the amplitude of an unchecked minimum is a lower bound. This lower bound must not exclude other
-    // minima.
+    // With μ > 1 a later check on a fine grid of the band may find a larger amplitude at this minimum. The present
+    // amplitude is only a lower bound, and must not exclude other minima.
     let exact = band.amplitude.system.scene().stiction <= 1.0;
     let mut minima: Vec<FrictionCandidate> = Vec::new();
-    // No amplitude is smaller than 0. Just below the friction that stops the contact, motions that are too small to
-    // settle have amplitudes close to 0.
+    // No amplitude is smaller than 0, so that a search would be useless. Just below the friction that stops the
+    // contact, amplitudes are close to 0, and the motions are too small to settle.
     if top <= 0.0 {
         return minima;
     }
@@ -85,7 +86,7 @@ pub(super) fn minimum(
             let seen = look.complete.then_some(found.best);
             return Some(narrowed(band, (&found.below, &found.above), seen));
         }
-        // The evaluation found a peak that was known on neither side of the bracket.
+        // The evaluation found a peak that was not known at the two bounds of the bracket.
         let here = with_slope(beta, look, |peak| slope(band, beta, peak));
         if here.complete && here.value < best {
             let candidate = FrictionCandidate {
@@ -111,8 +112,9 @@ pub(super) fn minimum(
 /// Narrows an interval of friction ratios around the best friction ratio by golden sections, and returns the best
 /// friction ratio found.
 ///
-/// At frictions at which steady states appear and disappear, the search cannot track peaks, and slopes are useless. It
-/// rejects a friction ratio as soon as one amplitude shows that the ratio is not better.
+/// At frictions at which steady states appear and disappear, the search cannot track peaks, and slopes are useless. The
+/// search rejects a friction ratio as soon as the amplitude at one frequency shows that this friction ratio is not
+/// better.
 pub(super) fn narrowed(
     band: &AmplitudeBand<'_>,
     ends: (&Scanned, &Scanned),
@@ -123,8 +125,8 @@ pub(super) fn narrowed(
 }
 
 /// Narrows an interval of friction ratios as [`narrowed`] does, for any function of friction. `value` returns the
-/// function at a friction ratio. It may return early if the function exceeds the cutoff. `spent` returns true if the
-/// search must end.
+/// function at a friction ratio. `value` may return early if the function exceeds the cutoff. `spent` returns true if
+/// the search must end.
 pub(super) fn narrowed_by(
     value: &dyn Fn(f64, f64) -> Scanned,
     spent: &dyn Fn() -> bool,

@@ -1,4 +1,4 @@
-//! Finds the best friction. With it, the largest amplitude over a band of frequencies is smallest. The search covers
+//! Finds the best friction, which makes the largest amplitude over a band of frequencies smallest. The search covers
 //! all regimes.
 
 mod amplitude;
@@ -46,11 +46,11 @@ impl System {
     /// with stops, or of the stuck response.
     ///
     /// At one friction ratio the search evaluates the amplitude near every resonance of the chain, both with a free and
-    /// with a stuck contact. It also evaluates sub-harmonics, both sides of regime changes and a grid of frequencies. A
-    /// scan over friction, from zero to so much that nothing slides, finds the friction ratio with the smallest largest
-    /// amplitude. The search evaluates closed forms first. If they exceed the best amplitude so far by a margin, it
-    /// rejects the friction ratio. It computes motions in time only at frequencies at which their amplitude may be the
-    /// largest.
+    /// with a stuck contact. It also evaluates the amplitude at sub-harmonics, on both sides of regime changes and on a
+    /// grid of frequencies. A scan over friction finds the friction ratio with which the largest amplitude is smallest.
+    /// The scan ranges from zero to a friction with which the contact never slides. The search evaluates closed forms
+    /// first. If the closed forms exceed the best amplitude so far by a margin, the search rejects the friction ratio.
+    /// The search computes motions in time only at frequencies at which the amplitude may be the largest.
     ///
     /// The work of a search is bounded and counted, so that the result is the same on every machine. Motions that do
     /// not settle take most of the work. [`Optimum::end`] says whether the search reached the bound, or ended at a jump

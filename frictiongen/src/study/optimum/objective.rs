@@ -8,9 +8,9 @@ use crate::study::system::System;
 
 /// A quantity of a motion under a load whose amplitude may depend on frequency.
 ///
-/// Its values at different frequencies are comparable. The unit of displacement is that of the load at r = 1, and the
-/// unit of time is that of the scene, √(m₁/k₁). A friction is the friction force divided by the unit of force that the
-/// load has at r = 1.
+/// The values of the quantity at different frequencies are comparable. The unit of displacement is that of the load at
+/// r = 1, and the unit of time is that of the scene, √(m₁/k₁). A friction is the friction force divided by the unit of
+/// force that the load has at r = 1.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(in crate::study) struct Objective {
     pub of: Of,
@@ -21,7 +21,7 @@ pub(in crate::study) struct Objective {
 }
 
 impl Objective {
-    /// The displacement of a motion under a load of constant amplitude.
+    /// Returns the displacement of a motion as the quantity to minimise, under a load of constant amplitude.
     pub fn displacement(of: Of) -> Self {
         Self {
             of,
@@ -30,8 +30,8 @@ impl Objective {
         }
     }
 
-    /// Returns true if the quantity has the exact derivatives of the response. It has them if it is a displacement and
-    /// the amplitude of the load is constant.
+    /// Returns true if the quantity has the exact derivatives of the response. Only a displacement under a load of
+    /// constant amplitude has exact derivatives.
     pub fn has_derivatives(&self) -> bool {
         self.size == MotionQuantity::Displacement && self.fall == 0 && !self.of.is_force()
     }
@@ -47,8 +47,8 @@ impl Objective {
         }
     }
 
-    /// Returns true for the force in springs. Its value may depend on the offset of a stuck contact, and may pass
-    /// through 0 as friction changes. Its value at one friction therefore does not bound its value at another friction.
+    /// Returns true for the force in springs. The force may depend on the offset of a stuck contact, and may pass
+    /// through 0 as friction changes. The force at one friction therefore does not bound the force at another friction.
     pub fn depends_on_offset(&self) -> bool {
         self.of.is_force()
     }
@@ -63,7 +63,8 @@ impl Objective {
         let rate = match self.size {
             MotionQuantity::Velocity => 1,
             MotionQuantity::Acceleration => 2,
-            // Energy is a product of a force and a displacement.
+            // An energy is a force times a displacement. Each of the two units is proportional to r⁻ⁿ, where n is
+            // `fall`.
             MotionQuantity::Energy => -self.fall,
             MotionQuantity::Displacement | MotionQuantity::Force => 0,
             MotionQuantity::Damping => return 1.0,

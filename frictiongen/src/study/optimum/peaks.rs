@@ -2,8 +2,8 @@
 //!
 //! The search evaluates the amplitude at frequencies near which it can change quickly. These frequencies are close
 //! together near the resonances of the chain with a free contact and with a stuck contact, and near the sub-harmonics
-//! of all these resonances. Further frequencies are on both sides of every frequency at which a limit equals β, and on
-//! a grid.
+//! of all these resonances. Further frequencies are on both sides of every frequency at which β_lim or β*_lim equals β,
+//! and on a grid.
 //!
 //! An evaluation of the band begins with closed forms. If a closed form exceeds the cutoff, the search computes no
 //! motion in time. It refines every local maximum that may be the largest.
@@ -20,10 +20,10 @@ use std::cell::{Cell, RefCell};
 
 /// Smallest local maximum that the search refines, divided by the largest amplitude.
 const WORTH: f64 = 0.7;
-/// Smallest local maximum that the search refines precisely, divided by the largest amplitude. It refines lower maxima
-/// only roughly.
+/// Smallest local maximum that the search refines precisely, divided by the largest amplitude. The search refines lower
+/// maxima only roughly.
 const WORTH_FINELY: f64 = 0.95;
-/// Largest number of refined local maxima at frequencies that require a motion in time.
+/// Largest number of local maxima that the search refines at frequencies at which it must compute a motion in time.
 const MOST_TOPS: usize = 8;
 /// Relative tolerance in r of a maximum of the amplitude, in comparisons of many friction ratios.
 const NEARLY: f64 = 1e-5;
@@ -90,7 +90,7 @@ impl<'s> AmplitudeBand<'s> {
         [self.from, self.to]
     }
 
-    /// Adds a frequency ratio to the frequencies of all further first evaluations of the band.
+    /// Adds a frequency ratio that every later evaluation of the band includes, even a first, incomplete evaluation.
     pub(super) fn learn(&self, r: f64) {
         self.learned.borrow_mut().push(r);
     }
@@ -153,7 +153,8 @@ impl<'s> AmplitudeBand<'s> {
         };
         let most = open.most();
         open.floor = most;
-        // On an undamped resonance of the chain with its contact stuck, only rounding bounds the amplitude.
+        // On an undamped resonance of the chain with its contact stuck, only rounding bounds the amplitude. The code
+        // treats this amplitude as infinite.
         let pole = friction == FrictionAmount::Locked && POLE <= most;
         if most.is_infinite() || pole {
             self.poles(&mut open, most);
@@ -161,7 +162,7 @@ impl<'s> AmplitudeBand<'s> {
             for (ends, start) in tops(&open.seen, WORTH * most, true) {
                 let peak = match ends {
                     Some(ends) => self.climbed(ends, start, friction, PLACE),
-                    // On a plateau every frequency has the same amplitude.
+                    // On a plateau every frequency has the same amplitude. One peak therefore represents the plateau.
                     None if open.peaks.is_empty() => self.peak(start.0, start.1),
                     None => continue,
                 };
@@ -211,8 +212,8 @@ impl<'s> AmplitudeBand<'s> {
                 continue;
             };
             if promise < most {
-                // The list is in descending order of the expected amplitude. No later frequency has a larger expected
-                // amplitude.
+                // All later frequencies of the list have an expected amplitude of at most `promise`, because the list
+                // is in descending order.
                 break;
             }
             let r = seen.place.r;
@@ -268,8 +269,8 @@ impl<'s> AmplitudeBand<'s> {
         *peaks = sorted(std::mem::take(peaks));
     }
 
-    /// Refines local maxima between their neighbouring frequencies. The method refines all maxima roughly, and
-    /// precisely those that may be the largest.
+    /// Refines local maxima between their neighbouring frequencies. The method refines all maxima roughly. It then
+    /// refines precisely those maxima that may be the largest.
     fn refined(
         &self,
         tops: Vec<Top>,

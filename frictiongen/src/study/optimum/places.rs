@@ -1,5 +1,5 @@
 //! Selects the frequency ratios of a band at which the search evaluates the amplitude, called *places*. A place is
-//! *closed* if the response at it has a closed form. Every other place requires a motion in time.
+//! *closed* if the response at this frequency ratio has a closed form. Every other place requires a motion in time.
 //!
 //! The first evaluation of the band at a friction ratio computes motions in time at only some of the places.
 
@@ -64,8 +64,8 @@ pub(super) fn places(
     let free = free.map(|(resonance, zeta)| (resonance.to_f64(), zeta.to_f64()));
     let held = system.dynamics().held.iter();
     let held = held.map(|mode| (mode.frequency, mode.zeta));
-    // The code uses the resonances of the system itself, because they agree to the last bit with those in its closed
-    // forms.
+    // The code uses the resonances of the system itself, because these values agree to the last bit with the resonances
+    // in the closed forms of the system.
     places.extend(system.resonances().iter().map(|r| (*r, true)));
     for (resonance, zeta) in free.chain(held) {
         places.push((resonance, true));
@@ -79,8 +79,8 @@ pub(super) fn places(
                 width *= 2.0;
             }
         }
-        // Exactly on a sub-harmonic, an undamped chain has a continuum of steady states. The places are therefore next
-        // to the sub-harmonic.
+        // Exactly on a sub-harmonic, an undamped chain has a continuum of steady states. The selected frequency ratios
+        // are therefore next to the sub-harmonic.
         for order in 2..=MOST_SUBHARMONICS {
             let place = resonance / f64::from(order);
             places.extend([0.9803, 0.9957, 1.0043, 1.0197].map(|share| (place * share, false)));

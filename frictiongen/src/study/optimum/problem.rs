@@ -1,4 +1,4 @@
-//! A checked request for the best friction, and the whole result for a friction.
+//! A checked request for the best friction, and the complete result for a friction.
 
 use super::amplitude::{FrictionAmount, KeepGoing};
 use super::answer::{Optimum, OptimumEnd, OptimumKind, OptimumPeak};
@@ -111,7 +111,7 @@ impl<'s> OptimumProblem<'s> {
         self.told(&band, &least)
     }
 
-    /// Returns the whole result for a friction: peaks, limits, intervals of friction and derivatives.
+    /// Returns the complete result for a friction: peaks, limits, intervals of friction and derivatives.
     pub(super) fn told(
         &self,
         band: &AmplitudeBand<'_>,
@@ -138,11 +138,12 @@ impl<'s> OptimumProblem<'s> {
         let smooth = self.objective.has_derivatives();
         let sensitivities = match least.end {
             SearchEnd::Converged if smooth => self.sensitivities(beta, &peaks).unwrap_or_default(),
-            // Derivatives exist only for a minimum that moves smoothly with a parameter. A minimum at a jump does not.
+            // Derivatives exist only for a minimum that moves smoothly with a parameter. A minimum at a jump of the
+            // amplitude has no derivatives.
             _ => Vec::new(),
         };
-        // If the search has spent its work, its friction ratios are not verified. An interval between them would not be
-        // reliable.
+        // If the search has reached its bound on work, its friction ratios are not verified. An interval between two
+        // such friction ratios would not be reliable.
         let verified = EXCESSES.iter().filter(|_| least.end != SearchEnd::Spent);
         let tolerances = verified
             .map(|excess| flat::tolerance(band, least, *excess))
@@ -251,7 +252,8 @@ pub(super) fn slope(of: &ResponseSensitivities, parameter: Parameter) -> Option<
     Some((found.value, found.amplitude))
 }
 
-/// Returns the weights of the peaks in the derivative of their common height, while the friction keeps the peaks equal.
+/// Returns the weight of each peak in the derivative of the common height of two equal peaks. For this derivative, the
+/// friction changes so that the peaks stay equal. A single peak has the weight 1.
 pub(super) fn weights(all: &[ResponseSensitivities]) -> Option<Vec<f64>> {
     let along_friction = |of: &ResponseSensitivities| {
         let (value, slope) = slope(of, Parameter::Friction)?;
@@ -274,7 +276,7 @@ pub(super) fn equal_peaks(
     friction: FrictionAmount,
 ) -> Vec<OptimumPeak> {
     // A stuck contact may move with the base at all frequencies of a range. The amplitude is then the same in the whole
-    // range.
+    // range, and one peak represents the range.
     let most = if kind == MinimumKind::Held { 1 } else { 8 };
     let equal = at.peaks.iter();
     let equal = equal.filter(|peak| at.value * (1.0 - EQUAL) <= peak.value);

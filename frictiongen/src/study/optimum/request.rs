@@ -19,11 +19,12 @@ pub enum FrequencyBand {
 pub struct OptimumRequest {
     /// The motion whose quantity is minimised.
     pub of: Of,
-    /// The quantity of the motion: its displacement, velocity or acceleration, or the force of the contact.
+    /// The quantity of the motion: its displacement, velocity or acceleration, or the force or the energy of the
+    /// contact.
     pub size: MotionQuantity,
     /// The band of frequencies. It includes both bounds, which must be above 0 and finite.
     pub band: FrequencyBand,
-    /// Load of the scene. Results in N and m require it.
+    /// Load of the scene. Results in N and m require a load.
     pub load: Option<Load>,
 }
 
@@ -41,7 +42,7 @@ pub enum OptimumError {
     NoSuchMotion(Of),
     /// The load does not fit the scene. The field gives the reason.
     Load(LoadError),
-    /// The load drives the mode with this index, counted from 0, but damping and the contact do not act on it.
+    /// The load drives the mode with this index, counted from 0, but neither damping nor the contact acts on this mode.
     Undamped(usize),
     /// The amplitude at a resonance within the band is unbounded at every friction.
     Unbounded,
@@ -59,18 +60,19 @@ pub enum OptimumError {
     /// The scene is invalid if the varied number is at a bound of its interval.
     Scene(InvalidScene),
     /// The motion does not have the requested quantity. Only the contact has a contact force and an energy, and a force
-    /// has neither a velocity nor an acceleration. An equivalent damping ratio has no least value to search for.
+    /// has neither a velocity nor an acceleration. The equivalent damping ratio is excluded. Its best value is the
+    /// largest value, but the search finds the smallest value.
     Size,
     /// The request contains several quantities, and the value that divides one of the quantities is missing, 0,
     /// negative, infinite or NaN.
     Weight,
     /// No friction satisfies this bound together with all earlier bounds in the request. If the request varies a number
-    /// of the description, no value of this number in its interval does.
+    /// of the description, this is true for every value of the number in its interval.
     Unreachable {
         /// Index of the bound in the request.
         index: usize,
         /// Smallest possible value of the bounded quantity (its largest value over the band) while all earlier bounds
-        /// hold. It is in the unit of the bound.
+        /// are satisfied, in the unit of the bound.
         least: f64,
         /// Friction ratio at which the quantity has this smallest value.
         beta: f64,

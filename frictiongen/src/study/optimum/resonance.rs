@@ -1,4 +1,5 @@
-//! Values at a resonance. The code evaluates a function next to the resonance, where the function is defined.
+//! Computes the value of a function at a resonance, from its values next to the resonance. The function may be
+//! undefined at the resonance itself.
 
 use crate::study::system::System;
 

@@ -1,5 +1,5 @@
-//! Scans friction ratios, from zero to so much friction that nothing slides. At each friction ratio, the scan computes
-//! the largest amplitude over a band, and its slope with respect to friction.
+//! Scans friction ratios, from zero to a friction ratio with which the contact never slides. At each friction ratio,
+//! the scan computes the largest amplitude over a band, and its slope with respect to friction.
 
 use super::amplitude::FrictionAmount;
 use super::look::{BandPeak, Closely, Look, OpenBand};
@@ -7,8 +7,8 @@ use super::peaks::AmplitudeBand;
 
 /// Number of intervals of the scan over friction. The intervals near zero friction are shorter.
 const SCAN: usize = 40;
-/// Number of additional friction ratios of the scan in geometric steps. The smallest of them is `LEAST` times the
-/// median of β*_lim over the band.
+/// Number of additional friction ratios of the scan in geometric steps. The smallest of these friction ratios is
+/// `LEAST` times the median of β*_lim over the band.
 const GEOMETRIC: usize = 24;
 /// Smallest of the friction ratios in geometric steps, divided by the median of β*_lim over the band.
 const LEAST: f64 = 0.02;
@@ -17,10 +17,10 @@ const LEAST: f64 = 0.02;
 const BEYOND: [f64; 6] = [1.05, 1.15, 1.3, 1.6, 2.5, 4.0];
 /// Relative step in β of the finite difference for a peak that moves with friction.
 const DIFFERENCE: f64 = 1e-6;
-/// Largest number of times that the scan doubles its range if the range has no upper bound.
+/// Largest number of times that the scan over friction doubles its range, if the range has no upper bound.
 const LONGER: usize = 12;
-/// Factor in the rule that ends a scan without an upper bound. The scan ends if each of its last four amplitudes rises
-/// with friction, or exceeds the best amplitude times this factor.
+/// Factor in the rule that ends a scan over friction without an upper bound. The scan ends if each of its last four
+/// amplitudes rises with friction, or exceeds the best amplitude times this factor.
 const FAR_ABOVE: f64 = 2.0;
 /// Additional friction ratios of the scan, slightly above the friction ratio that bounds the amplitude at all
 /// resonances. Each number is the relative distance from that friction ratio.
@@ -28,15 +28,15 @@ const BOUNDED: [f64; 8] = [1e-3, 0.01, 0.03, 0.06, 0.1, 0.2, 0.35, 0.5];
 /// Largest relative change of a smooth amplitude, divided by the relative change of friction. The code treats a larger
 /// change as a jump.
 const STEEPEST: f64 = 50.0;
-/// Number of rounds in which the search halves intervals of the scan that may hide a minimum.
+/// Number of rounds in which the search halves those intervals of the scan that may hide a minimum.
 const CLOSER: usize = 5;
-/// Largest amplitude at which the search halves an interval of the scan, divided by the best amplitude. The amplitude
-/// is the smaller of the amplitudes at the two points of the interval.
+/// Largest amplitude at which the search halves an interval of the scan, divided by the best amplitude. Of the
+/// amplitudes at the two bounds of the interval, the smaller amplitude counts.
 const NEARLY: f64 = 1.2;
-/// Largest number of intervals of the scan that one round halves.
+/// Largest number of intervals of the scan over friction that one round halves.
 const MOST_CLOSER: usize = 8;
-/// Largest amplitude with which a friction ratio is not rejected, divided by the best amplitude so far. It is larger
-/// than those multiples of the best amplitude for which the result has tolerances of friction.
+/// Largest amplitude with which a friction ratio is not rejected, divided by the best amplitude so far. This margin
+/// exceeds the largest excess of the amplitude (10 %) for which the result has a tolerance of friction.
 const MARGIN: f64 = 1.2;
 
 /// The largest amplitude over the band at one friction ratio, with its slope and its peaks.
@@ -68,14 +68,15 @@ pub(super) fn unbounded_to(band: &AmplitudeBand<'_>) -> f64 {
         .fold(0.0, f64::max)
 }
 
-/// Returns the smallest amplitude of all completed points of the scan, or infinity if no point is completed.
+/// Returns the smallest amplitude of all scanned friction ratios with a complete evaluation, or infinity if there is
+/// none.
 pub(super) fn best(scan: &[Scanned]) -> f64 {
     let complete = scan.iter().filter(|scanned| scanned.complete);
     complete.fold(f64::INFINITY, |best, scanned| best.min(scanned.value))
 }
 
-/// Computes the scan: the largest amplitude over the band at a list of friction ratios. The list begins at 0. It ends
-/// at a friction ratio above which more friction no longer reduces the amplitude.
+/// Computes the scan: the largest amplitude over the band at a list of friction ratios. The list begins at 0. The list
+/// ends at a friction ratio above which more friction no longer reduces the amplitude.
 pub(super) fn scanned(band: &AmplitudeBand<'_>, free_to: f64, locked_from: f64) -> Vec<Scanned> {
     let system = band.amplitude.system;
     let unbounded_to = unbounded_to(band);
@@ -98,8 +99,8 @@ pub(super) fn scanned(band: &AmplitudeBand<'_>, free_to: f64, locked_from: f64) 
         .filter(|beta| *beta < top);
     add(band, &mut scan, betas);
     if !locked_from.is_finite() {
-        // At a resonance of the chain with its contact stuck, no friction keeps the contact stuck. The scan then ends
-        // at a friction ratio above which more friction no longer reduces the amplitude.
+        // The band contains a resonance of the chain with its contact stuck, at which no friction keeps the contact
+        // stuck. The scan then ends at a friction ratio above which more friction no longer reduces the amplitude.
         for _ in 0..LONGER {
             let more = [1.0, 1.25, 1.5, 1.75].map(|share| top * share);
             add(band, &mut scan, more.into_iter());
@@ -151,9 +152,9 @@ pub(super) fn add(
     scan.dedup_by(|a, b| a.beta == b.beta);
 }
 
-/// Adds friction ratios between neighbouring points of the scan that may hide a minimum. They may hide one if the
-/// amplitude falls at both points although the second point is higher. They may also hide one if it rises at both
-/// points although the first point is higher.
+/// Adds the middle of each interval of the scan that may hide a minimum. An interval may hide a minimum if the
+/// amplitude falls with friction at both bounds but is larger at the upper bound. It may also hide a minimum if the
+/// amplitude rises at both bounds but is larger at the lower bound.
 pub(super) fn closer(band: &AmplitudeBand<'_>, scan: &mut Vec<Scanned>) {
     for _ in 0..CLOSER {
         let best = best(scan);

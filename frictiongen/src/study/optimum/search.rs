@@ -1,8 +1,9 @@
 //! Finds the friction ratio with which the largest amplitude over a band is smallest.
 //!
-//! As a function of friction, the largest amplitude is the maximum of smooth branches, one for each peak. It jumps at
-//! frictions at which the motion reaches another steady state. A scan over friction gives the amplitude and its slope.
-//! If the slope is negative at one point and positive at the next, a minimum lies between the two points.
+//! The largest amplitude, as a function of friction, is the maximum of smooth branches. There is one branch for each
+//! peak. The largest amplitude jumps at frictions at which the motion reaches another steady state. A scan over
+//! friction gives the amplitude and its slope. If the slope is negative at one point and positive at the next, a
+//! minimum lies between the two points.
 //!
 //! A minimum is either a crossing of two peaks or the minimum of one peak. Newton's method on the difference of the two
 //! heights finds a crossing. The zero of the slope gives the minimum of one peak. If the search finds neither, golden
@@ -17,22 +18,22 @@ use super::scan::{Scanned, add, best, closer, scanned, scanned_at, slope, with_s
 use super::verified::{raise, verified};
 use crate::Regime;
 
-/// Largest number of checks of the best friction ratio over the whole band. The search makes a further check if it has
-/// found a higher peak.
+/// Largest number of checks of the best friction ratio over the whole band. The search makes a further check if the
+/// last check has found a higher peak.
 const CHECKS: usize = 6;
 /// Largest relative change of a stationary peak, divided by the relative change of friction.
 const STATIONARY: f64 = 1e-4;
-/// Bound on the work of one of the many searches for a tuned optimum, in units of about 10 µs. It corresponds to a few
-/// seconds.
+/// Bound on the work of one of the many searches for a tuned optimum, in units of about 10 µs. The bound corresponds to
+/// a few seconds.
 pub(super) const WORK_OF_ONE: usize = 300_000;
-/// Divisor for the work of the final check. The check has its own bound: the bound on the work of the search, divided
-/// by this number.
+/// Divisor for the bound on the work of the final check. This bound is the bound on the work of the search, divided by
+/// this number.
 const OF_A_CHECK: usize = 6;
-/// Largest amplitude of a scan point that the search checks, divided by the best amplitude. It exceeds every amplitude
-/// for which the result has a tolerance of friction.
+/// Largest amplitude of a scan point that the search checks, divided by the best amplitude. The number exceeds the
+/// largest excess of the amplitude (10 %) for which the result has a tolerance of friction.
 const HIGHEST_TOLERANCE: f64 = 1.12;
 
-/// The kind of a minimum over friction of the largest amplitude.
+/// The type of a minimum of the largest amplitude as a function of friction.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum MinimumKind {
     /// At this minimum two peaks have equal height. With more friction one peak falls, and the other peak rises.
@@ -41,7 +42,7 @@ pub(super) enum MinimumKind {
     Smooth,
     /// The largest amplitude is smallest at zero friction.
     Without,
-    /// At this minimum the contact is stuck at the frequency of the peak, or over the whole band.
+    /// At this minimum the contact is stuck, either at the frequency of the peak or over the whole band.
     Held,
 }
 
@@ -165,7 +166,8 @@ fn checked(
         if holds || spent {
             continue;
         }
-        // The first evaluation, at only some frequencies, missed these peaks.
+        // The first evaluation, at only some frequencies, has missed a peak. Later evaluations therefore include the
+        // frequencies of these peaks.
         for peak in &least.at.peaks {
             band.learn(peak.r);
         }

@@ -1,9 +1,10 @@
 //! Checks friction ratios on a fine grid of the band, for scenes with μ > 1.
 //!
 //! With μ > 1 the motion from rest may reach stick-slip states in narrow ranges of frequency. The first comparison of
-//! friction ratios can miss such a range. Its amplitudes are therefore lower bounds. The check takes the friction ratio
-//! with the lowest bound. It first raises this bound by the peaks that earlier checks found, and then evaluates the
-//! band on the grid. It ends when no bound is below the lowest amplitude that was checked on the grid.
+//! friction ratios can miss such a range. The amplitudes of the first comparison are therefore lower bounds. The check
+//! takes the friction ratio with the lowest bound. The check first raises this bound by the peaks that earlier checks
+//! found, and then evaluates the band on the grid. The check ends when no bound is below the lowest amplitude that was
+//! checked on the grid.
 
 use super::amplitude::FrictionAmount;
 use super::candidates::FrictionCandidate;
@@ -50,7 +51,7 @@ impl VerifiedFrictions<'_, '_> {
         self.open.push(Bounded { at, known, bracket });
     }
 
-    /// Returns the lowest amplitude checked so far, or infinity if there is none.
+    /// Returns the lowest amplitude that was checked on the grid so far, or infinity if no amplitude was checked.
     fn level(&self) -> f64 {
         self.best.as_ref().map_or(f64::INFINITY, |best| best.value)
     }
@@ -101,7 +102,7 @@ impl VerifiedFrictions<'_, '_> {
     }
 
     /// Evaluates the whole band on the grid at one friction ratio, until an amplitude exceeds the cutoff. All further
-    /// evaluations of the band take the largest peaks into account.
+    /// evaluations of the band include the frequencies of the largest peaks.
     fn evaluated(&self, beta: f64, cutoff: f64) -> Scanned {
         let friction = FrictionAmount::Ratio(beta);
         let band = self.band;
@@ -125,7 +126,8 @@ impl VerifiedFrictions<'_, '_> {
         scan
     }
 
-    /// Returns the neighbours of a friction ratio among the compared ones.
+    /// Returns the next lower and the next higher friction ratio among the compared friction ratios. If one of the two
+    /// does not exist, returns `beta` in its place.
     fn neighbours(&self, beta: f64) -> [f64; 2] {
         let others = self.open.iter().map(|of| of.at.beta);
         let below = others.clone().filter(|other| *other < beta);
@@ -154,7 +156,7 @@ impl VerifiedFrictions<'_, '_> {
         }
     }
 
-    /// Adds the minima between friction ratios at which the amplitude is smooth.
+    /// Adds the minima between the compared friction ratios, in ranges of friction in which the amplitude is smooth.
     fn add_minima(&mut self) {
         let best = self.best.as_ref().map(|best| best.beta);
         for of in minima(self.band, &self.scan(), self.level()) {
@@ -226,9 +228,9 @@ fn least_trivial(band: &AmplitudeBand<'_>, scan: &[Scanned], at: Scanned) -> Sca
     to
 }
 
-/// Recomputes the amplitude of each point of the scan whose amplitude is at most `level`, and keeps the larger
-/// amplitude. The earlier amplitude was a lower bound. The new evaluation includes the frequencies of the peaks that
-/// the checks on the grid found.
+/// Recomputes the amplitude of each scanned friction ratio whose amplitude is at most `level`, and keeps the larger
+/// amplitude. The earlier amplitude is only a lower bound. The new evaluation includes the frequencies of the peaks
+/// that the checks on the grid found.
 pub(super) fn raise(band: &AmplitudeBand<'_>, scan: &mut [Scanned], level: f64) {
     for seen in scan
         .iter_mut()

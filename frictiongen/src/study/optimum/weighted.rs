@@ -20,14 +20,16 @@ use std::cell::Cell;
 const CHECKS: usize = 12;
 /// Bound on the work between two checks, for all quantities together, in units of about 10 µs.
 const WORK_OF_A_ROUND: usize = super::WORK / 2;
-/// Largest quotient of a point that the search examines, divided by the smallest quotient found so far.
+/// Largest quotient of a friction ratio that the search examines, divided by the smallest quotient found so far. A
+/// quotient is a quantity divided by its given value.
 const NEARLY: f64 = 1.5;
 /// Largest number of friction ratios around which the search examines intervals.
 const MOST_POINTS: usize = 6;
-/// Largest relative difference between a quotient and the quotient that the check of the whole band gives, for which
-/// the check confirms the quotient.
+/// Tolerance of the check over the whole band. The check confirms a quotient if the quotient over the whole band is
+/// larger by at most this fraction.
 const SAME: f64 = 1e-6;
-/// Largest relative difference of two quotients that the result calls equal.
+/// Largest relative difference at which the result treats two quotients as equal. A quotient is a quantity divided by
+/// its given value.
 const BALANCE: f64 = 1e-3;
 
 /// A quantity, and the value by which the search divides it.
@@ -48,7 +50,7 @@ pub struct WeightedOptimum {
     pub optimum: Optimum,
     /// Index in the request of the quantity whose quotient is the largest.
     pub decisive: usize,
-    /// The largest quotient with this friction: a quantity divided by its value.
+    /// The largest quotient with this friction. A quotient is a quantity divided by its given value.
     pub ratio: f64,
     /// The largest value over the band of each quantity (not divided) with this friction, in the order of the request.
     pub largest: Vec<f64>,
@@ -60,8 +62,8 @@ impl System {
     /// from `request`, and ignores the quantity in `request`.
     ///
     /// The search finds the best friction of each quantity alone. Then it searches between all friction ratios
-    /// evaluated so far, and checks the result over the whole band. It calls `watch` after each evaluation. If `watch`
-    /// returns false once, it must return false from then on.
+    /// evaluated so far, and checks the result over the whole band. The search calls `watch` after each evaluation. If
+    /// `watch` returns false once, it must return false from then on.
     ///
     /// # Errors
     /// Same errors as [`optimum`](System::optimum). [`OptimumError::Weight`] for an empty list and for a value that is
@@ -97,7 +99,7 @@ impl System {
     }
 }
 
-/// The quotients at one friction ratio: each quantity divided by its value.
+/// The quotients at one friction ratio. A quotient is a quantity divided by its given value.
 struct Quotients {
     /// The largest quotient. The quantity that has this quotient is the decisive one. The peaks are those of the
     /// decisive quantity, in the unit of this quantity.
@@ -210,14 +212,14 @@ impl<'s> WeightedSearch<'s> {
         Ok((found, bracket, false))
     }
 
-    /// Returns the best friction ratio between known ones, and the interval that contains it. The largest quotient at
-    /// the best friction ratio may still be a lower bound.
+    /// Returns the best friction ratio between known friction ratios, and an interval that contains the best friction
+    /// ratio. The largest quotient at the best friction ratio may still be a lower bound.
     fn refined(&self, points: &[(f64, f64)]) -> Option<(Scanned, [f64; 2])> {
         let mut all: Vec<f64> = points.iter().map(|(beta, _)| *beta).collect();
         all.sort_by(f64::total_cmp);
         all.dedup();
-        // The friction ratios with low bounds come first. They give a cutoff that excludes most of the remaining
-        // friction ratios.
+        // The friction ratios with low bounds come first. Their small quotients give a cutoff that excludes most of the
+        // remaining friction ratios.
         let mut points = points.to_vec();
         points.sort_by(|a, b| a.1.total_cmp(&b.1));
         let mut top = f64::INFINITY;
@@ -284,7 +286,8 @@ impl<'s> WeightedSearch<'s> {
         })
     }
 
-    /// Returns the quotients (quantity divided by its value) of all quantities at one friction ratio.
+    /// Returns the quotients of all quantities at one friction ratio. A quotient is a quantity divided by its given
+    /// value.
     fn quotients(&self, beta: f64, largest: impl Fn(&AmplitudeBand<'s>) -> Scanned) -> Quotients {
         let all: Vec<Scanned> = self.bands.iter().map(largest).collect();
         let quotient = |index: usize| {

@@ -13,8 +13,8 @@ pub(super) const OF_ALL_CHECKS: usize = 2;
 /// Bound on the work of all checks of one search, in units of about 10 µs.
 pub(super) const WORK_OF_ALL_CHECKS: usize = OF_ALL_CHECKS * super::WORK;
 
-/// Evaluates the whole band, within a bound on work. All later evaluations of the band take its largest peaks into
-/// account. `left` is the work that remains for all checks together.
+/// Evaluates the whole band, within a bound on work. All later evaluations of the band include the frequencies of the
+/// largest peaks. `left` is the work that remains for all checks together, in units of about 10 µs.
 pub(super) fn whole(band: &AmplitudeBand<'_>, beta: f64, left: &Cell<usize>) -> Scanned {
     let friction = FrictionAmount::Ratio(beta);
     let several = 1.0 < band.amplitude.system.scene().stiction;

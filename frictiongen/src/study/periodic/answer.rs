@@ -59,12 +59,13 @@ impl PeriodicTrack {
             let (c, d) = (3.0 * rise - 2.0 * v0 - v1, v0 + v1 - 2.0 * rise);
             let kink = self.kinks.get(place).copied().unwrap_or(false);
             if kink && v0 * v1 < 0.0 {
-                // Each parabola has velocity 0 at the point where the two parabolas meet: x0 + v0·s/2 = x1 − v1·(1 −
-                // s)/2.
+                // Each parabola has velocity 0 at the point where the two parabolas meet. With the fraction s of the
+                // step, this point satisfies x0 + v0·s/2 = x1 − v1·(1 − s)/2.
                 let share = ((2.0 * rise - v1) / (v0 - v1)).clamp(0.0, 1.0);
                 note(x0 + 0.5 * v0 * share);
             } else if v0 * v1 < 0.0 {
-                // The zero of v0 + 2cs + 3ds² in the step, in a form without cancellation.
+                // The velocity of the cubic is v0 + 2cs + 3ds² at the fraction s of the step. The form −v0/(c ± root)
+                // of its zeros avoids a cancellation.
                 let root = (c * c - 3.0 * d * v0).max(0.0).sqrt();
                 for share in [-v0 / (c + root), -v0 / (c - root)] {
                     if (0.0..=1.0).contains(&share) {
@@ -134,15 +135,16 @@ impl PeriodicState {
         self.period
     }
 
-    /// Returns the Floquet multipliers over a period of the motion, in descending order of their modulus. They come
-    /// from central differences, with an error of about 1e-9. If the contact never slides, one multiplier is 1, because
-    /// the contact keeps its position.
+    /// Returns the Floquet multipliers over a period of the motion, in descending order of their modulus. The
+    /// multipliers come from central differences, with an error of about 1e-9. If the contact never slides, one
+    /// multiplier is 1, because the contact keeps its position.
     #[must_use]
     pub fn multipliers(&self) -> &[Complex<f64>] {
         &self.multipliers
     }
 
-    /// Returns true if every small deviation of the state decays.
+    /// Returns true if every small deviation from the steady state decays, so that all Floquet multipliers lie inside
+    /// the unit circle.
     #[must_use]
     pub fn is_stable(&self) -> bool {
         self.multipliers
@@ -156,7 +158,7 @@ impl PeriodicState {
         self.events
     }
 
-    /// Returns the fraction of steps at whose end the contact sticks.
+    /// Returns the fraction of all steps in a period at the end of which the contact sticks.
     #[must_use]
     pub fn stuck_fraction(&self) -> f64 {
         let steps = self.forces.len().saturating_sub(1).max(1);

@@ -12,8 +12,8 @@ pub enum PeriodicError {
     Short,
     /// A sample, a time step or an amplitude is not finite, or a time step or a frequency is not positive.
     Number,
-    /// The last sample of a table differs from the first sample. It must repeat the first sample, because the load is
-    /// periodic.
+    /// The last sample of a table differs from the first sample. The last sample must repeat the first sample, because
+    /// the load is periodic.
     Open(f64, f64),
     /// The mean acceleration or velocity of the base is not 0. The base would then not return to its position.
     Drifts(&'static str, f64),

@@ -11,8 +11,8 @@ const IN_A_CYCLE: usize = 1024;
 const MOST_ORDER: u32 = 1000;
 /// Largest number of steps in a period of the load.
 const MOST_STEPS: usize = 65_536;
-/// Largest angle by which the fastest mode advances in a step, in rad. It limits the error of the cubics that give the
-/// largest displacements between steps.
+/// Largest angle by which the fastest mode advances in a step, in rad. This bound limits the error of the cubics that
+/// give the largest displacements between steps.
 const ANGLE: f64 = 0.1;
 /// Largest relative difference at which the last and the first sample of a table are treated as equal.
 const SAME: f64 = 1e-9;
@@ -66,7 +66,7 @@ pub(super) struct LoadPoint {
     pub slope: f64,
 }
 
-/// Values of the load at all steps of one period.
+/// The load at all steps of one period of the load.
 #[derive(Clone, Debug)]
 pub(super) struct Sampled {
     pub step: f64,
@@ -267,7 +267,8 @@ fn settled(rates: &[f64], quantity: &'static str) -> Result<Vec<f64>, PeriodicEr
     Ok(rates.iter().map(|rate| rate - mean).collect())
 }
 
-/// Returns displacement and velocity of the base at the samples. Its acceleration changes linearly between samples.
+/// Returns displacement and velocity of the base at the samples. The acceleration of the base changes linearly between
+/// samples.
 fn integrated(step: f64, accelerations: &[f64]) -> Vec<[f64; 2]> {
     let next = |k: usize| at(accelerations, (k + 1) % accelerations.len().max(1));
     let (mut place, mut rate) = (0.0, 0.0);
@@ -277,7 +278,8 @@ fn integrated(step: f64, accelerations: &[f64]) -> Vec<[f64; 2]> {
         place += step * (rate + step * (2.0 * here + next(k)) / 6.0);
         rate += 0.5 * step * (here + next(k));
     }
-    // With this velocity at the start, the displacement at the end of the period equals the displacement at its start.
+    // The start from velocity 0 makes the base drift. Without the drift, the displacement at the end of the period
+    // equals that at the start.
     let count = accelerations.len() as f64;
     let drift = place / (count * step);
     for (k, [place, rate]) in motion.iter_mut().enumerate() {

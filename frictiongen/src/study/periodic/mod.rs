@@ -1,9 +1,9 @@
 //! Steady states under any periodic load. The load is a table of one period, or a list of harmonics.
 //!
-//! The stepper computes the motion. Its steps are exact for loads that are polynomials between samples. Newton's method
-//! finds the state that repeats after a whole number of periods of the load. The closed forms of this crate require a
-//! load that is a cosine in time. For other periodic loads there are therefore no limits β_lim and β*_lim, no friction
-//! ratio and no phase.
+//! The stepper computes the motion. The steps of the stepper are exact for loads that are polynomials between samples.
+//! Newton's method finds the state that repeats after a whole number of periods of the load. The closed forms of this
+//! crate require a load that is a cosine in time. For other periodic loads there are therefore no limits β_lim and
+//! β*_lim, no friction ratio and no phase.
 
 mod answer;
 mod error;
@@ -37,13 +37,15 @@ impl System {
     /// base.
     ///
     /// The load is a table of one period or a sum of harmonics. Between the samples of a table, forces change linearly.
-    /// With `input: hold` they are constant. The base moves with an acceleration that changes linearly. The stepper is
-    /// exact for these loads. For a sum of harmonics, the code takes 1024 samples in a cycle of the highest order, and
-    /// cubics between them. The cubics differ from the sum by at most 4e-12 of its amplitude.
+    /// With `input: hold` the forces are constant between samples. The acceleration of the base changes linearly
+    /// between samples. The stepper is exact for these loads. For a sum of harmonics, the code takes 1024 samples in a
+    /// cycle of the highest order, and cubics between them. The cubics differ from the sum by at most 4e-12 of its
+    /// amplitude.
     ///
     /// The search follows the motion from rest until Newton's method finds a state that repeats. Central differences
-    /// give the matrix of Newton's method. The result is stable, and the motion approaches it. Its period is at most 64
-    /// periods of the load.
+    /// give the matrix of Newton's method. The result is a steady state that the motion from rest approaches. No
+    /// Floquet multiplier of the result lies outside the unit circle. The period of the result is at most 64 periods of
+    /// the load.
     ///
     /// ```
     /// use frictiongen::{Of, System};

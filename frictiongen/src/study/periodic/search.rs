@@ -14,8 +14,9 @@ const WARM: usize = 8;
 const ATTEMPTS: usize = 9;
 /// Largest period of the motion, in periods of the load.
 const MOST_PERIODS: usize = 64;
-/// Largest distance from an earlier state at which the motion has nearly returned to it, divided by the largest
-/// distance from that state. The search then tries this number of periods.
+/// Largest distance from an earlier state at which the code treats the motion as nearly back in that state. The
+/// distance is divided by the largest distance from that state. The search then tries the number of periods between the
+/// two states.
 const NEARLY: f64 = 0.02;
 /// Largest number of steps of Newton's method in one attempt.
 const NEWTON: usize = 14;
@@ -27,20 +28,22 @@ const ENOUGH: f64 = 1e-11;
 /// Step of the central differences, divided by the size of the motion. The relative error of the differences is about
 /// the square of this step.
 const STEP: f64 = 1e-5;
-/// Largest singular value of a neutral direction. A deviation along a neutral direction is the same after a period.
+/// Largest singular value of a neutral direction. A deviation along a neutral direction does not change over a period,
+/// and Newton's method ignores this direction.
 const RANK: f64 = 1e-7;
 /// Largest distance of a Floquet multiplier from the unit circle at which the multiplier is treated as lying on the
 /// circle. The code computes the multipliers from differences, which have rounding errors.
 const ON_CIRCLE: f64 = 1e-7;
-/// Fraction to which the motion's distance from a steady state must fall. The test of the steady state ends when the
-/// multipliers predict this.
+/// Fraction of the motion's distance from a steady state that determines the length of a test. The test ends when the
+/// Floquet multipliers predict that the distance has fallen to this fraction.
 const DECAY: f64 = 0.1;
 /// Largest number of periods of the load over which the search tests a steady state.
 const MOST_CONFIRMED: usize = 512;
-/// Largest distance from a steady state at which the motion has reached it, divided by the size of the motion.
+/// Largest distance from a steady state at which the code treats the steady state as reached, divided by the size of
+/// the motion.
 const REACHED: f64 = 1e-7;
-/// Largest distance from a steady state in a continuum at which the motion has reached it, divided by the size of the
-/// motion. In a continuum, the initial state decides in which steady state the motion ends.
+/// Largest distance from a steady state in a continuum at which the code treats this steady state as reached, divided
+/// by the size of the motion. In a continuum, the initial state decides in which steady state the motion ends.
 const SETTLED: f64 = 1e-10;
 
 /// Returns the steady state in which the motion from rest ends.
@@ -81,8 +84,9 @@ struct PeriodicSearch<'a> {
 }
 
 impl PeriodicSearch<'_> {
-    /// Returns the numbers of periods after which the motion may repeat: 1, and the number after which the motion is
-    /// close to its present state. Afterwards the function restores the present state.
+    /// Returns the numbers of load periods after which the motion may repeat. The first number is 1. The second number
+    /// is that after which the motion is close to its present state, if there is one. At the end the function restores
+    /// the present state.
     fn periods(&mut self, most: usize) -> Result<Vec<usize>, PeriodicError> {
         let here = self.walk.place();
         let first = self.walk.numbers();
@@ -107,7 +111,7 @@ impl PeriodicSearch<'_> {
         Ok(std::iter::once(1).chain(several).collect())
     }
 
-    /// Searches near the present state for a state that repeats after `period` periods of the load. Afterwards the
+    /// Searches near the present state for a state that repeats after `period` periods of the load. At the end the
     /// function restores the present state.
     fn newton(&mut self, period: usize) -> Result<Option<FixedPoint>, PeriodicError> {
         let here = self.walk.place();
@@ -168,8 +172,8 @@ impl PeriodicSearch<'_> {
     }
 
     /// Returns the derivatives of the state after a period with respect to the state before the period, by central
-    /// differences. Returns `None` if a small change of the initial state changes whether the contact sticks at the end
-    /// of the period.
+    /// differences. Returns `None` if a small change of the initial state changes the state of the contact (stuck or
+    /// sliding) at the end of the period.
     fn differences(
         &mut self,
         start: &StepState,

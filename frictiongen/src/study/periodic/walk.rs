@@ -119,7 +119,8 @@ impl<'a> Walk<'a> {
         Ok(())
     }
 
-    /// Advances by one period of the load, and then to the middle of the longest sequence of steps without an event.
+    /// Advances the motion by one period of the load, and then to the middle of the longest sequence of steps without
+    /// an event.
     pub fn reach_quiet(&mut self) -> Result<(), PeriodicError> {
         let count = self.load.points.len();
         let mut eventful = Vec::with_capacity(count);
@@ -127,7 +128,8 @@ impl<'a> Walk<'a> {
             eventful.push(self.step()?.events > 0);
         }
         let (mut best, mut middle, mut run) = (0, 0, 0);
-        // The sequence of steps without an event may continue beyond the end of the period.
+        // The sequence of steps without an event may continue beyond the end of the period. The loop therefore covers
+        // two periods.
         for place in 0..2 * count {
             let event = eventful.get(place % count.max(1)).copied().unwrap_or(true);
             run = if event { 0 } else { run + 1 };
@@ -180,7 +182,7 @@ pub(super) struct FixedPoint {
     pub numbers: StateNumbers,
     pub period: usize,
     pub multipliers: Vec<Complex<f64>>,
-    /// Difference of the state after a period, divided by the size of the motion.
+    /// Difference between the states before and after a period, divided by the size of the motion.
     pub residual: f64,
 }
 

@@ -12,7 +12,8 @@ use crate::study::sensitivity::{Quantity, Sensitive};
 use crate::study::{System, SystemInput};
 use frictiongen_kernel::number::dd::Dd;
 
-/// Two masses on a shaking base, a force held over each step, an elastic contact, and a friction law.
+/// Four scenes: two masses on a moving base, a force that is constant over each step, an elastic contact, and a
+/// friction law.
 const SCENES: [&str; 4] = [
     "struct Frame {
         masses: { lower: 3.27, upper: 3.25 },
@@ -40,8 +41,7 @@ const SCENES: [&str; 4] = [
     }",
 ];
 
-/// Variable with respect to which a derivative is taken: a quantity of the scene, the friction force, or a factor on
-/// the load.
+/// The variable of a derivative. It is a quantity of the scene, the friction force, or a factor on the load.
 #[derive(Clone, Copy, Debug)]
 enum Along {
     Quantity(Quantity),
@@ -91,13 +91,13 @@ macro_rules! run {
     }};
 }
 
-/// A run ends with the step in which the contact has had this number of events, but not later than STEPS.
+/// Number of events after which a run ends. The run also ends after STEPS steps.
 const EVENTS: u32 = 100;
 const STEPS: u32 = 2000;
 const DT: f64 = 0.02;
 const FRICTION: f64 = 0.5;
 
-/// Runs a stepper with derivatives.
+/// Runs a stepper with derivatives with respect to one variable.
 fn carried(system: &System, along: Along) -> Results<Sensitive> {
     let varied = match along {
         Along::Quantity(quantity) => system.along(quantity).unwrap(),
@@ -123,7 +123,7 @@ fn carried(system: &System, along: Along) -> Results<Sensitive> {
     )
 }
 
-/// Runs a stepper without derivatives, in double-double numbers, after one number is multiplied by a factor.
+/// Runs a stepper without derivatives, in double-double numbers. One number is multiplied by `factor` before the run.
 fn moved(system: &System, along: Along, factor: f64) -> Results<Dd> {
     let mut scene = system.scene().clone();
     let (mut friction, mut load) = (FRICTION, 1.0);
@@ -169,8 +169,8 @@ fn number(scene: &mut Scene, quantity: Quantity) -> &mut f64 {
     }
 }
 
-/// Compares derivatives with differences in double-double numbers, whose rounding is negligible. The tolerance covers
-/// the error of the differences. This error is of second order in the relative change of a ten-millionth.
+/// Compares derivatives with differences in double-double numbers, whose rounding errors are negligible. The tolerance
+/// covers the error of the differences. This error is of second order in the relative step of 1e-7.
 #[test]
 fn steps_carry_derivatives() {
     let mut compared = 0;
@@ -215,12 +215,12 @@ fn steps_carry_derivatives() {
     assert_eq!(compared, COMPARED);
 }
 
-/// Number of compared derivatives. The four scenes have 7, 7, 8 and 4 quantities. Friction and load add two to each.
-/// The scenes have 6, 6, 6 and 4 results.
+/// Number of compared derivatives. The four scenes have 7, 7, 8 and 4 quantities. Friction and load add two variables
+/// to each scene. The scenes have 6, 6, 6 and 4 results.
 const COMPARED: u32 = 9 * 6 + 9 * 6 + 10 * 6 + 6 * 4;
 
-/// A scene whose upper mass sticks while the lower one oscillates under a constant force. The force in the contact is
-/// P(1 − cos ωt)/2, with its maximum P at ωt = π. If μF is just below P, the force reaches μF slowly.
+/// A scene whose upper mass sticks while the lower mass oscillates under a constant force P. The force in the contact
+/// is P(1 − cos ωt)/2, with its maximum P at ωt = π. If μF is just below P, the force reaches μF slowly.
 const SLOW: &str = "struct Slow {
     masses: { lower: 1.0, upper: 0.5 },
     springs: { base - lower: 700.0, lower - upper: 700.0 },
@@ -228,8 +228,8 @@ const SLOW: &str = "struct Slow {
     input: hold, provide: [stepper],
 }";
 
-/// Returns two results: the derivative of the upper mass's displacement with respect to P at ωt = 3π/2, and true if the
-/// stepper reports a graze. P is 1.25 N, and μF is `share` times P.
+/// Returns the derivative of the upper mass's displacement with respect to P at ωt = 3π/2. The second result is true if
+/// the stepper reports a graze. P is 1.25 N, and μF is `share` times P.
 fn slowly(share: f64) -> (f64, bool) {
     let system: System = SLOW.parse().unwrap();
     let unvaried = system.unvaried();
@@ -247,10 +247,10 @@ fn slowly(share: f64) -> (f64, bool) {
     (stepper.mass_at(1).displacement().slope.to_f64(), grazes)
 }
 
-/// Compares the derivative of a slow break-away with its formula. The derivative of the instant is −tan(ωt/2)/(ωP). Its
-/// relative error is δ/(2(1 − share)), where δ is the rounding error of the input divided by μF. The stepper permits an
-/// error of 1e-6. It counts the terms of its series as part of the force's size. The test therefore leaves a factor of
-/// 30 on both sides of 1 − share = 1e-10.
+/// Compares the derivative of a slow break-away with its formula. The derivative of the break-away's instant with
+/// respect to P is −tan(ωt/2)/(ωP). Its relative error is δ/(2(1 − share)), where δ is the rounding error of the input
+/// divided by μF. The stepper permits a relative error of 1e-6. It counts the terms of its series as part of the
+/// force's size. The test therefore leaves a factor of 30 on both sides of 1 − share = 1e-10.
 #[test]
 fn a_slow_break_away_is_a_graze() {
     for (gap, expected) in [

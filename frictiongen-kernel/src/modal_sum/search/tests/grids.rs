@@ -1,4 +1,5 @@
-//! Tests of grids against the modal sum: its values at nodes, the bounds on its derivatives, and closed cells.
+//! Tests of grids. The tests compare the values at nodes, the bounds on derivatives and the closed cells with the modal
+//! sum.
 
 use super::whole::scanned;
 use super::*;
@@ -33,7 +34,7 @@ fn nodes_are_on_the_sum() {
         let rounding = grid.bounds.rounding;
         let fastest = sum.waves.iter().map(|wave| wave.x).fold(1.0, f64::max);
         grid.beside(u32::MAX, |_, tau, node| {
-            // The reference sum also has a rounding error, because its phases xτ are wrong by one rounding.
+            // The reference sum also has a rounding error, because each of its phases xτ has an error of one rounding.
             let own = 1e-15 * size_of(&sum) * (1.0 + fastest * tau);
             let value = (node.value - sum_derivative(&sum, tau, 0)).abs();
             let slope = (node.slope - sum_derivative(&sum, tau, 1)).abs();
@@ -73,7 +74,7 @@ fn no_derivative_exceeds_its_bound() {
             nearest = nearest.max(fourth / bounds.fourth);
             compared += 1;
         }
-        // A sum with a mass-controlled mode needs no second and third derivative.
+        // The search does not use the second and third derivative of a sum with a mass-controlled mode.
         let asked = sum.waves.iter().all(|wave| !wave.mass_controlled);
         for (order, value) in [(2, bounds.second), (3, bounds.third)] {
             let want = sum_derivative(&sum, from, order);
@@ -88,8 +89,8 @@ fn no_derivative_exceeds_its_bound() {
     assert!(compared == 600 * 51 && nearest > 0.5);
 }
 
-/// Checks the bounds on the derivatives for the term of each mode separately, for every kind of damping. A second check
-/// is that no bound is far too large.
+/// Checks the bounds on the derivatives for the term of each mode separately, for every kind of damping. The test also
+/// checks that no bound is far too large.
 #[test]
 fn bounds_hold_for_every_part() {
     let (mut compared, mut least, mut most) = (0, 9.0_f64, 0.0_f64);
@@ -136,8 +137,8 @@ fn size_of(sum: &TestSum<'_>) -> f64 {
     size(&search(*sum, asked(Weight::One, true, 0.0), 0.0))
 }
 
-/// Checks that the sum is below an arbitrary level in all closed cells. In this test the search also refines local
-/// maxima.
+/// Checks that the sum does not exceed an arbitrary level in any closed cell. In this test the search also refines
+/// local maxima.
 #[test]
 fn nothing_is_above_the_level_in_a_closed_cell() {
     let mut random = Lcg(67);
@@ -193,7 +194,7 @@ fn nothing_is_above_the_level_in_a_closed_cell() {
 }
 
 /// Checks that a cell stays open if the level is just below the largest value in the cell. The test takes the first
-/// cell, the last cell and other cells. It refines no local maxima.
+/// cell, the last cell and random cells. The test refines no local maxima.
 #[test]
 fn a_cell_that_exceeds_the_level_is_open() {
     let mut random = Lcg(71);
@@ -221,7 +222,7 @@ fn a_cell_that_exceeds_the_level_is_open() {
         let above = (1..32)
             .map(|i| excess(&search, false, at(i)))
             .fold(f64::MIN, f64::max);
-        // The test skips levels that are not positive. An exception is the last cell of sum/sin τ, in which the sum
+        // The test skips levels that are not positive. The exception is the last cell of sum/sin τ, in which the sum
         // exceeds only such levels.
         let low = search.peak.value <= 0.0 && (!over_sine || case % 3 != 1);
         if above < 1e-9 * size(&search) || low {
@@ -244,8 +245,7 @@ fn a_cell_that_exceeds_the_level_is_open() {
     assert!(held.iter().all(|held| *held > 300));
 }
 
-/// Checks a local maximum. Around it, the search must close only cells in which the sum is not higher than this
-/// maximum.
+/// Checks the cells that the search closes around a local maximum. In these cells the sum must not exceed this maximum.
 #[test]
 fn a_summit_closes_nothing_that_is_higher() {
     let mut random = Lcg(73);

@@ -1,4 +1,5 @@
-//! Tests of whole searches: the largest value against a dense scan, and the number of evaluations.
+//! Tests of whole searches. The tests compare the largest value with that of a dense scan, and limit the number of
+//! evaluations.
 
 use super::*;
 
@@ -25,7 +26,8 @@ pub fn scanned(search: &TestSearch<'_>) -> f64 {
             plus
         }
     };
-    // Towards π, the rounding error of the sum is divided by a sine close to 0.
+    // The scan stops 10⁻⁵ before its end, because towards π the rounding error of the sum is divided by a sine close
+    // to 0.
     let at = |i: usize| (end * (i as f64 + 0.01) / points as f64).min(end - 1e-5);
     let values: Vec<f64> = (0..=points).map(|i| quotient(at(i))).collect();
     let most = values.iter().copied().fold(f64::MIN, f64::max);
@@ -68,8 +70,8 @@ fn no_maximum_of_a_random_sum_is_missed() {
         let most = most_evaluations(problem.weight, sum.fastest());
         assert!(!found.exceeded && found.evaluations <= most, "case {case}");
         if found.places[0].is_none() {
-            // The search returns the floor. Because sum and sin τ both vanish at τ = 0, a quotient of the scan may be
-            // slightly larger.
+            // The search returns the floor, the smallest value that it looks for. A quotient of the scan may be
+            // slightly larger, because sum and sin τ both vanish at τ = 0.
             assert!(want < 1e-6, "case {case}: {want} above the floor");
             floors += 1;
             continue;

@@ -1,8 +1,8 @@
 //! Growth of small deviations along a motion with an elastic contact.
 //!
-//! A deviation consists of the states (y, u) of the modes, and of the contact force. While the contact slides, the
-//! deviation of the force is zero. When the slider stops, a deviation does not jump, because the force is continuous
-//! and its slope is zero at this instant.
+//! A deviation consists of the displacement y and the scaled velocity u of each mode, and of the contact force. While
+//! the contact slides, the deviation of the force is zero. When the slider stops, a deviation does not jump, because
+//! the force is continuous and its slope is zero at this instant.
 
 use super::ElasticChain;
 use crate::motion::contact::state::{Contact, ContactState, SegmentEnd};

@@ -46,7 +46,7 @@ impl<S: Float> ContactChain<S> for ElasticChain<S> {
         Rigid { level, stiction }
     }
 
-    /// Returns the state of a stuck contact without force. With β = 0 the contact slides instead.
+    /// Returns the state of a stuck contact without force. If β is 0, returns the state of a rigid contact instead.
     fn contact_state(
         setting: &MotionSetting<'_, S, Self>,
         parts: &[Part<S>],
@@ -108,8 +108,8 @@ impl<S: Float> ContactChain<S> for ElasticChain<S> {
         }
     }
 
-    /// Returns the displacement q = z̄ − ρf of the slider, where ρ is the compliance of the spring and f the contact
-    /// force.
+    /// Returns the displacement q = z̄ − ρf of the slider. z̄ is the relative displacement of the contact, ρ is the
+    /// compliance of the spring, and f is the contact force.
     fn stuck_place(
         setting: &MotionSetting<'_, S, Self>,
         modes: &[Part<S>],

@@ -147,9 +147,9 @@ pub(crate) fn seek<S: Float, K: ContactChain<S>>(
 }
 
 impl<S: Float, K: ContactChain<S>> MotionSetting<'_, S, K> {
-    /// Finds the end of a piece of motion on any line of the friction law except the last. The result is the length of
-    /// the piece divided by that of the longest piece, which is `stretch`. Returns `None` if the contact cannot start
-    /// to move from zero velocity.
+    /// Finds the end of a piece of motion on any line of the friction law except the last. The result contains the
+    /// length of the piece divided by `stretch`, the length of the longest piece. Returns `None` if the contact cannot
+    /// start to move from zero velocity.
     fn slope(
         &self,
         modes: &mut [Part<S>],
@@ -177,7 +177,7 @@ impl<S: Float, K: ContactChain<S>> MotionSetting<'_, S, K> {
             WalkResult::NoStart => return None,
         };
         if !(zero < at) {
-            // A piece of length zero cannot contain a crossing before its end.
+            // A piece of motion of length zero cannot contain a crossing to the next line of the friction law.
             return Some((at, crossing));
         }
         let rises = velocity.seen(-sign, -high, at);

@@ -36,11 +36,12 @@ pub struct Lines<'a, S> {
     /// Points (v, f) with v ascending. v is the speed in the scene's units. f is the kinetic friction force divided by
     /// its value at zero speed.
     points: &'a [[S; 2]],
-    /// Velocity, in the scene's units, that corresponds to dz̄/dτ = 1.
+    /// Velocity, in the scene's units, that corresponds to dz̄/dτ = 1 of the relative displacement z̄.
     unit: S,
     /// Index of the straight line of the friction law that contains the present speed.
     place: usize,
-    /// The line crossing with which the piece ends that the last search has found.
+    /// The way in which the piece of the last search ends: on the same line, or at the crossing to the next or previous
+    /// line.
     next: LineCrossing,
     /// Number of successive pieces of length zero. After too many pieces of length zero, the code ends the sequence by
     /// a longer piece. `cut` counts these longer pieces.
@@ -65,13 +66,13 @@ const STILL: u32 = 4;
 
 /// Largest number of doublings of an extension. Each further extension of a piece of length zero is twice as long as
 /// the previous extension. The longest extension is 2²⁰ times the square root of a rounding unit, as a fraction of the
-/// power series' length. In double precision this is a sixty-fourth.
+/// power series' length. In double precision the longest extension is a sixty-fourth.
 const CUTS: u32 = 20;
 
 impl<'a, S: Float> Lines<'a, S> {
     /// Creates the lines of a law whose points have speeds in the scene's units. `amplitude` is the amplitude of the
-    /// load at the frequency ratio r. `speed` is a velocity in the scene's units: dz̄/dτ is 1 at this velocity if r = 1
-    /// and the amplitude is 1.
+    /// load at the frequency ratio r. `speed` is a velocity in the scene's units. At this velocity the derivative
+    /// dz̄/dτ of the relative displacement z̄ is 1, if r = 1 and the amplitude is 1.
     #[must_use]
     pub fn under(points: &'a [[S; 2]], r: S, amplitude: S, speed: S) -> Self {
         Self {
@@ -80,7 +81,7 @@ impl<'a, S: Float> Lines<'a, S> {
         }
     }
 
-    /// Creates a law without lines, that is one constant kinetic friction force.
+    /// Creates a law without lines. Such a law has one constant kinetic friction force.
     #[must_use]
     pub fn none() -> Self {
         Self::at_unit_speed(&[])
@@ -114,7 +115,8 @@ impl<'a, S: Float> Lines<'a, S> {
         }
     }
 
-    /// Returns the line that contains the present speed, with speeds as |dz̄/dτ|.
+    /// Returns the line of the friction law that contains the present speed. The line's speeds are |dz̄/dτ|, where z̄
+    /// is the relative displacement.
     pub(crate) fn line(&self) -> KineticLine<S> {
         let mut line = line::line(self.points, self.place);
         line.slope = line.slope * self.unit;
@@ -123,12 +125,14 @@ impl<'a, S: Float> Lines<'a, S> {
         line
     }
 
-    /// Returns the largest absolute slope of the law, with speeds as |dz̄/dτ|.
+    /// Returns the largest absolute slope of the friction law over the speed |dz̄/dτ|, with the relative displacement
+    /// z̄.
     pub(crate) fn steepest(&self) -> S {
         line::steepest(self.points) * self.unit
     }
 
-    /// Selects the straight line of the law that contains the given speed |dz̄/dτ|, before the first piece.
+    /// Selects the straight line of the law that contains the given speed |dz̄/dτ|, before the first piece of motion.
+    /// z̄ is the relative displacement.
     pub(crate) fn start(&mut self, speed: S) {
         self.place = line::place(self.points, speed * self.unit);
     }
@@ -158,7 +162,8 @@ impl<'a, S: Float> Lines<'a, S> {
         Some(length)
     }
 
-    /// Selects the line for the motion after the piece. If the piece ended at rest, selects the first line.
+    /// Selects the line of the friction law for the motion after a piece. If the piece ended at rest, selects the first
+    /// line.
     pub(crate) fn pass(&mut self, at_rest: bool) {
         self.place = match self.next {
             _ if at_rest => 0,

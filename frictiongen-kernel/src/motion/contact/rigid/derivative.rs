@@ -72,8 +72,8 @@ fn stuck<S: Float>(
 }
 
 /// Applies the jump of a deviation at an event. The deviation shifts the event by the time δτ = −δf/f′, where f is the
-/// function whose zero is the event. During this time the slope of the state is that before the event, and not that
-/// after the event. The two slopes differ by the jump of the contact force.
+/// function whose zero is the event. During this time the state has its slope before the event, and not its slope after
+/// the event. The two slopes differ by the jump of the contact force.
 fn jump<S: Float>(
     setting: &MotionSetting<'_, S>,
     contact_state: &ContactState<S>,

@@ -72,8 +72,10 @@ impl<S: Float> ContactChain<S> for Chain<S> {
         setting.holding(modes, at)
     }
 
-    /// Returns the force in the stuck contact. It follows from the displacement wᵀx̄ = `place` + s cos τ_e, which the
-    /// contact has at z̄ = `place`.
+    /// Returns the constant and the complex amplitude of the force in a contact that sticks at the relative
+    /// displacement z̄ = `place`. This force belongs to the displacement wᵀx̄ = `place` + s cos τ_e, where w is the
+    /// direction vector of the contact. s is 1 if the contact rubs on the moving base, otherwise 0. The result does not
+    /// contain the contribution of the modes.
     fn steady_stuck_force(setting: &MotionSetting<'_, S>, place: S) -> (S, Complex<S>) {
         let inverse_mass = setting.dynamics.chain.inverse_mass;
         let base = setting.base;

@@ -30,13 +30,13 @@ pub struct FeatureLists {
     pub(super) resonances: Vec<NumberedResonance>,
     /// Resonances of the chain with its contact stuck.
     pub(super) held: Vec<HeldResonance>,
-    /// The friction limits β_lim and β*_lim for r → 0 and r → ∞.
+    /// The limit of continuous motion β_lim and the limit of sliding β*_lim, both for r → 0 and for r → ∞.
     pub(super) ends: Vec<EndRow>,
     /// Antiresonances: frequencies at which a motion vanishes without friction.
     pub(super) antiresonances: Vec<Named<Antiresonance>>,
     /// Invariant points: frequencies at which friction does not change the amplitude of a motion.
     pub(super) invariant: Vec<Named<(InvariantQuantity, InvariantPoint)>>,
-    /// Inversions: ranges of frequency in which more friction makes a motion larger.
+    /// Inversions: ranges of frequency in which the amplitude of a motion increases with friction.
     pub(super) inversions: Vec<Named<(InvariantQuantity, Inversion)>>,
     /// Displacement of each mass for the frequency ratio r → 0. `None` if the contact is stuck.
     pub(super) starts: Vec<FeatureAt<Named<Option<Sensed>>>>,
@@ -65,7 +65,7 @@ pub(super) struct NumberedResonance {
 
 impl TableRow for NumberedResonance {}
 
-/// The limits β_lim and β*_lim for r → 0 or for r → ∞.
+/// The limit of continuous motion β_lim and the limit of sliding β*_lim, for r → 0 or for r → ∞.
 pub(super) struct EndRow {
     pub(super) r: f64,
     pub(super) limits: LimitsAtEnd,

@@ -15,12 +15,13 @@ use crate::study::{
 pub enum Ground {
     /// A formula gives the feature.
     Exact,
-    /// The monoharmonic formula (7.60) gives the feature. The result is close to the exact peak but not equal to it.
+    /// The monoharmonic formula (7.60) of the thesis gives the feature. The result is an approximation of the exact
+    /// peak.
     Estimate,
-    /// Interval arithmetic has found the feature. It finds every feature of this type in the range.
+    /// Interval arithmetic has found the feature. Interval arithmetic finds every feature of this type in the range.
     All,
-    /// A search from closely spaced samples has found the feature. It may miss two features that are closer to each
-    /// other than the samples.
+    /// A search from closely spaced samples has found the feature. The search may miss two features that are closer to
+    /// each other than two neighbouring samples.
     Sampled,
 }
 
@@ -44,15 +45,15 @@ pub struct FeatureLine {
     pub feature: &'static str,
     /// The chain, the contact or the mass that has the feature.
     pub of: String,
-    /// Details of the feature, in words.
+    /// Details of the feature in words, such as the condition of an invariant point.
     pub detail: String,
     /// Frequency ratio r of the feature, or the frequency ratio at which the feature begins. `None` if the feature has
     /// no frequency.
     pub r: Option<f64>,
     /// Frequency ratio r at which the feature ends, if it is a range.
     pub to: Option<f64>,
-    /// Friction at which the feature exists, or friction up to which it is valid. It is a friction ratio β, and under a
-    /// load a force in N.
+    /// Friction at which the feature exists, or up to which the feature is valid. The number is a friction ratio β, and
+    /// under a load a force in N.
     pub friction: Option<f64>,
     /// Amplitude of the motion at the feature, as a non-dimensional group. Under a load it is in m.
     pub amplitude: Option<f64>,
@@ -96,8 +97,8 @@ impl FeatureLine {
         self
     }
 
-    /// Returns the name of the feature's first number, the parameter to which this number is most sensitive, and the
-    /// change of the number in per cent for a change of the parameter by one per cent.
+    /// Returns the name of the feature's first number, and the parameter to which this number is most sensitive. The
+    /// third item is the change of the number in per cent for a change of the parameter by one per cent.
     #[must_use]
     pub fn strongest(&self) -> Option<(&'static str, Parameter, f64)> {
         let (name, sensed) = self.sensed.first()?;
@@ -120,7 +121,8 @@ pub struct FeaturesAsked<'a> {
     pub range: [f64; 2],
     /// Friction ratios β for which the features are computed.
     pub frictions: &'a [f64],
-    /// True if the result must contain the exact peaks. They take much time for a long chain.
+    /// True if the result must contain the exact peaks. The computation of exact peaks takes much time for a chain of
+    /// many masses.
     pub peaks: bool,
 }
 

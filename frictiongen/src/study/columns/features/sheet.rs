@@ -48,7 +48,8 @@ impl<'a, R: TableRow + 'a> Sheet<'a, R> {
         self.columns.number("beta", move |row| Some(beta(row)));
     }
 
-    /// Adds a column of the friction with which the feature compares the requested friction.
+    /// Adds a column of the second friction of a crossing, as a friction ratio or, under a load, as a force in N. At a
+    /// crossing, a motion has equal amplitudes for two frictions.
     pub(super) fn other_friction(&mut self, beta: impl Fn(&R) -> f64 + 'a) {
         let head = Head::of("other_beta", PhysicalQuantity::Force).under_load("other_friction");
         self.columns.number(head, move |row| Some(beta(row)));
@@ -69,8 +70,8 @@ impl<'a, R: TableRow + 'a> Sheet<'a, R> {
         self.columns.number(Head::new(format!("{before}r")), of);
     }
 
-    /// Sets the derivatives of the frequency in the last column. Under a load they are derivatives of the frequency in
-    /// Hz, otherwise derivatives of r.
+    /// Sets the derivatives of the frequency that was added last. Under a load, the derivatives are those of the
+    /// frequency in Hz. Without a load, the derivatives are those of r.
     pub(super) fn places_move(&mut self, of: impl Fn(&R) -> Option<&Sensed> + 'a) {
         let before = usize::from(self.setting.measure.load().is_some());
         self.columns.moves_before(before, of);

@@ -33,8 +33,8 @@ impl<'a> FeatureTable<'a> {
     /// Returns the symbol of a parameter, as the table prints it.
     #[must_use]
     pub fn symbol(&self, parameter: Parameter) -> String {
-        // Names and units of parameters do not depend on the numbers of the operating point, so the code uses arbitrary
-        // numbers.
+        // The symbol of a parameter does not depend on the numbers of the operating point. The code therefore uses
+        // arbitrary numbers.
         let point = match self.setting.measure.load() {
             Some(load) => OperatingPoint::Physical {
                 hertz: 1.0,

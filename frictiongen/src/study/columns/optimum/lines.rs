@@ -15,7 +15,7 @@ pub struct OptimumLine {
     pub list: Option<&'static str>,
     /// Number of the entry in its list, counted from 1. `None` for a value outside the lists.
     pub row: Option<usize>,
-    /// Key of the line's value for programs. It is unique in its entry of the list.
+    /// Key of the line's value for programs. No two lines of one entry of a list have the same key.
     pub key: String,
     /// Name of the line's value, in words for people.
     pub label: String,
@@ -32,7 +32,7 @@ pub struct OptimumLine {
 
 impl TableRow for OptimumLine {}
 
-/// The number of the description that the search has optimised together with the friction, and its result.
+/// A number of the description that the search has optimised together with the friction, and the result of this search.
 #[derive(Clone, Debug)]
 pub struct Tuned<'a> {
     /// Number of the description that the search has optimised together with the friction.
@@ -58,7 +58,7 @@ impl Tuned<'_> {
 pub enum Further<'a> {
     /// The search has considered no further quantities.
     None,
-    /// Quantities with their upper bounds, which the search has kept.
+    /// Quantities with their upper bounds, which the result of the search satisfies.
     Kept(&'a [(MovingPart, f64, f64)]),
     /// Quantities with their divisors. The search has minimised the largest quotient.
     Weighted(&'a [(MovingPart, f64, f64)]),
@@ -226,7 +226,7 @@ impl<'a> OptimumTable<'a> {
 
     fn tolerance_lines(&self, optimum: &Optimum, lines: &mut Vec<OptimumLine>) {
         let mut columns = self.tolerance_columns();
-        // The code replaces `{}` by the excess of the amplitude.
+        // The name of the entry, such as `5 % above the best`, replaces `{}`.
         let titles = ["{}: friction from", "{}: friction to"];
         for (column, title) in columns.iter_mut().skip(1).zip(titles) {
             column.title = vec![title.to_owned()];

@@ -135,8 +135,8 @@ impl<'a> OrbitTable<'a> {
         match at.orbit_or_last_cycles(beta) {
             Ok(orbit) => {
                 let mut row = self.found(at, (frequency, friction), &orbit);
-                // If the motion does not settle, `response` returns another steady state. The row gets the regime of
-                // that state.
+                // If the motion from rest does not settle, `response` returns another steady state. The row gets the
+                // regime of this steady state.
                 if !orbit.is_settled()
                     && let Ok(response) = at.response(beta)
                 {

@@ -24,8 +24,8 @@ pub struct ResponseRow {
     pub margin: f64,
     /// Method that computed the motion, or the reason why there is none.
     pub answer: &'static str,
-    /// The contact's offset, a flag that is true for a marginal response, and a flag that is true if the motion from
-    /// rest ends in this response. `None` if there is no response.
+    /// The contact's offset and two flags. The first flag is true for a marginal response. The second flag is true if
+    /// the motion from rest ends in this response. `None` if there is no response.
     known: Option<(f64, bool, bool)>,
     motions: Vec<MotionGroups>,
 }
@@ -77,7 +77,7 @@ impl<'a> ResponseTable<'a> {
         frictions: impl Iterator<Item = FrictionSetting>,
     ) -> Result<Vec<ResponseRow>, OutOfDomain> {
         let at = self.setting.system.at(frequency.r)?;
-        // The limits do not depend on β, so that one search suffices.
+        // The limits do not depend on β. One search for the limits therefore suffices for all rows.
         let limits = at.limits();
         frictions
             .map(|friction| friction.at(&self.setting.measure, frequency))

@@ -43,8 +43,8 @@ fn a_block_on_a_floor() {
     assert!(slip > place(low) && run.contact_named("floor").expect("a contact").force == -friction);
 }
 
-/// Checks two masses with a dashpot and without a support. Half of the distance between the extremes of a mass must
-/// equal the amplitude of the linear response.
+/// Checks two masses with a dashpot and without a support. The centred amplitude (max − min)/2 of each mass must equal
+/// the amplitude of the linear response.
 #[test]
 fn a_free_pair_vibrates_about_its_mean_place() {
     let pair = system(
@@ -73,7 +73,8 @@ fn a_free_pair_vibrates_about_its_mean_place() {
             .energy()
             > 0.0
     );
-    // While the clutch sticks, both masses move as one body with the amplitude P/(5 ω²), where P = k₁.
+    // While the clutch sticks, both masses (5 kg together) move as one body. Its amplitude is P/(5ω²), with P = k₁ =
+    // 500.
     let body = 500.0 / (5.0 * at.omega() * at.omega());
     let got = stuck.mass("right").expect("a mass").norm();
     assert!(apart(got, body) < 1e-12, "{got} {body}");
@@ -110,8 +111,8 @@ fn states_repeat() {
     }
 }
 
-/// Checks that a path has the corners of the hysteresis loops: a polygon through its samples has the energy as its area,
-/// although the period has only 16 equal intervals.
+/// Checks that a path has the corners of the hysteresis loops. The area of a polygon through its samples must be the
+/// dissipated energy, although the period has only 16 equal intervals.
 #[test]
 fn a_path_has_the_corners() {
     let frame = system(super::FRAME);
@@ -140,7 +141,8 @@ fn a_path_has_the_corners() {
     for (index, name) in ["brace", "pads"].into_iter().enumerate() {
         let exact = orbit.contact_named(name).expect("a contact").energy();
         let (cut, whole) = (energy(&plain, index), energy(&path, index));
-        // Between events the force is a straight line over the displacement. The samples are 1e-9 beside the events.
+        // Between events, the force is a straight line over the displacement. The samples of a path are 1e-9 rad before
+        // and after each event.
         assert!(
             (whole - exact).abs() < 1e-7 * exact,
             "{name}: {whole} {exact}"

@@ -155,7 +155,7 @@ fn steady_states() {
         let orbit = at.expect("a load").orbit(1.0).expect("a steady state");
         assert_eq!(orbit.period(), 1, "scene {index}");
         let stuck = numbers(&expected["stuck_fraction"]);
-        // The reference is accurate to 1e-9 if its motion settles within 200 cycles.
+        // The reference is accurate to 1e-9 only if its motion settles within 200 cycles.
         if expected["cycles_to_settle"]
             .as_f64()
             .is_some_and(|cycles| cycles >= 200.0)

@@ -5,7 +5,7 @@ use super::{FRAME, system};
 use crate::study::scene::JointLaw;
 use crate::{System, Unsupported};
 
-/// Checks that every other method of a system returns an error that names `contacts`.
+/// Checks that the methods of a system for a single contact return an error that names `contacts` and `dampers`.
 #[test]
 fn other_calls_name_the_fields() {
     let frame = system(FRAME);

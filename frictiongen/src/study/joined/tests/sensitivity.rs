@@ -1,5 +1,5 @@
-//! Checks derivatives of steady states in three ways: against the derivatives of a single contact, which dual numbers
-//! compute, against differences of motions from rest, and against laws of scale.
+//! Checks derivatives of steady states in three ways. The tests compare them with those of a single contact from dual
+//! numbers, with differences of motions from rest, and with laws of scale.
 
 use super::{FRAME, system};
 use crate::study::joined::{JoinedError, JoinedParameter, JoinedSensitivities};
@@ -8,7 +8,7 @@ use crate::study::sensitivity::{NoDerivative, OperatingPoint, Quantity};
 use crate::study::units::Load;
 use crate::{Of, System};
 
-/// Returns the derivatives with respect to one parameter.
+/// Returns the value of a parameter, and the derivatives of amplitudes and energies with respect to this parameter.
 fn of(all: &JoinedSensitivities, parameter: JoinedParameter) -> Option<(f64, &[Slope], &[Slope])> {
     let mut found = all.parameters.iter();
     let found = found.find(|found| found.parameter == parameter)?;
@@ -111,7 +111,7 @@ fn derivatives_are_differences_of_motions_from_rest() {
     let joined = system.joined().expect("answers");
     let all = joined.sensitivities(OperatingPoint::Groups { r, beta });
     let all = all.expect("derivatives");
-    // The numbers in the text, each with a replacement that is larger or smaller by one ten thousandth.
+    // Each number in the text is replaced by a number that is larger or smaller by one ten-thousandth.
     let changes = [
         (
             JoinedParameter::Quantity(Quantity::Mass(1)),
@@ -235,12 +235,12 @@ fn states_without_derivatives_are_refused_by_name() {
     let system = system(FRAME);
     let joined = system.joined().expect("answers");
     let at = joined.at(0.6).expect("a frequency");
-    // All contacts stick.
+    // At three times the limit of the stuck state all contacts stick, and the steady state is marginal.
     let beta = 3.0 * at.stuck().expect("a state").limit();
     let error = refused(&system, 0.6, beta);
     assert_eq!(error, JoinedError::NoDerivative(NoDerivative::Marginal));
-    // With μ = 1, there is only one steady state. Between these two frictions, its numbers of stops and reversals
-    // change.
+    // With μ = 1, there is only one steady state. Between the frictions `low` and `high`, the numbers of stops and
+    // reversals of this state change.
     let system = super::system(&FRAME.replace(", stiction: 1.2", ""));
     let joined = system.joined().expect("answers");
     let at = joined.at(0.6).expect("a frequency");

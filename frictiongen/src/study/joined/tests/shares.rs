@@ -49,12 +49,12 @@ fn a_stopped_search_keeps_its_best_distribution() {
     let peak = peak.fold(0.0, f64::max);
     println!("{:.5} for {:.5}, shares {:?}", peak, before, found.shares);
     assert!((peak - found.optimum.amplitude).abs() < 1e-9 * peak);
-    // The frequency and the count are those of this distribution, not those of the description.
+    // The result must contain the frequency and the count of this distribution, not those of the description.
     assert!((amplitude(found.optimum.r) - peak).abs() < 1e-9 * peak);
     assert_eq!(found.optimum.evaluations, allowed);
 }
 
-/// Checks that a search that stops at once has no result, and that an interval must begin above 0.
+/// Checks that a search that stops at once has no result, and that an interval of shares must begin above 0.
 #[test]
 fn searches_without_an_answer() {
     let block = system(BLOCK);

@@ -1,4 +1,5 @@
-//! Compares results of a list `contacts` with one rigid contact with those of the solver for a single contact.
+//! Compares two solvers for a scene with one contact: the solver for several contacts, and the solver for a single
+//! contact. The first solver finds the contact in the list `contacts`.
 
 use super::{FRAME, apart, system};
 use crate::Regime;
@@ -15,7 +16,7 @@ fn listed() -> String {
     SINGLE.replace("contact: upper - wall", "contacts: { pads: upper - wall }")
 }
 
-/// Compares steady states, from continuous motion to six stops in a cycle.
+/// Compares steady states of the two solvers, from continuous motion to six stops in a cycle.
 #[test]
 fn steady_states_are_those_of_a_single_contact() {
     let (one, many) = (system(SINGLE), system(&listed()));
@@ -74,7 +75,7 @@ fn steady_states_are_those_of_a_single_contact() {
     );
 }
 
-/// Compares the limit of the stuck state, and the amplitudes while the contact sticks.
+/// Compares β*_lim, and the amplitudes while the contact sticks, with those of the solver for a single contact.
 #[test]
 fn stuck_states_are_those_of_a_single_contact() {
     let (one, many) = (system(SINGLE), system(&listed()));
@@ -97,7 +98,7 @@ fn stuck_states_are_those_of_a_single_contact() {
     }
 }
 
-/// Compares the steady state of an elastic contact, described as a single contact and in a list.
+/// Compares the steady state of an elastic contact in a list `contacts` with that of the solver for a single contact.
 #[test]
 fn an_elastic_contact_has_the_same_steady_state() {
     let elastic = SINGLE.replace(
@@ -123,7 +124,8 @@ fn an_elastic_contact_has_the_same_steady_state() {
     }
 }
 
-/// Checks that a scene with a single `contact` has the same results, and that the name of this contact is `contact`.
+/// Checks that the solver for several contacts accepts a scene with a single `contact`, and that the name of this
+/// contact is `contact`.
 #[test]
 fn a_single_contact_has_these_answers_too() {
     let one = system(SINGLE);
@@ -145,7 +147,7 @@ fn a_single_contact_has_these_answers_too() {
     );
 }
 
-/// Checks the regime below every limit, between the limits, and above all limits.
+/// Checks the regime at a common friction above the limit of the stuck state, just below this limit, and close to 0.
 #[test]
 fn regimes_are_told_with_the_contacts_that_stick() {
     let system = system(FRAME);
@@ -198,7 +200,7 @@ fn a_dashpot_beside_one_contact_is_modal_damping_of_one_mass() {
         "struct Block { masses: { block: 2.0 }, springs: { base - block: 800.0 }, contact: block - wall,
         stiction: 1.2, excitation: block, damping: modal(0.05) }",
     );
-    // 2 ζ √(km) = 4 N·s/m.
+    // The damping coefficient is 2ζ√(km) = 4 N·s/m, with ζ = 0.05, k = 800 N/m and m = 2 kg.
     let dashpot = system(
         "struct Block { masses: { block: 2.0 }, springs: { base - block: 800.0 }, contact: block - wall,
         stiction: 1.2, excitation: block, dampers: { base - block: 4.0 } }",

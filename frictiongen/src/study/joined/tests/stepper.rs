@@ -1,9 +1,9 @@
-//! Tests of the stepper with a friction force of each contact of its own.
+//! Tests of the stepper for several contacts, in which every contact has its own friction force.
 
 use super::{FRAME, system};
 use crate::study::joined::JoinedInput;
 
-/// Checks a block under a force. The contact first holds the block, then releases it, and finally has no friction
+/// Checks a block under a constant force of 5 N. The contact first sticks, then slides, and finally has no friction
 /// force.
 #[test]
 fn friction_forces_change_from_step_to_step() {
@@ -76,7 +76,7 @@ fn bad_inputs_change_nothing() {
         assert_eq!(stepper.time(), 0.0);
     }
     assert!(joined.stepper(0.0).is_err());
-    // Here a force drives the scene, so that the base rests.
+    // A force drives this scene, so that the base must be at rest.
     for base in [[0.0, 1.0], [f64::NAN, 0.0]] {
         let input = JoinedInput {
             base,
@@ -87,9 +87,9 @@ fn bad_inputs_change_nothing() {
     }
 }
 
-/// Checks the energy of each contact against the work of a constant force, less the kinetic energy and the energy in
-/// the springs of the contacts. The static friction exceeds the kinetic friction, and the friction falls during the
-/// motion.
+/// Checks the energy balance. The energy that the contacts dissipate must equal the work of a constant force, less the
+/// kinetic energy and the energy in the springs of the contacts. The static friction exceeds the kinetic friction, and
+/// the friction falls during the motion.
 #[test]
 fn energies_close_the_balance() {
     let pair = system(

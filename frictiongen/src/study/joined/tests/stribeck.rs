@@ -32,7 +32,8 @@ fn motions_are_those_of_a_single_contact() {
             let friction = beta * 0.02 * 1190.0;
             let mut many = at.simulation(friction).expect("a motion");
             for _ in 0..200 {
-                // The solver for a single contact advances at most to the next event.
+                // The solver for a single contact stops at the next event. The loop repeats the call until the phase is
+                // reached.
                 let mut left = TAU / 25.0;
                 while left > 1e-14 {
                     left -= single.advance(left).expect("a motion").length;
@@ -49,7 +50,8 @@ fn motions_are_those_of_a_single_contact() {
         }
         println!("{load}: {events} events, {worst:.1e}");
         assert!(events > 60, "{events}");
-        // Displacements and velocities have the size 1 to 10. A falling law makes small differences grow.
+        // Non-dimensional displacements and velocities are between 1 and 10. A friction law that falls with speed makes
+        // small differences grow.
         assert!(worst < 1e-9, "{worst:e}");
     }
 }
@@ -101,7 +103,8 @@ fn steady_states_are_those_of_the_motion_from_rest() {
     assert!(stops.iter().any(|stops| *stops > 2), "{stops:?}");
 }
 
-/// Checks that answers in ratios are refused. The speeds of the law have units.
+/// Checks that a request for results in ratios returns an error. The sliding speeds of the law have units, so that the
+/// solver needs the amplitude of the load.
 #[test]
 fn ratios_are_refused() {
     let frame = system(TWO);

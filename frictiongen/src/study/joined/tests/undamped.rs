@@ -1,5 +1,5 @@
-//! Checks steady states of chains without damping at frictions above the limit of the stuck state. The free vibration
-//! of such a chain never decays while all contacts stick.
+//! Checks steady states of chains without damping, at frictions above the limit of the stuck state (no contact slides).
+//! While all contacts stick, the free vibration of such a chain never decays.
 
 use super::system;
 use crate::study::joined::JoinedError;
@@ -7,7 +7,8 @@ use crate::study::joints::JointError;
 use crate::{Regime, System};
 use fuzzing::Random;
 
-/// Returns the description of a chain of 2 to 4 masses without damping, with 1 to 4 contacts of both kinds.
+/// Returns the description of a chain of 2 to 4 masses without damping. The chain has 1 to 4 contacts, rigid or
+/// elastic.
 fn description(random: &mut Random) -> String {
     let masses = 2 + random.below(3);
     let values = (0..masses).map(|mass| format!("m{mass}: {:.4}", random.between(0.5, 3.0)));
@@ -34,7 +35,8 @@ fn description(random: &mut Random) -> String {
         if random.once_in(3) {
             law += &format!(", stiction: {:.3}", random.between(1.0, 1.5));
         }
-        // Rigid contacts must not form a loop. Therefore only the first contact with the wall is rigid.
+        // Rigid contacts must not form a loop. Therefore only the first contact of a scene may be a rigid contact with
+        // the wall.
         if contact > 0 && place.is_multiple_of(2) || random.once_in(2) {
             law += &format!(", stiffness: {:.1}", random.between(2e3, 2e4));
         }
@@ -51,8 +53,8 @@ fn description(random: &mut Random) -> String {
     )
 }
 
-/// Checks the steady state at a friction above the limit of the stuck state. Returns true if there is one, and false
-/// if the motion from rest does not settle.
+/// Checks the steady state at a friction above the limit of the stuck state: no contact may slide. Returns false if the
+/// motion from rest does not settle, and otherwise true.
 fn check(text: &str, system: &System, (r, factor): (f64, f64)) -> bool {
     let joined = system.joined().expect("answers");
     let at = joined.at(r).expect("a frequency");
@@ -65,7 +67,7 @@ fn check(text: &str, system: &System, (r, factor): (f64, f64)) -> bool {
     assert_eq!(orbit.period(), 1, "{text}");
     assert!(orbit.is_marginal(), "{text}");
     assert_eq!(orbit.regime(), Regime::Stuck, "{text}");
-    // Slip on the way may have left constant forces, which change only the mean of the motion.
+    // Slip before the steady state may have left constant forces. These forces change only the mean of the motion.
     let amplitudes = orbit.centred_amplitudes();
     let largest = amplitudes.iter().copied().fold(0.0, f64::max);
     for (mass, amplitude) in system.scene().masses.iter().zip(&amplitudes) {
@@ -77,13 +79,13 @@ fn check(text: &str, system: &System, (r, factor): (f64, f64)) -> bool {
     true
 }
 
-/// Checks random scenes. Returns the numbers of scenes with and without a steady state.
+/// Checks random scenes. Returns the number of scenes with a steady state, and the number of scenes without one.
 fn check_random(count: usize) -> (usize, usize) {
     let mut random = Random(46);
     let (mut settled, mut unsettled) = (0, 0);
     while settled + unsettled < count {
         let text = description(&mut random);
-        // Some of these scenes have a loop of rigid contacts.
+        // In some of these scenes rigid contacts form a loop. Such a scene is an error.
         let Ok(system) = text.parse::<System>() else {
             continue;
         };
@@ -119,8 +121,8 @@ fn a_free_vibration_does_not_lengthen_the_period() {
     ));
 }
 
-/// Checks a chain with an elastic contact that slides once, and then only reaches its friction force once in every
-/// cycle. In the result the contact must stick.
+/// Checks a chain with an elastic contact that slides only once. Afterwards its force only reaches the friction force,
+/// once in every cycle. In the result the contact must stick.
 #[test]
 fn a_contact_that_only_reaches_its_limit_sticks() {
     let text = "struct Chain {
@@ -141,8 +143,8 @@ fn a_contact_that_only_reaches_its_limit_sticks() {
     ));
 }
 
-/// A step of Newton's method changes the state of this chain while the elastic contact slides. The relative velocity
-/// then has the opposite sign of the force.
+/// Checks a chain with an elastic contact. A step of Newton's method changes its state while the contact slides. The
+/// relative velocity then has the opposite sign of the force.
 #[test]
 fn a_contact_with_the_opposite_velocity_sticks() {
     let text = "struct Chain {
@@ -168,7 +170,7 @@ fn random_scenes_stick() {
     assert!(settled >= 4, "{settled}");
 }
 
-/// Long form of the test above, with more random scenes.
+/// Repeats `random_scenes_stick` with more random scenes.
 #[test]
 #[ignore = "minutes"]
 fn random_scenes_stick_long() {

@@ -1,15 +1,15 @@
-//! Compares steady states of chains whose contacts are elastic with μ = 1 with the motion from rest, cycle after cycle.
-//! The search for these steady states does not follow the motion until it settles.
+//! Compares steady states with the motion from rest, cycle after cycle. All contacts of the chains are elastic with μ =
+//! 1. The search for these steady states does not follow the motion until it settles.
 
 use super::super::{Motion, State, steady_state};
 use super::{Chain, Random, random_chain};
 use std::f64::consts::TAU;
 
-/// Largest number of cycles for which the tests follow the motion from rest.
+/// Largest number of cycles of the load for which the tests follow the motion from rest.
 const CYCLES: usize = 4000;
 
-/// Returns the largest differences between two states: of displacements, of velocities divided by ω, and of forces
-/// divided by their friction force.
+/// Returns two largest differences between the states a and b. The first is that of displacements, and of velocities
+/// divided by ω. The second is that of contact forces divided by their friction force.
 fn away(chain: &Chain, omega: f64, (a, b): (&State, &State)) -> (f64, f64) {
     let most = |a: &[f64], b: &[f64]| {
         let differences = a.iter().zip(b).map(|(a, b)| (a - b).abs());
@@ -49,8 +49,8 @@ fn settled(chain: &Chain, omega: f64) -> Option<State> {
     None
 }
 
-/// Compares the steady states of a number of random scenes. Returns the largest difference, and the number of scenes in
-/// which one contact never slides although another contact slides.
+/// Compares the steady states of random scenes with the motions from rest. Returns the largest difference, and the
+/// number of scenes in which one contact never slides although another contact slides.
 fn compare(count: usize) -> (f64, usize) {
     let mut random = Random::new(461);
     let (mut worst, mut mixed, mut compared) = (0.0_f64, 0, 0);
@@ -95,7 +95,7 @@ fn steady_states_are_those_that_the_motion_from_rest_reaches() {
     assert!(mixed > 0);
 }
 
-/// Repeats the test above with more random scenes.
+/// Repeats `steady_states_are_those_that_the_motion_from_rest_reaches` with more random scenes.
 #[test]
 #[ignore = "half a minute"]
 fn steady_states_are_those_that_the_motion_from_rest_reaches_long() {

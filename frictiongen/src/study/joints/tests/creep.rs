@@ -50,7 +50,7 @@ fn creep_under_constant_loads(cycles: usize) {
                     ..rigid((Mass(3), Mass(2)), 0.4, 1.0)
                 },
             ],
-            // The first contact carries at most 28 from the load and 2 from the sliding contact.
+            // The force in the first contact is at most 30: 28 from the constant load and 2 from the sliding contact.
             loads: vec![
                 (0, Wave::constant(28.0)),
                 (1, Wave::harmonic(12.0, 31.0)),

@@ -81,7 +81,7 @@ fn powers(chain: &Chain, motion: &super::super::Model, series: &Series, at: f64)
 }
 
 /// Returns the error of the energy balance of one scene over some cycles, and the number of events. The error is
-/// divided by the energy that load or base put in or took out.
+/// divided by the energy at the start plus the energy that load or base put in or took out.
 fn balance(chain: &Chain, omega: f64, cycles: f64) -> Result<(f64, usize), JointError> {
     let mut motion = Motion::from_rest(chain)?;
     let model = motion.model().clone();
@@ -161,7 +161,7 @@ fn random_scenes_keep_their_energy_long() {
     assert!(random_scenes(10_000) > 200_000);
 }
 
-/// Checks that a chain of 64 masses with sixteen contacts of both kinds runs without an error, also with μ > 1.
+/// Checks that a chain of 64 masses with sixteen contacts, rigid and elastic, runs without an error, also with μ > 1.
 #[test]
 fn the_largest_chain_runs() {
     let mut random = Random::new(9);

@@ -82,7 +82,7 @@ fn fixed<S: Float>(model: &Model) -> joints::Model<S, Small> {
     }
 }
 
-/// Counts events.
+/// Counts the events of a motion.
 struct Count(usize);
 
 impl<S: Float, Z: Size> Observe<S, Z> for Count {
@@ -151,7 +151,7 @@ fn single_precision_follows_double_precision() {
         worst / size
     );
     assert_eq!(count.0, events);
-    // The tolerance is 100 units in the last place.
+    // The tolerance is 100 machine epsilons of `f32`, times the largest displacement.
     assert!(
         worst < 100.0 * f64::from(f32::EPSILON) * size,
         "{worst} {size}"

@@ -66,10 +66,10 @@ fn coupled_clutches() {
     }
     let v = &motion.state().v;
     assert!((v[0] - 3.247_058_272_419).abs() < 1e-12, "{v:?}");
-    // Only ten digits of the other velocities are published. The angular momentum gives further digits.
+    // Only ten digits of the other velocities are published. The angular momentum below checks further digits.
     assert!((2.463_187_166..2.463_187_167).contains(&v[1]), "{v:?}");
     assert!(v[1] == v[2] && v[2] == v[3], "{v:?}");
-    // The angular momentum is the integral of the torque plus the momentum at the start.
+    // The angular momentum must equal the integral of the torque plus the momentum at the start.
     let momentum: f64 = v.iter().sum();
     let torque = 10.0 + (1.0 - (15.0 * PI).cos()) / PI;
     assert!((momentum - torque).abs() < 1e-12, "{momentum} {torque}");
@@ -93,7 +93,8 @@ fn oscillator_that_comes_to_rest() {
     assert_eq!(motion.state().v, [0.0]);
 }
 
-/// Checks the loop of force against displacement of an elastic contact that moves through ±5, and its area 4F(X − F/k).
+/// Checks the hysteresis loop of an elastic contact whose displacement goes from −5 to 5 and back. The area of the loop
+/// must be 4F(X − F/k), with the friction force F = 3, X = 5 and the stiffness k = 2.
 #[test]
 fn loop_of_an_elastic_contact() {
     // The mass is so heavy that it stays at rest. The base moves as 5 sin t.
@@ -115,7 +116,7 @@ fn loop_of_an_elastic_contact() {
     };
     let mut motion = Motion::from_rest(&chain).expect("a chain");
     let angle = |displacement: f64| (displacement / 5.0).asin();
-    // The displacements are 5, 3.5, 2, −5, −3.5, −2 and 5. The next cycle repeats them.
+    // The displacements at these instants are 5, 3.5, 2, −5, −3.5, −2 and 5. The next cycle repeats them.
     let instants = [
         (PI / 2.0, 3.0),
         (PI - angle(3.5), 0.0),
@@ -149,8 +150,8 @@ fn loop_of_an_elastic_contact() {
     }
 }
 
-/// Checks a chain of two identical halves, with one contact in each and a mass between them. The two contacts must have
-/// their events at equal instants.
+/// Checks a chain of two identical halves, with one contact in each half and a mass between the halves. The two
+/// contacts must have their events at equal instants.
 #[test]
 fn symmetric_halves_share_their_events() {
     let chain = Chain {
@@ -168,7 +169,7 @@ fn symmetric_halves_share_their_events() {
         loads: vec![(1, Wave::harmonic(30.0, 17.0))],
         ..Chain::default()
     };
-    // One half of the chain has one half of the middle mass and of the load.
+    // This chain is one half of the symmetric chain. It has one half of the middle mass and of the load.
     let half = Chain {
         masses: vec![1.3, 1.0],
         springs: vec![(Wall, Mass(0), 900.0), (Mass(0), Mass(1), 1500.0)],

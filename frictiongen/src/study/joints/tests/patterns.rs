@@ -1,5 +1,6 @@
-//! Compares the decision on which contacts stick with a test of all 3^m patterns of m contacts. For μ = 1, also
-//! compares the decision with the minimum of a convex function.
+//! Checks the decision on which contacts stick. A pattern says for each contact that it sticks, or in which direction
+//! it slides. The tests compare the decision with a search over all 3^m patterns of m contacts. For μ = 1, they also
+//! compare it with the minimum of a convex function.
 
 use super::super::{Heap, Model};
 use super::{Chain, Random, rigid};
@@ -8,14 +9,15 @@ use frictiongen_model::scene::Node::{self, Mass, Wall};
 
 type Decision<'a> = joints::Decision<'a, f64, Heap>;
 
-/// Creates a random decision for m contacts on a random chain of m to m + 2 masses.
+/// Creates a random chain of m or m + 1 masses with m contacts, and random forces on the masses. The solver must decide
+/// which contacts stick.
 fn question(random: &mut Random, count: usize, kinetic: bool) -> (Chain, Vec<f64>) {
     let extra = random.below(2);
     let masses: Vec<f64> = (0..count + extra)
         .map(|_| random.between(0.3, 3.0))
         .collect();
     let contacts = (0..count).map(|i| {
-        // Each contact connects to the wall or to an earlier mass, so that the contacts form no loop.
+        // Each contact is between its mass and the wall or an earlier mass, so that the contacts form no loop.
         let other: Node = if i == 0 || random.unit() < 0.3 {
             Wall
         } else {
@@ -67,7 +69,9 @@ fn solve(mut a: Vec<Vec<f64>>, mut b: Vec<f64>) -> Vec<f64> {
     b
 }
 
-/// Returns accelerations and contact forces of a pattern from dense matrices, W_SᵀM⁻¹W_S.
+/// Returns the relative acceleration of each contact, and the force of each sticking contact, for one pattern. The
+/// forces come from the dense matrix W_SᵀM⁻¹W_S. M is the mass matrix, and W_S contains the direction vectors of the
+/// sticking contacts.
 fn dense(chain: &Chain, model: &Model, forces: &[f64], pattern: &[i8]) -> (Vec<f64>, Vec<f64>) {
     let n = chain.masses.len();
     let w = |j: usize| {
@@ -112,8 +116,8 @@ fn dense(chain: &Chain, model: &Model, forces: &[f64], pattern: &[i8]) -> (Vec<f
     )
 }
 
-/// Returns all patterns in the order in which the rule prefers them. Patterns with more sticking contacts come first.
-/// Patterns with the same number follow the order of the description.
+/// Returns all patterns in the order in which the decision prefers them. Patterns with more sticking contacts come
+/// first. Patterns with the same number of sticking contacts have the order of the description.
 fn all(count: usize) -> Vec<Vec<i8>> {
     let mut all: Vec<Vec<i8>> = (0..3_usize.pow(count as u32))
         .map(|code| {
@@ -163,7 +167,7 @@ fn decide(decision: &Decision) -> Vec<i8> {
     decision.decide().expect("a pattern")
 }
 
-/// Compares random decisions with the test of all patterns, with and without contacts that have just broken away.
+/// Compares random decisions with a search over all patterns, with and without contacts that have just broken away.
 fn against_all(count: usize) {
     let mut random = Random::new(41);
     let (mut several, mut retried) = (0, 0);
@@ -220,8 +224,8 @@ fn decisions_are_those_of_all_patterns_long() {
     against_all(100_000);
 }
 
-/// Checks that for μ = 1 the accelerations a minimise Σ ½ m a² − Σ R a + Σ F |wᵀa|, where R are the other forces on the
-/// masses.
+/// Checks that for μ = 1 the accelerations a minimise Σ ½ma² − Σ Ra + Σ F|wᵀa|. R is the sum of the other forces on a
+/// mass, F the friction force of a contact, and w its direction vector.
 #[test]
 fn accelerations_are_those_of_the_convex_minimum() {
     let mut random = Random::new(5);
@@ -243,7 +247,7 @@ fn accelerations_are_those_of_the_convex_minimum() {
                     .sum::<f64>()
         };
         let least = cost(&a);
-        // If no small displacement from a point lowers a convex function, the function has its minimum at this point.
+        // A convex function has its minimum at a point if no small step from this point lowers the function.
         for step in [1e-1, 1e-3] {
             for _ in 0..40 {
                 let mut other = a.clone();
@@ -256,8 +260,8 @@ fn accelerations_are_those_of_the_convex_minimum() {
     }
 }
 
-/// Checks the direction of sliding at a break-away with μ = 1. The acceleration is then 0 to rounding, so that the
-/// force in the contact determines the direction.
+/// Checks the direction of sliding at a break-away with μ = 1. The acceleration is then 0 apart from rounding errors.
+/// The force in the contact must therefore determine the direction.
 #[test]
 fn what_breaks_away_goes_where_its_force_points() {
     for side in [1.0, -1.0] {
@@ -278,7 +282,7 @@ fn what_breaks_away_goes_where_its_force_points() {
     }
 }
 
-/// Checks that the solver decides a chain of sixteen contacts that act on each other, with μ = 1.
+/// Checks that the solver finds a pattern for a chain of sixteen contacts that act on each other, with μ = 1.
 #[test]
 fn sixteen_contacts_are_decided() {
     let mut random = Random::new(3);

@@ -32,7 +32,7 @@ fn block_under_a_rising_force() {
     }
 }
 
-/// Creates a chain of five storeys with a friction damper in a brace on each, and a sampled force on each floor.
+/// Creates a chain of five storeys. Each storey has a friction damper in a brace, and each floor has a sampled force.
 fn storeys() -> Chain {
     let node = |i: usize| if i == 0 { Base } else { Mass(i - 1) };
     let mut chain = Chain {
@@ -47,14 +47,14 @@ fn storeys() -> Chain {
         loads: (0..5).map(|i| (i, Wave::default())).collect(),
         ..Chain::default()
     };
-    // The storeys have a friction pad in addition to the dampers. The pad sticks most of the time.
+    // In addition to the dampers, the fifth floor has a friction pad on the wall. The pad sticks most of the time.
     chain.contacts.push(rigid((Mass(4), Wall), 6.0, 1.3));
     chain.damp_modes(&[0.02; 5]).expect("ratios");
     chain
 }
 
-/// Applies a record of forces. Each step of the record is divided into `parts` steps. Returns the last state and the
-/// number of events.
+/// Applies the forces of a record to every floor. The motion advances in `parts` calls for each step of the record.
+/// Returns the last state and the number of events.
 fn run(chain: &Chain, record: &[f64], step: f64, parts: usize) -> (Motion, usize) {
     let mut motion = Motion::from_rest(chain).expect("a chain");
     let mut events = 0;

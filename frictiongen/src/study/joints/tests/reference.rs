@@ -1,5 +1,5 @@
-//! Compares events, states and steady states with `joints.json`. A plain program made that file, with matrix
-//! exponentials and bisection. It shares nothing with this project.
+//! Compares events, states and steady states with the file `joints.json`. A separate program computed this file with
+//! matrix exponentials and bisection. The program shares no code with this project.
 
 use super::super::{Motion, Series};
 use super::{Chain, Joint, Wave, modal, stiffness};
@@ -78,8 +78,8 @@ pub fn chain(value: &Value, omega: f64) -> Chain {
     chain
 }
 
-/// Compares the largest |x| of each mass in a stretch (time interval of a power series) with its amplitude so far, and
-/// keeps the larger number.
+/// Finds the largest |x| of each mass in a stretch (time interval of a power series). Stores the number in `amplitudes`
+/// if it exceeds the amplitude so far.
 fn largest(amplitudes: &mut [f64], series: &Series, end: f64) {
     for (mass, amplitude) in amplitudes.iter_mut().enumerate() {
         let (x, v) = (series.displacement_terms(mass), series.velocity_terms(mass));

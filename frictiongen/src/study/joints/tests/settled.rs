@@ -50,12 +50,12 @@ fn settle(count: usize) -> (usize, usize) {
             back < 1e-10 * size,
             "scene {index}: {back:.1e} of {size:.1e}"
         );
-        // No shorter period repeats the motion.
+        // The motion must not repeat after fewer cycles than the period.
         for state in period.iter().take(steady.period - 1) {
             assert!(away(state, &steady.state) > 1e-6 * size, "scene {index}");
         }
         several += usize::from(steady.period > 1);
-        // If the motion from rest settles within 150 cycles, it reaches one of the cycles of this steady state.
+        // If the motion from rest settles within 150 cycles, it must reach one of the states of this period.
         let rate = steady.multipliers.first().map_or(0.0, |m| m.norm());
         if rate.powf(150.0 / steady.period as f64) < 1e-9 && steady.neutral == 0 {
             let rest = Motion::from_rest(&chain).expect("a chain").state().clone();

@@ -39,7 +39,7 @@ fn steady_states_are_those_of_the_reference() {
             steady.residual,
             steady.multipliers[0].norm()
         );
-        // The reference is accurate to 1e-9 if its motion settles within 200 cycles.
+        // The reference is accurate to 1e-9 only if its motion settles within 200 cycles.
         if cycles < 200.0 {
             assert!(differs < 1e-9, "scene {index}: {differs:.1e}");
             worst = worst.max(differs);
@@ -61,7 +61,8 @@ fn steady_states_are_those_of_the_reference() {
     println!("{worst:.1e}");
 }
 
-/// Checks that an elastic contact with two stops in a cycle dissipates 4F(X − F/k) in a cycle.
+/// Checks that an elastic contact with two stops in a cycle dissipates the energy 4F(X − F/k). X is the amplitude of
+/// the mass, F the friction force and k the stiffness of the contact.
 #[test]
 fn energy_of_a_cycle_is_the_area_of_the_loop() {
     let all = read();
@@ -87,7 +88,7 @@ fn energy_of_a_cycle_is_the_area_of_the_loop() {
     assert!(seen >= 3);
 }
 
-/// Checks that a small deviation decays as the largest multiplier predicts.
+/// Checks that a small deviation from the steady state decays as the largest Floquet multiplier predicts.
 #[test]
 fn changes_decay_with_the_multipliers() {
     let all = read();
@@ -112,7 +113,8 @@ fn changes_decay_with_the_multipliers() {
             .map(|(a, b)| (a - b).powi(2));
         changes.push(size.sum::<f64>().sqrt());
     }
-    // The largest multiplier belongs to a complex pair. The rate of decay is therefore a mean over many cycles.
+    // The largest multiplier belongs to a complex pair, so that the decay differs from cycle to cycle. The test
+    // therefore takes a mean over 30 cycles.
     let rate = (changes[59] / changes[29]).powf(1.0 / 30.0);
     let expected = steady.multipliers[0].norm();
     assert!(
@@ -164,7 +166,7 @@ fn the_stuck_chain_is_the_steady_state_with_large_levels() {
         }
         let largest = stuck.amplitudes.iter().fold(1e-12_f64, |m, x| m.max(*x));
         for (i, amplitude) in stuck.amplitudes.iter().enumerate() {
-            // The samples miss a maximum by at most (π/720)²/2, which is 1e-5.
+            // The samples miss a maximum by at most the fraction (π/720)²/2, which is 1e-5.
             let miss = (0.5 * (highest[i] - lowest[i]) - amplitude).abs() / largest;
             assert!(miss < 2e-5, "{miss:.1e} {chain:?}");
             worst = worst.max(miss);
@@ -182,8 +184,8 @@ fn the_stuck_chain_is_the_steady_state_with_large_levels() {
     println!("{worst:.1e}");
 }
 
-/// Checks that no contact slides if the friction just exceeds the limit, and that the named contact slides if the
-/// friction is just below the limit.
+/// Checks that no contact slides if the friction just exceeds the limit of the stuck response. If the friction is just
+/// below the limit, the contact that the response names must slide.
 #[test]
 fn the_limit_names_the_contact_that_goes_first() {
     let make = |factor: f64| Chain {
@@ -236,7 +238,7 @@ fn energies_of_contacts_are_what_the_load_puts_in() {
     let mut seen = 0;
     for _ in 0..8 {
         let (mut chain, omega) = random_chain(&mut random);
-        // Only the contacts dissipate energy.
+        // Without modal damping, only the contacts dissipate energy.
         chain.damping.clear();
         chain.dashpots.clear();
         chain.base = Wave::default();

@@ -1,4 +1,4 @@
-//! Tests of rigid contacts whose kinetic friction depends on the sliding speed, beside elastic contacts.
+//! Tests of chains with elastic contacts, and with rigid contacts whose kinetic friction depends on the sliding speed.
 
 use super::super::{Motion, Series, State, Transition};
 use super::{Chain, Joint, Random, Wave, random_chain, rigid};
@@ -6,11 +6,11 @@ use frictiongen_kernel::joints::value;
 use frictiongen_model::scene::Node::{Base, Mass, Wall};
 use std::f64::consts::TAU;
 
-/// Number of parts of a step in which the speed passes a point of the law.
+/// Number of small steps that replace a step in which the sliding speed passes a point of the friction law.
 const KINK: u32 = 4096;
 const LAW: [[f64; 2]; 3] = [[0.05, 0.75], [0.2, 0.5], [0.6, 0.9]];
 
-/// Returns φ(|v|) of `LAW`.
+/// Returns φ(|v|) of `LAW`, the kinetic friction force at the speed |v| divided by that at zero speed.
 fn law(speed: f64) -> f64 {
     let mut before = [0.0, 1.0];
     for point in LAW {
@@ -23,9 +23,8 @@ fn law(speed: f64) -> f64 {
     before[1]
 }
 
-/// Checks that the force of each sliding rigid contact follows the law at every point of every stretch (time interval
-/// of a power series), in random scenes. The forces and the motion satisfy the equations of motion by the test of the
-/// energy balance.
+/// Checks the force of each sliding rigid contact in random scenes. The force must follow the friction law at points of
+/// every stretch (time interval of a power series). The test of the energy balance checks the equations of motion.
 #[test]
 fn forces_follow_the_law() {
     let mut random = Random::new(31);
@@ -84,8 +83,8 @@ fn frame(omega: f64) -> Chain {
     }
 }
 
-/// Motion of `frame` by a Runge–Kutta method. The rigid contacts act on supports at rest: a mass whose contact sticks
-/// stays in place.
+/// Motion of `frame` by a Runge–Kutta method. The rigid contacts act on supports at rest. A mass whose rigid contact
+/// sticks therefore stays in place.
 struct Plain {
     omega: f64,
     time: f64,
@@ -114,7 +113,7 @@ impl Plain {
         ]
     }
 
-    /// Returns the lines of the law that contain the speeds of the masses.
+    /// Returns the index of the straight line of the law in which the speed of each mass lies.
     fn lines(&self) -> [usize; 2] {
         [2, 3].map(|i| LAW.partition_point(|point| point[0] < self.state[i].abs()))
     }
@@ -134,7 +133,8 @@ impl Plain {
         self.time += step;
     }
 
-    /// Advances to an instant while the contacts keep their phases. If a contact sticks, its mass has no velocity.
+    /// Advances to the instant `until` while the contacts keep their phases. A mass whose rigid contact sticks has no
+    /// velocity.
     fn run(&mut self, until: f64, phases: &[i8], longest: f64) {
         for (velocity, phase) in self.state[2..4].iter_mut().zip(phases) {
             if *phase == 0 {
@@ -148,7 +148,7 @@ impl Plain {
             let lines = self.lines();
             self.step(step, phases);
             if self.lines() != lines {
-                // The force has a kink in this step, so that the step must be short.
+                // The force has a kink in this step. The code therefore repeats the step in small steps.
                 (self.time, self.state) = start;
                 for _ in 0..KINK {
                     self.step(step / f64::from(KINK), phases);
@@ -159,9 +159,9 @@ impl Plain {
     }
 }
 
-/// Compares the motion of `frame` with a Runge–Kutta method that takes over the instants of the events. At each event
-/// its own state must agree: a contact that stops has no velocity, and the force of a contact that breaks away is at its
-/// limit.
+/// Compares the motion of `frame` with a Runge–Kutta method. The method uses the instants of the events from the
+/// solver. At each event the state of the method must agree. A contact that stops has no velocity, and the force of a
+/// contact that breaks away is at its limit.
 #[test]
 fn a_frame_moves_as_by_small_steps() {
     let (mut events, mut kinds) = (0, [0; 3]);

@@ -23,13 +23,13 @@ pub struct TunedPoint {
     /// The best friction ratio β, with m₁ and k₁ of the description. NaN if no best friction exists.
     pub beta: f64,
     /// The largest amplitude over the band with this friction, divided by P/k₁ (by Y for base motion), with k₁ of the
-    /// description. It is infinite if no friction bounds the amplitude. It is NaN if the search ended before it found
-    /// any friction, because it reached its bound on work or was stopped.
+    /// description. The amplitude is infinite if no friction bounds it. The amplitude is NaN if the search reached its
+    /// bound on work or was stopped before it found any friction.
     pub amplitude: f64,
 }
 
-/// The friction and the value of the varied number that together give the smallest largest amplitude over a band of
-/// frequencies.
+/// The friction and the value of the varied number that together make the largest amplitude over a band of frequencies
+/// smallest.
 #[derive(Clone, Debug)]
 pub struct TunedOptimum {
     /// The best value of the varied number.

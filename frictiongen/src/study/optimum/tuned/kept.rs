@@ -1,9 +1,9 @@
 //! Finds the best value of one number of the description together with the best friction that keeps other quantities
 //! within bounds.
 //!
-//! At a value of the number, the least amplitude within the bounds is infinite if no friction satisfies all bounds. As a
-//! function of the value it has corners, because the decisive bound and the decisive peak change, and it ends where the
-//! bounds become unreachable. The search therefore uses no derivatives.
+//! The best amplitude at a value of the number is the smallest amplitude within the bounds. The best amplitude is
+//! infinite if no friction satisfies all bounds. As a function of the value, the best amplitude has corners, because
+//! the decisive bound and the decisive peak change. The search therefore uses no derivatives.
 
 use super::answer::{TunedOptimum, TunedPoint};
 use super::search::on_all_cores;
@@ -16,7 +16,7 @@ use crate::study::system::System;
 use std::sync::atomic::Ordering;
 
 /// Largest amplitude of a scanned value around which the search narrows the interval, divided by the smallest amplitude
-/// of the scan.
+/// of all scanned values.
 const WORTH: f64 = 1.5;
 /// Largest number of scanned values around which the search narrows the interval.
 const MOST_LOOKED_INTO: usize = 3;
@@ -25,7 +25,8 @@ const NEAR: f64 = 1e-7;
 /// Distance from a bound of the interval at which the search tests if the amplitude falls, divided by the distance to
 /// the next scanned value.
 const INWARD: f64 = 1e-3;
-/// Smallest quotient of a kept quantity and its bound at which the bound decides the result.
+/// Smallest quotient of a quantity and its bound at which the code treats the bound as reached. The bound then
+/// determines the best friction.
 const DECISIVE: f64 = 1.0 - 1e-6;
 
 /// A search for the best value of a number together with the best friction within bounds.
@@ -82,11 +83,11 @@ impl<'s> KeptTunedSearch<'s> {
         Ok((tuned, largest))
     }
 
-    /// Returns the whole result for the best friction of the scene with the best value of the number, and the largest
-    /// values of the kept quantities.
+    /// Returns the complete result for the best friction of the scene with the best value of the number, and the
+    /// largest values of the quantities with bounds.
     fn told(&self, varied: &System) -> Result<(Optimum, Vec<f64>), OptimumError> {
-        // If the caller has stopped the search, or if the search fails with more work, the search of the scan is repeated
-        // without the caller's function. It has found this friction before.
+        // The search with more work fails if the caller has stopped the search. The code then repeats the shorter
+        // search of the scan, without the caller's function. The shorter search found this friction before.
         let unwatched: KeepGoing<'_> = &|| true;
         let problem = self.problem(varied, self.watch)?;
         let found = match problem.found(WORK) {
@@ -111,8 +112,8 @@ impl<'s> KeptTunedSearch<'s> {
         Ok((groups.of(optimum), largest))
     }
 
-    /// Returns the factors that convert the kept quantities of a scene with another value of the number to the groups of
-    /// the description.
+    /// Returns one factor for each quantity with a bound. The factor converts the quantity of a scene with another
+    /// value of the number to the groups of the description.
     fn factors(&self, varied: &System) -> Vec<f64> {
         let (request, described) = (self.tuned.request, self.tuned.described);
         let factor = |kept: &KeptQuantity| {
@@ -166,7 +167,7 @@ impl<'s> KeptTunedSearch<'s> {
         })
     }
 
-    /// Returns the best value of the number with its best friction, and the trials of the scan.
+    /// Returns the best value of the number with its best friction, and the results at all scanned values.
     fn best(&self) -> Result<(Trial, Vec<Trial>), OptimumError> {
         let mut scan = Vec::new();
         let mut wrong = None;
@@ -209,7 +210,7 @@ impl<'s> KeptTunedSearch<'s> {
     }
 
     /// Returns a value at which some friction satisfies all bounds. The search calls this function if no scanned value
-    /// has one.
+    /// has such a friction.
     ///
     /// # Errors
     /// [`OptimumError::Unreachable`] names the first bound that no value and no friction satisfy together with all
@@ -241,7 +242,8 @@ impl<'s> KeptTunedSearch<'s> {
             }
             found = Some(best.value);
         }
-        // Without bounds, friction alone makes the amplitude infinite.
+        // If the list of bounds is empty, `found` is `None`. The amplitude is then infinite because no friction bounds
+        // it.
         let value = found.ok_or(OptimumError::Unbounded)?;
         let trial = self.trial(value)?;
         trial.is_valid().then_some(trial).ok_or_else(|| self.none())
@@ -268,7 +270,8 @@ impl<'s> KeptTunedSearch<'s> {
         valleys
     }
 
-    /// Returns the best trial between the two values of a valley.
+    /// Returns the best trial between the two values of a valley. A trial is a value of the number with its best
+    /// friction. A valley is a scanned value near a minimum.
     fn narrowed(&self, valley: &Valley) -> Trial {
         let mut best = valley.start;
         let mut height = |value: f64| {
@@ -283,7 +286,8 @@ impl<'s> KeptTunedSearch<'s> {
         };
         let [from, to] = valley.ends;
         let start = valley.start.value;
-        // At a bound of the interval, a single step inwards shows if the amplitude falls.
+        // A scanned value at a bound of the interval has only one neighbour. A single step inwards then shows if the
+        // amplitude falls.
         let inward = if from == start {
             Some(start + INWARD * (to - start))
         } else if to == start {

@@ -21,18 +21,18 @@ impl System {
     ///
     /// The search evaluates 17 values of the number, including both bounds of its interval. The values are in geometric
     /// steps, or in quadratic steps if the interval starts at 0 or below. For each value the search finds the best of
-    /// all friction ratios, as [`optimum`](Self::optimum) does. It also computes the derivative of the best amplitude
-    /// with respect to the number, while the friction stays the best.
+    /// all friction ratios, as [`optimum`](Self::optimum) does. The search also computes the derivative of the best
+    /// amplitude with respect to the number, while the friction stays the best.
     ///
     /// If the amplitude first falls and then rises between two neighbouring values, the search finds the minimum
     /// between them. The minimum is a zero of the derivative, or a crossing of two branches. The search first looks for
-    /// the best friction near the best frictions of the neighbouring values. At the end it looks for it among all
-    /// friction ratios.
+    /// the best friction near the best frictions of the neighbouring values. At the end the search looks for the best
+    /// friction among all friction ratios.
     ///
     /// The result is the smallest amplitude of all evaluated values. The search misses a minimum between two
     /// neighbouring values if the amplitude rises at the first value or falls at the second. If the minimum is sharp,
-    /// value and friction have 9 digits. If the minimum is flat, they have half as many digits as the amplitude. The
-    /// call takes several times as long as [`optimum`](Self::optimum).
+    /// value and friction have 9 digits. If the minimum is flat, value and friction have half as many digits as the
+    /// amplitude. The call takes several times as long as [`optimum`](Self::optimum).
     ///
     /// ```no_run
     /// use frictiongen::study::{System, optimum::{FrequencyBand, OptimumRequest, Tuning}, response::MotionQuantity};
@@ -90,14 +90,14 @@ impl System {
         search.watched_by(watch).solved()
     }
 
-    /// Finds the best friction together with the best value of one number of the description, among all pairs with which
-    /// other quantities stay within their bounds over the whole band. The result also has the largest value over the
-    /// band of each kept quantity, in the order of the bounds.
+    /// Finds the best friction together with the best value of one number of the description, under bounds. With this
+    /// friction and this value, other quantities stay within their bounds over the whole band. The result also has the
+    /// largest value over the band of each quantity with a bound, in the order of the bounds.
     ///
     /// The search evaluates the same 17 values of the number as [`tuned_optimum`](Self::tuned_optimum). For each value
-    /// it finds the best friction within the bounds, as [`kept_optimum`](Self::kept_optimum) does. Around the best of
-    /// these values it narrows the interval, until seven digits of the value are known. If no friction satisfies the
-    /// bounds at any of the 17 values, the search minimises the bounded quantities one after another.
+    /// the search finds the best friction within the bounds, as [`kept_optimum`](Self::kept_optimum) does. Around the
+    /// best values, the search narrows the interval until seven digits of the value are known. If no friction satisfies
+    /// the bounds at any of the 17 values, the search minimises the bounded quantities one after another.
     ///
     /// The search calls `watch` after each evaluation, from several threads. If `watch` returns false once, it must
     /// return false from then on. The search then ends with the best result so far.

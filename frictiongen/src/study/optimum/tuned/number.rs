@@ -17,7 +17,7 @@ pub enum Tunable {
     DampingRatios,
 }
 
-/// The description has no variable number with the requested name.
+/// Error for a name that no variable number of the description has.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct UnknownTunable {
     /// The requested name, which no number of the description has.
@@ -130,8 +130,8 @@ fn ratios(scene: &Scene) -> Option<Vec<f64>> {
 
 impl System {
     /// Returns all numbers of the description that a search can vary: masses, springs, damping and μ. If the
-    /// description has no damping, these include damping ratios and C = aM + bK. Otherwise they include only its own
-    /// kind of damping.
+    /// description has no damping, the numbers include damping ratios and the factors of C = aM + bK. Otherwise the
+    /// numbers include only those of the damping in the description.
     #[must_use]
     pub fn tunables(&self) -> Vec<Tunable> {
         let scene = self.scene();

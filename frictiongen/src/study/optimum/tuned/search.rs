@@ -10,14 +10,15 @@ use std::sync::atomic::Ordering;
 
 /// Number of intervals of the scan over the varied number.
 const STEPS: usize = 16;
-/// Largest amplitude for which the search examines an interval of the scan, divided by the best amplitude. The
-/// amplitude is that at which the tangents at the two points of the interval meet.
+/// Largest amplitude for which the search examines an interval between two scanned values of the number, divided by the
+/// best amplitude. The amplitude of an interval is estimated as that at which the tangents at its two bounds meet.
 const WORTH: f64 = 1.05;
-/// Largest number of intervals of the scan that the search examines, beginning with the smallest expected amplitude.
+/// Largest number of intervals between scanned values that the search examines, beginning with the smallest expected
+/// amplitude.
 const MOST_LOOKED_INTO: usize = 3;
 /// Largest number of steps of the search towards one minimum.
 const MOST_STEPS: usize = 40;
-/// Tolerance of the position of a minimum, divided by the length of an interval of the scan.
+/// Tolerance of the position of a minimum, divided by the length of the interval between two scanned values.
 const NEAR: f64 = 1e-10;
 /// Smallest relative reduction of the amplitude by a step. After a smaller reduction the search ends.
 const GAIN: f64 = 2e-13;
@@ -45,7 +46,8 @@ impl TunedSearch<'_> {
             let problem = OptimumProblem::new(&varied, &self.request_for(&varied))?;
             let problem = problem.watched_by(self.watch);
             let band = problem.band();
-            // This search covers all frictions, not only those near the best frictions of the neighbouring values.
+            // This search covers all frictions. The earlier search covered only frictions near the best frictions of
+            // the neighbouring values.
             let mut least = match (OptimumProblem::least(&band, WORK_OF_ONE), &best.found) {
                 (Err(OptimumError::Stopped), Some(found)) => Least {
                     end: SearchEnd::Spent,
@@ -91,7 +93,7 @@ impl TunedSearch<'_> {
         Err(OptimumError::TooLong)
     }
 
-    /// Returns the values of the number that the scan evaluates, both bounds of the interval among them.
+    /// Returns the values of the number that the scan evaluates, including both bounds of the interval.
     pub(super) fn values(&self) -> Vec<f64> {
         let Tuning { from, to, .. } = self.tuning;
         let value = |place: usize| {
@@ -124,7 +126,7 @@ impl TunedSearch<'_> {
         }
     }
 
-    /// Returns the best of all scanned values and of the minima between them.
+    /// Returns the best result among all scanned values and the minima between neighbouring scanned values.
     fn best(&self, tried: &[Tried]) -> Option<Tried> {
         let finite = tried.iter().filter(|tried| tried.amplitude.is_finite());
         let mut best = finite
@@ -172,9 +174,9 @@ impl TunedSearch<'_> {
             if left <= NEAR * width || enough || !self.goes_on() {
                 break;
             }
-            // If both ends of the bracket have the same branch, the minimum is at the zero of its derivative. If they
-            // have two branches, the minimum is at the crossing. If one end of the bracket does not move, the step goes
-            // slightly beyond the crossing.
+            // If the peaks at both bounds of the bracket are the same, the minimum is at the zero of the derivative. If
+            // the peaks differ, the minimum is at the crossing of two branches. If one bound of the bracket does not
+            // move, the step goes slightly beyond the crossing.
             let one = below.peaks.len() == above.peaks.len()
                 && below
                     .peaks
@@ -206,8 +208,8 @@ impl TunedSearch<'_> {
             } else {
                 above = here;
             }
-            // After two steps on the same side, the next step goes beyond the meeting point of the tangents, by the
-            // distance between the last value and that point.
+            // After two steps on the same side of the minimum, the next step goes beyond the meeting point of the
+            // tangents. The excess is the distance between the last value and this meeting point.
             beyond = match meeting(&below, &above) {
                 Some((next, _)) if last == Some(side) => next - value,
                 _ => 0.0,
@@ -244,8 +246,8 @@ fn meeting(below: &Tried, above: &Tried) -> Option<(f64, f64)> {
     (below.value < value && value < above.value).then_some((value, low))
 }
 
-/// Returns the amplitude at which the tangents of two scanned values meet. If it is less than half of the smaller
-/// amplitude of the two, returns this half.
+/// Returns the amplitude at which the tangents of two scanned values meet. Returns half of the smaller amplitude of the
+/// two scanned values if this half is larger, or if the tangents do not meet between them.
 fn promised(below: &Tried, above: &Tried) -> f64 {
     let least = 0.5 * below.amplitude.min(above.amplitude);
     meeting(below, above).map_or(least, |(_, low)| low.max(least))

@@ -14,8 +14,8 @@ use crate::study::units::{Load, angular_frequency};
 use frictiongen_model::scene::Excitation;
 use std::sync::atomic::{AtomicUsize, Ordering};
 
-/// Largest relative slope of a peak, with respect to a variable, at which the peak is treated as stationary. The
-/// minimum of a steeper peak has no derivative.
+/// Largest relative slope of a peak, with respect to a variable, at which the peak is treated as stationary. A minimum
+/// with a steeper peak has no derivative with respect to the number.
 const STATIONARY: f64 = 1e-4;
 /// Step of a finite difference with respect to the number, divided by the number's value.
 const DIFFERENCE: f64 = 1e-5;
@@ -47,8 +47,8 @@ pub(super) struct Tried {
     pub found: Option<Least>,
 }
 
-/// Factors that convert non-dimensional groups of the description to those of the scene with another value of the
-/// number.
+/// Factors that convert the non-dimensional groups of the scene with another value of the number to the groups of the
+/// description.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct GroupRatios {
     pub r: f64,
@@ -120,7 +120,8 @@ impl<'s> TunedSearch<'s> {
         for end in [from, to] {
             described.with_value(of, end).map_err(OptimumError::Scene)?;
         }
-        // All other faults of a request are the same for every value of the number.
+        // The error `Undamped` depends on the value of the number. All other faults of a request are the same for every
+        // value of the number.
         if let Err(error) = OptimumProblem::new(described, request)
             && !matches!(error, OptimumError::Undamped(_))
         {
@@ -182,7 +183,7 @@ impl<'s> TunedSearch<'s> {
     }
 
     /// Returns the best friction at a value of the number. The search covers all frictions, or only the interval
-    /// `window`.
+    /// `window` of friction ratios.
     pub(super) fn tried(
         &self,
         value: f64,
@@ -231,7 +232,8 @@ impl<'s> TunedSearch<'s> {
             found => found?,
         };
         if band.amplitude.is_stopped() {
-            // A search that did not finish may have missed the largest peak. Its amplitude is then a lower bound.
+            // A search that the caller stopped may have missed the largest peak. The amplitude of this search is then
+            // only a lower bound.
             tried.amplitude = f64::NAN;
             return Ok(tried);
         }
@@ -257,7 +259,8 @@ impl<'s> TunedSearch<'s> {
         let held = least.kind == MinimumKind::Held;
         let beta = least.at.beta;
         let peaks = equal_peaks(band, (&least.at, least.kind), FrictionAmount::Ratio(beta));
-        // If the contact is stuck, more friction changes nothing. It makes the regime certain.
+        // If the contact is stuck, more friction does not change the response. With twice the friction, the regime is
+        // certain in spite of rounding.
         let beta = if held && least.locked_from <= beta {
             2.0 * beta
         } else {
@@ -279,14 +282,16 @@ impl<'s> TunedSearch<'s> {
         }
         let weights = weights(&all)?;
         match weights.as_slice() {
-            // A single peak at its own minimum must be stationary in friction. Otherwise the minimum has no derivative.
+            // The slope of a single peak with respect to friction must be 0 at the minimum of the peak. Otherwise the
+            // minimum is at a jump and has no derivative.
             [_] if least.kind == MinimumKind::Smooth => {
                 if STATIONARY < relative(0, Parameter::Friction)?.abs() {
                     return None;
                 }
             }
             [_] => {}
-            // One peak falls with more friction, and the other peak rises. Both weights are then positive.
+            // At a crossing, one peak falls with more friction and the second peak rises. The two weights are then
+            // positive.
             weights if weights.iter().all(|weight| 0.0 <= *weight) => {}
             _ => return None,
         }
