@@ -5,8 +5,9 @@ use super::fingerprint::fingerprint;
 use super::names::TypeNames;
 use crate::Description;
 use crate::standalone::rust_text;
-use frictiongen_model::scene::{Beyond, FrictionLaw};
+use frictiongen_model::scene::{Beyond, Excitation, FrictionLaw, Node, Scene};
 use proc_macro2::{Ident, TokenStream};
+use quote::ToTokens;
 
 /// Smallest number of masses for which the documentation does not list the methods of single masses by name.
 const MANY_MASSES: usize = 9;
@@ -43,14 +44,38 @@ pub(super) fn scene_struct(description: &Description, lines: Vec<String>) -> Tok
     }
 }
 
+/// A field of an emitted structure: its documentation, its name and its type.
+pub(super) struct Field {
+    about: String,
+    name: Ident,
+    of: TokenStream,
+}
+
+impl Field {
+    pub(super) fn new(about: impl Into<String>, name: &Ident, of: &impl ToTokens) -> Self {
+        Self {
+            about: about.into(),
+            name: name.clone(),
+            of: of.to_token_stream(),
+        }
+    }
+}
+
 /// Emits a structure whose fields are numbers, for the input of a stepper.
 pub(super) fn numbers_struct(
     description: &Description,
     name: &Ident,
     about: &str,
-    fields: &TokenStream,
+    fields: &[Field],
 ) -> TokenStream {
-    let visibility = &description.visibility;
+    let (visibility, facade) = (&description.visibility, &description.facade);
+    let names: Vec<_> = fields.iter().map(|field| &field.name).collect();
+    let fields = fields.iter().map(|Field { about, name, of }| {
+        code! {
+            #[doc = #about]
+            pub #name: #of,
+        }
+    });
     code! {
         #[doc = #about]
         #[allow(deprecated, non_camel_case_types, non_snake_case, reason = "names and attributes are those of the description")]
@@ -61,7 +86,10 @@ pub(super) fn numbers_struct(
             ::core::cmp::PartialEq,
             ::core::default::Default
         )]
-        #visibility struct #name { #fields }
+        #visibility struct #name { #(#fields)* }
+
+        /// With the feature `serde` of frictiongen, serde writes and reads these fields by name.
+        #facade::kernel::written!(#name, #(#names),*);
     }
 }
 
@@ -89,8 +117,34 @@ pub(super) fn origin(description: &Description) -> Vec<String> {
     if let Some(acts_on) = description.scene.damping_acts_on() {
         lines.extend([format!("The {acts_on}."), String::new()]);
     }
+    lines.extend(
+        sign_of_contact(&description.scene)
+            .into_iter()
+            .flat_map(|line| [line, String::new()]),
+    );
     lines.extend(["# What it offers".to_owned(), String::new()]);
     lines
+}
+
+/// Returns a line about the sign of the motion in a contact between two masses, or with a moving base. Returns `None` for
+/// every other contact, whose relative motion is the motion of the mass.
+fn sign_of_contact(scene: &Scene) -> Option<String> {
+    if !scene.joints.is_empty() {
+        return None;
+    }
+    let name = |mass: usize| scene.node_name(Node::Mass(mass));
+    let (one, other) = match (scene.contact.from, scene.contact.to) {
+        (Node::Mass(a), Node::Mass(b)) => (name(a.max(b)), name(a.min(b))),
+        (Node::Mass(mass), Node::Base) | (Node::Base, Node::Mass(mass))
+            if scene.excitation == Excitation::Base =>
+        {
+            (name(mass), "base")
+        }
+        _ => return None,
+    };
+    Some(format!(
+        "The motion in the contact is the displacement of `{one}` minus that of `{other}`."
+    ))
 }
 
 /// Returns all lines of the documentation of the scene's type: origin, description, methods and constants.
@@ -98,10 +152,15 @@ fn lines(emission: &Emission<'_>) -> Vec<String> {
     let mut lines = origin(emission.description);
     lines.extend(offers(emission).into_iter().map(|item| format!("* {item}")));
     lines.push(String::new());
-    lines.push(
-        "Numbers in brackets are equations of L. Marino, *Dynamic analysis of mechanical systems with Coulomb friction*, Oxford 2021.  Counts of operations do not include operations whose operands are all constants, because the compiler computes them.  An `if` counts as two operations, a comparison and a choice."
-            .to_owned(),
-    );
+    // A scene with a stepper alone has no formula of the thesis.
+    let thesis = if emission.scene.needs_frequency() {
+        "Numbers in brackets are equations of L. Marino, *Dynamic analysis of mechanical systems with Coulomb friction*, Oxford 2021.  "
+    } else {
+        ""
+    };
+    lines.push(format!(
+        "{thesis}Counts of operations do not include operations whose operands are all constants, because the compiler computes them.  An `if` counts as two operations, a comparison and a choice."
+    ));
     lines
 }
 

@@ -153,7 +153,7 @@ fn at_frequency(emission: &Emission<'_>) -> EmittedCode {
             (
                 "ends",
                 code!(Ends { #ends }),
-                "limits of β for r → 0 and for r → ∞, whatever `range` says; β_lim for r → 0 is 0",
+                "limits of β for r → 0 and for r → ∞, also if tables have a smaller range; β_lim for r → 0 is 0",
             ),
             (
                 "rubbing",

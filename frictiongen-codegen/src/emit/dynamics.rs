@@ -151,7 +151,11 @@ fn held(emission: &Emission<'_>, mode: &HeldMode<f64>, first: bool) -> TokenStre
     let fields = fields(
         first,
         &[
-            ("kind", code!(Kind::#kind), "kind of damping, as in `MODES`"),
+            (
+                "kind",
+                code!(Kind::#kind),
+                "kind of damping: `Undamped` for ζ = 0, `Light` for ζ < 1/2, `Heavy` for ζ < 1, `Critical` for ζ = 1, `Over` for ζ > 1",
+            ),
             (
                 "frequency",
                 frequency,

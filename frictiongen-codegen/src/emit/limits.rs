@@ -58,8 +58,9 @@ pub(super) fn formulas(emission: &Emission<'_>) -> TokenStream {
         }
 
         /// β_lim = |V|/√(U² + max(S, H_c + μm*/r²)²) (5.65, 5.80, 5.96, 7.49), with S the largest J(τ)/sin τ over
-        /// 0 < τ < π, J a sum over modes: with more friction the contact would reverse within the half period.
-        /// `constraint` is r²E times that maximum.
+        /// 0 < τ < π.  With more friction the contact would reverse within the half period.  `constraint` is r²E times
+        /// that maximum.  r²J is the sum of (φᵀw)²((1 + g)p + uR²(cos τ − p′)) over the modes.  p is the free motion of
+        /// a mode, p″ + 2ζxp′ + x²p = 0, from p = 0 and p′ = 1 at τ = 0.
         ///
         #[doc = #continuous_count]
         #[inline]

@@ -174,9 +174,10 @@ fn in_lines(emission: &Emission<'_>, masses: &[(usize, &Ident)]) -> TokenStream 
     code! {
         /// The relative motion in the contact: its fundamental component, and the coefficients of each mode's functions.
         ///
-        /// d and q̃ are the free motions of a mode from a displacement and from a velocity.  `unscale` is 1/(r²E).  The
-        /// coefficients multiply (1 − d)/x² (`rise`), cos τ − d (`fall`, 0 without damping) and sin τ − Rq̃ (`forced`).
-        /// `harmonic` is (φᵀw)²/r², which only higher harmonics need.
+        /// d and q̃ are free motions of a mode, solutions of y″ + 2ζxy′ + x²y = 0: d from d = 1 and d′ = 0 at τ = 0, and q̃
+        /// from q̃ = 0 and q̃′ = x.  The coefficients multiply (1 − d)/x² (`rise`), cos τ − d (`fall`, 0 without damping)
+        /// and sin τ − Rq̃ (`forced`).  `harmonic` is (φᵀw)²/r², which only higher harmonics need.  Of `friction`, `unscale`
+        /// is 1/(r²E), and `root` is Q·r²E with Q = √(|V|² − (βU)²).
         ///
         #[doc = #contact_operations]
         #[doc = #waves]

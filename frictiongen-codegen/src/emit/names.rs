@@ -5,10 +5,11 @@ use quote::format_ident;
 
 /// Names that emitted code imports from the kernel. If a type of the scene has one of these names, the emitted code
 /// refers to the scene's types by aliases.
-const IMPORTED: [&str; 96] = [
+const IMPORTED: [&str; 97] = [
     "check",
     "locals",
     "missing",
+    "written",
     "Complex",
     "Scalar",
     "Chain",

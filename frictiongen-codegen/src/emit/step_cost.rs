@@ -19,10 +19,15 @@ pub(super) fn parts(scene: &StepScene<'_, Dd, AnyContact<Dd>>, step: Option<f64>
     if let Some(step) = step {
         parts += &format!(": `STEP` has {}", (fastest * step).ceil().max(1.0));
     }
+    let lines = if scene.law.is_empty() {
+        String::new()
+    } else {
+        format!(" (the friction law adds up to {MAX_STRETCHES} changes of its line)")
+    };
     vec![
         parts + ".",
         " A part in which the contact certainly keeps sliding, or keeps sticking, is a product of its state with tables.".to_owned(),
-        format!(" In any other part the stepper searches the events, at most {MAX_EVENTS} (a friction law over the speed adds up to {MAX_STRETCHES} changes of its line)."),
+        format!(" In any other part the stepper searches the events, at most {MAX_EVENTS}{lines}."),
         " Beyond them a rule that creates no energy ends the part, and `exceeded()` counts the step.".to_owned(),
     ]
 }

@@ -31,6 +31,27 @@ impl Sizes {
         let [coefficients, modes, held, inputs] = sizes.map(count);
         code!(#coefficients, #modes, #held, #inputs)
     }
+
+    /// Returns a sentence about the sizes in the kernel's types.
+    pub fn about(&self) -> String {
+        let Self {
+            coefficients,
+            modes,
+            held,
+            inputs,
+        } = self;
+        let counted = |number: &usize, of: &str| {
+            let plural = if *number == 1 { "" } else { "s" };
+            format!("{number} {of}{plural}")
+        };
+        format!(
+            "The numbers in its type: {} of an input over a part, {}, {} with the contact stuck, {}.",
+            counted(coefficients, "coefficient"),
+            counted(modes, "mode"),
+            counted(held, "mode"),
+            counted(inputs, "input"),
+        )
+    }
 }
 
 /// Emits the tables, and returns them with their checksum. Returns `None` for a step that the kernel refuses, because

@@ -1,6 +1,6 @@
 //! Emits the stepper, which advances in steps of fixed physical time under any input.
 
-use super::about::numbers_struct;
+use super::about::{Field, numbers_struct};
 use super::declared;
 use super::dynamics::{DynamicsConstants, count};
 use super::emission::{Checked, Emission, EmittedCode, rounded};
@@ -93,11 +93,15 @@ pub(super) fn emit(emission: &Emission<'_>, constants: &DynamicsConstants) -> Em
     };
     let loaded = steps.forces.iter().map(|mass| count(*mass));
     let on_base = steps.on_base;
+    let about_tables = if from_tables.is_some() {
+        " Returns the tables for the step dt, s.  If dt is the declared step `STEP`, the tables are constants."
+    } else {
+        " Computes the tables for the step dt, s."
+    };
     let associated = code! {
             #step_scene
 
-            /// Tables for the step dt, s. If dt is the declared step `STEP`, the tables are constants. Otherwise this
-            /// function computes them.
+            #[doc = #about_tables]
             #[inline]
             fn step_tables(dt: #scalar) -> Result<FixedTables<#scalar, #literals>, OutOfDomain> {
                 #from_tables
@@ -138,6 +142,7 @@ pub(super) fn emit(emission: &Emission<'_>, constants: &DynamicsConstants) -> Em
 
         #facade::emitted_stepper!(#name, #stepper, #scalar, #on_base, [#(#loaded),*]);
     };
+    cost.push(format!(" {}", sizes.about()));
     let mut types = types(emission, &steps, &literals, &cost);
     let mut associated = associated;
     if tables.is_some() {
@@ -323,35 +328,33 @@ fn types(
         " Loads on [`{name}`] at an instant, in the units of the scene: the input of a step."
     );
     let scalar = code!(::core::primitive::#scalar);
-    let base = steps.on_base.then(|| {
-        code! {
-            /// Absolute displacement of the base.
-            pub displacement: #scalar,
-            /// Absolute velocity of the base, in the unit of displacement per second.
-            pub velocity: #scalar,
-        }
-    });
+    let mut fields = Vec::new();
+    if steps.on_base {
+        fields.extend([
+            Field::new(
+                " Absolute displacement of the base.",
+                &local("displacement"),
+                &scalar,
+            ),
+            Field::new(
+                " Absolute velocity of the base, in the unit of displacement per second.",
+                &local("velocity"),
+                &scalar,
+            ),
+        ]);
+    }
     let forces = force_fields(emission, steps);
-    let forces = forces.iter().zip(&steps.forces).map(|(field, mass)| {
+    fields.extend(forces.iter().zip(&steps.forces).map(|(field, mass)| {
         let mass = scene.masses.get(*mass).map_or("", |mass| &mass.name);
-        let about = format!(" Force on mass `{mass}`.");
-        code! {
-            #[doc = #about]
-            pub #field: #scalar,
-        }
-    });
+        Field::new(format!(" Force on mass `{mass}`."), field, &scalar)
+    }));
     let law_in_types = emission.law_in_types();
     let friction = if steps.law.is_empty() {
         " Kinetic friction force F, not negative.  A stuck contact holds up to μF."
     } else {
         " Kinetic friction force F at vanishing speed, not negative.  A stuck contact holds up to μF."
     };
-    let fields = code! {
-        #base
-        #(#forces)*
-        #[doc = #friction]
-        pub friction: #scalar,
-    };
+    fields.push(Field::new(friction, &local("friction"), &scalar));
     let input = numbers_struct(description, input, &input_about, &fields);
     code! {
         #[doc = #about]

@@ -4,6 +4,8 @@ pub mod check;
 pub mod locals;
 pub mod missing;
 mod shapes;
+#[cfg(feature = "serde")]
+pub mod written;
 
 // A constant of the user may have the name of a local variable in emitted code. The functions of `locals` hide such a
 // constant.
@@ -177,6 +179,14 @@ macro_rules! scene_functions {
             }
         }
     };
+}
+
+/// Expands to nothing without the feature `serde`. With it, `written.rs` defines this macro.
+#[cfg(not(feature = "serde"))]
+#[doc(hidden)]
+#[macro_export]
+macro_rules! written {
+    ($name:ident, $($field:ident),*) => {};
 }
 
 /// Implements `Clone`, `Debug`, `From` and `Deref` for an emitted type that wraps a type of this crate. Through

@@ -213,6 +213,11 @@ macro_rules! real {
                 self as u32 as usize
             }
             #[inline(always)]
+            #[allow(clippy::cast_precision_loss, reason = "what is meant: the cast rounds")]
+            fn whole(number: usize) -> Self {
+                number as Self
+            }
+            #[inline(always)]
             fn sin_cos_pi_of<const N: usize>(h: [Self; N]) -> [[Self; N]; 2] {
                 $trig::sin_cos_pi_of(h)
             }

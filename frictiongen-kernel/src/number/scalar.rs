@@ -146,6 +146,14 @@ pub trait Float:
     const CARRIES: bool = false;
     /// True if a processor can compute with two numbers of this type at the same time.
     const PAIRS: bool = false;
+    /// Converts a whole number, and rounds it if it has more bits than the scalar. `f32` does not compute with `f64`
+    /// here, so that a processor without double precision needs no function for the conversion.
+    #[must_use]
+    #[inline]
+    #[allow(clippy::cast_precision_loss, reason = "what is meant: the cast rounds")]
+    fn whole(number: usize) -> Self {
+        Self::constant(number as f64)
+    }
     /// Returns `self` rounded to the nearest `f64`.
     fn to_f64(self) -> f64;
     /// Returns the smallest and the largest 1/r at which the code evaluates the formulas, where r is the frequency

@@ -215,6 +215,86 @@ fn states_of_emitted_steppers_are_written_and_read() {
     assert!(error.contains("a list of 1 values"), "{error}");
 }
 
+/// The inputs of emitted steppers are written with their names, and read with the same bits. The fields must be those
+/// of the scene.
+#[cfg(feature = "serde")]
+#[test]
+fn inputs_of_emitted_steppers_are_written_and_read() {
+    frictiongen::friction_system! {
+        pub struct Shaken {
+            masses: { a: 1.0, größe: 2.0 },
+            springs: { base - a: 3.0, a - größe: 1.5 },
+            contact: größe - wall,
+            excitation: base,
+            force: { größe },
+            scalar: f32,
+            provide: [stepper],
+        }
+    }
+    frictiongen::friction_system! {
+        struct Joined {
+            masses: { a: 1.0, b: 2.0 },
+            springs: { base - a: 3.0, a - b: 1.5 },
+            contacts: { low: a - wall, high: a - b },
+            excitation: a,
+            provide: [stepper],
+        }
+    }
+    let mut input = ShakenInput {
+        displacement: 0.1,
+        velocity: -2e-30,
+        größe: 0.3,
+        friction: 1.0,
+    };
+    let text = serde_json::to_string(&input).expect("JSON");
+    assert_eq!(
+        text,
+        r#"{"displacement":0.1,"velocity":-2e-30,"größe":0.3,"friction":1.0}"#
+    );
+    let mut stepper = Shaken::stepper(0.1).expect("a stepper");
+    let mut again = Shaken::stepper(0.1).expect("a stepper");
+    for step in 0..200_u8 {
+        // A step of base and force, whose digits are not round.
+        (input.displacement, input.velocity) = (0.01 * f32::from(step), 0.1);
+        input.größe = (0.7 * f32::from(step)).sin();
+        let text = serde_json::to_string(&input).expect("JSON");
+        let read: ShakenInput = serde_json::from_str(&text).expect("an input");
+        assert_eq!(read, input);
+        stepper.advance(input).expect("a step");
+        again.advance(read).expect("a step");
+    }
+    assert_eq!(stepper.image(), again.image());
+
+    for (from, to, said) in [
+        ("größe", "grösse", "unknown field `grösse`"),
+        (",\"friction\":1.0", "", "missing field `friction`"),
+        ("0.1", "null", "invalid type: null"),
+    ] {
+        let error = serde_json::from_str::<ShakenInput>(&text.replacen(from, to, 1));
+        let error = error.expect_err("a wrong input").to_string();
+        assert!(error.contains(said), "{error}");
+    }
+    // An input without a finite number is read by other formats than JSON. The step refuses it.
+    input.größe = f32::NAN;
+    let state = stepper.image();
+    assert!(matches!(stepper.advance(input), Err(OutOfDomain::Force(_))));
+    assert_eq!(stepper.image(), state);
+
+    let input = JoinedInput {
+        force: 0.25,
+        friction: JoinedFriction {
+            low: 1.0,
+            high: 0.5,
+        },
+    };
+    let text = serde_json::to_string(&input).expect("JSON");
+    assert_eq!(text, r#"{"force":0.25,"friction":{"low":1.0,"high":0.5}}"#);
+    let read: JoinedInput = serde_json::from_str(&text).expect("an input");
+    assert_eq!(read, input);
+    let mut joined = Joined::stepper(0.1).expect("a stepper");
+    joined.advance(read).expect("a step");
+}
+
 #[cfg(feature = "serde")]
 #[test]
 fn results_and_scenes_are_written_and_read() {

@@ -183,7 +183,7 @@ const _: () = {
             modes: &Self::MODES,
             /// constants of the chain
             chain: Self::CHAIN,
-            /// limits of β for r → 0 and for r → ∞, whatever `range` says; β_lim for r → 0 is 0
+            /// limits of β for r → 0 and for r → ∞, also if tables have a smaller range; β_lim for r → 0 is 0
             ends: Ends {
                 /// β*_lim for r → 0
                 sliding_at_rest: 0.4442857142857143,
@@ -374,8 +374,9 @@ const _: () = {
             contact.reversal + Self::CHAIN.inverse_mass * contact.scale
         }
         /// β_lim = |V|/√(U² + max(S, H_c + μm*/r²)²) (5.65, 5.80, 5.96, 7.49), with S the largest J(τ)/sin τ over
-        /// 0 < τ < π, J a sum over modes: with more friction the contact would reverse within the half period.
-        /// `constraint` is r²E times that maximum.
+        /// 0 < τ < π.  With more friction the contact would reverse within the half period.  `constraint` is r²E times
+        /// that maximum.  r²J is the sum of (φᵀw)²((1 + g)p + uR²(cos τ − p′)) over the modes.  p is the free motion of
+        /// a mode, p″ + 2ζxp′ + x²p = 0, from p = 0 and p′ = 1 at τ = 0.
         ///
         /// Operations: 6: 2 ×, 1 +, 1 hypot, 1 ÷, 1 √.
         #[inline]
@@ -404,9 +405,10 @@ const _: () = {
         type Motion = BracedMotion;
         /// The relative motion in the contact: its fundamental component, and the coefficients of each mode's functions.
         ///
-        /// d and q̃ are the free motions of a mode from a displacement and from a velocity.  `unscale` is 1/(r²E).  The
-        /// coefficients multiply (1 − d)/x² (`rise`), cos τ − d (`fall`, 0 without damping) and sin τ − Rq̃ (`forced`).
-        /// `harmonic` is (φᵀw)²/r², which only higher harmonics need.
+        /// d and q̃ are free motions of a mode, solutions of y″ + 2ζxy′ + x²y = 0: d from d = 1 and d′ = 0 at τ = 0, and q̃
+        /// from q̃ = 0 and q̃′ = x.  The coefficients multiply (1 − d)/x² (`rise`), cos τ − d (`fall`, 0 without damping)
+        /// and sin τ − Rq̃ (`forced`).  `harmonic` is (φᵀw)²/r², which only higher harmonics need.  Of `friction`, `unscale`
+        /// is 1/(r²E), and `root` is Q·r²E with Q = √(|V|² − (βU)²).
         ///
         /// Operations: 19: 17 ×, 2 ÷.
         /// The kernel adds one wave for each of 2 modes.  No search is made before an amplitude or a phase is asked for.

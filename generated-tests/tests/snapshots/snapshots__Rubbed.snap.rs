@@ -19,7 +19,7 @@
 /// * `frequency_ratio(omega)`, `friction_ratio(friction, load)`: r and β from units
 /// * `simulation_under(r, beta, amplitude)` returns [`RubbedSimulation`], the motion in time from event to event, with `next()` and `block()`
 ///
-/// Numbers in brackets are equations of L. Marino, *Dynamic analysis of mechanical systems with Coulomb friction*, Oxford 2021.  Counts of operations do not include operations whose operands are all constants, because the compiler computes them.  An `if` counts as two operations, a comparison and a choice.
+/// Counts of operations do not include operations whose operands are all constants, because the compiler computes them.  An `if` counts as two operations, a comparison and a choice.
 #[::core::prelude::v1::derive(
     ::core::clone::Clone,
     ::core::marker::Copy,

@@ -22,7 +22,7 @@
 /// * `frequency_ratio(omega)`, `friction_ratio(friction, load)`: r and β from units
 /// * `stepper(dt)` returns [`ShakenStepper`], the motion by steps under any [`ShakenInput`], with `advance(input)`, `contact()`, `lower()` and `upper()`
 ///
-/// Numbers in brackets are equations of L. Marino, *Dynamic analysis of mechanical systems with Coulomb friction*, Oxford 2021.  Counts of operations do not include operations whose operands are all constants, because the compiler computes them.  An `if` counts as two operations, a comparison and a choice.
+/// Counts of operations do not include operations whose operands are all constants, because the compiler computes them.  An `if` counts as two operations, a comparison and a choice.
 #[::core::prelude::v1::derive(
     ::core::clone::Clone,
     ::core::marker::Copy,
@@ -37,11 +37,12 @@ pub struct Shaken;
 ///
 /// A step of dt, in s, has ⌈32.90·dt⌉ parts, at most 1024: `STEP` has 1.
 /// A part in which the contact certainly keeps sliding, or keeps sticking, is a product of its state with tables.
-/// In any other part the stepper searches the events, at most 8 (a friction law over the speed adds up to 64 changes of its line).
+/// In any other part the stepper searches the events, at most 8.
 /// Beyond them a rule that creates no energy ends the part, and `exceeded()` counts the step.
 ///
 /// A step of `STEP` has at most 386 floating-point operations if all parts are such products, about 10634 with one event, never
 /// more than 1638804.  `set_event_budget(n)` lowers this bound, and `cost().most` is then the bound.
+/// The numbers in its type: 4 coefficients of an input over a part, 2 modes, 1 mode with the contact stuck, 1 input.
 #[allow(
     deprecated,
     non_camel_case_types,
@@ -72,6 +73,8 @@ pub struct ShakenInput {
     /// Kinetic friction force F, not negative.  A stuck contact holds up to μF.
     pub friction: ::core::primitive::f64,
 }
+/// With the feature `serde` of frictiongen, serde writes and reads these fields by name.
+::frictiongen::kernel::written!(ShakenInput, displacement, velocity, friction);
 /// Stepper of the declared step `STEP`.  It borrows its tables, which stay constants of the program, and has the methods and the costs of [`ShakenStepper`].
 #[allow(dead_code, deprecated, non_camel_case_types)]
 pub struct ShakenDeclaredStepper(
@@ -211,7 +214,7 @@ const _: () = {
             /// modes of the chain with its contact stuck; the state of a mode is y and u = y′/Ω
             held: &[
                 HeldMode {
-                    /// kind of damping, as in `MODES`
+                    /// kind of damping: `Undamped` for ζ = 0, `Light` for ζ < 1/2, `Heavy` for ζ < 1, `Critical` for ζ = 1, `Over` for ζ > 1
                     kind: Kind::Light,
                     /// |s| of the oscillator's root s, over √(k₁/m₁): without damping, the frequency ratio r of the resonance
                     frequency: 1.4531912144939334,
@@ -270,8 +273,7 @@ const _: () = {
             /// points of a friction law over the speed: speed, kinetic friction over F
             law: &[],
         };
-        /// Tables for the step dt, s. If dt is the declared step `STEP`, the tables are constants. Otherwise this
-        /// function computes them.
+        /// Returns the tables for the step dt, s.  If dt is the declared step `STEP`, the tables are constants.
         #[inline]
         fn step_tables(dt: f64) -> Result<FixedTables<f64, 4, 2, 1, 1>, OutOfDomain> {
             if dt.to_bits() == Self::STEP.to_bits() {

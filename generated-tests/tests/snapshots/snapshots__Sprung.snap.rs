@@ -93,11 +93,12 @@ pub struct SprungOrbit(
 ///
 /// A step of dt, in s, has ⌈46.07·dt⌉ parts, at most 1024: `STEP` has 1.
 /// A part in which the contact certainly keeps sliding, or keeps sticking, is a product of its state with tables.
-/// In any other part the stepper searches the events, at most 8 (a friction law over the speed adds up to 64 changes of its line).
+/// In any other part the stepper searches the events, at most 8.
 /// Beyond them a rule that creates no energy ends the part, and `exceeded()` counts the step.
 ///
 /// A step of `STEP` has at most 640 floating-point operations if all parts are such products, about 10888 with one event, never
 /// more than 1639058.  `set_event_budget(n)` lowers this bound, and `cost().most` is then the bound.
+/// The numbers in its type: 4 coefficients of an input over a part, 2 modes, 2 modes with the contact stuck, 1 input.
 #[allow(
     deprecated,
     non_camel_case_types,
@@ -135,6 +136,8 @@ pub struct SprungInput {
     /// Kinetic friction force F, not negative.  A stuck contact holds up to μF.
     pub friction: ::core::primitive::f64,
 }
+/// With the feature `serde` of frictiongen, serde writes and reads these fields by name.
+::frictiongen::kernel::written!(SprungInput, displacement, velocity, friction);
 /// Stepper of the declared step `STEP`.  It borrows its tables, which stay constants of the program, and has the methods and the costs of [`SprungStepper`].
 #[allow(dead_code, deprecated, non_camel_case_types)]
 pub struct SprungDeclaredStepper(
@@ -288,7 +291,7 @@ const _: () = {
             modes: &Self::MODES,
             /// constants of the chain
             chain: Self::CHAIN,
-            /// limits of β for r → 0 and for r → ∞, whatever `range` says; β_lim for r → 0 is 0
+            /// limits of β for r → 0 and for r → ∞, also if tables have a smaller range; β_lim for r → 0 is 0
             ends: Ends {
                 /// β*_lim for r → 0
                 sliding_at_rest: 0.4678426266516825,
@@ -458,7 +461,7 @@ const _: () = {
             /// modes of the chain with its contact stuck; the state of a mode is y and u = y′/Ω
             held: &[
                 HeldMode {
-                    /// kind of damping, as in `MODES`
+                    /// kind of damping: `Undamped` for ζ = 0, `Light` for ζ < 1/2, `Heavy` for ζ < 1, `Critical` for ζ = 1, `Over` for ζ > 1
                     kind: Kind::Light,
                     /// |s| of the oscillator's root s, over √(k₁/m₁): without damping, the frequency ratio r of the resonance
                     frequency: 1.3283910228049443,
@@ -552,8 +555,7 @@ const _: () = {
             /// points of a friction law over the speed: speed, kinetic friction over F
             law: &[],
         };
-        /// Tables for the step dt, s. If dt is the declared step `STEP`, the tables are constants. Otherwise this
-        /// function computes them.
+        /// Returns the tables for the step dt, s.  If dt is the declared step `STEP`, the tables are constants.
         #[inline]
         fn step_tables(dt: f64) -> Result<FixedTables<f64, 4, 2, 2, 1>, OutOfDomain> {
             if dt.to_bits() == Self::STEP.to_bits() {

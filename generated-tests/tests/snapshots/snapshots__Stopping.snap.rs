@@ -199,7 +199,7 @@ const _: () = {
             modes: &Self::MODES,
             /// constants of the chain
             chain: Self::CHAIN,
-            /// limits of β for r → 0 and for r → ∞, whatever `range` says; β_lim for r → 0 is 0
+            /// limits of β for r → 0 and for r → ∞, also if tables have a smaller range; β_lim for r → 0 is 0
             ends: Ends {
                 /// β*_lim for r → 0
                 sliding_at_rest: 0.43650793650793657,
@@ -369,7 +369,7 @@ const _: () = {
             /// modes of the chain with its contact stuck; the state of a mode is y and u = y′/Ω
             held: &[
                 HeldMode {
-                    /// kind of damping, as in `MODES`
+                    /// kind of damping: `Undamped` for ζ = 0, `Light` for ζ < 1/2, `Heavy` for ζ < 1, `Critical` for ζ = 1, `Over` for ζ > 1
                     kind: Kind::Light,
                     /// |s| of the oscillator's root s, over √(k₁/m₁): without damping, the frequency ratio r of the resonance
                     frequency: 1.449137674618944,
@@ -457,8 +457,9 @@ const _: () = {
                 + Self::CHAIN.stiction * Self::CHAIN.inverse_mass * contact.scale
         }
         /// β_lim = |V|/√(U² + max(S, H_c + μm*/r²)²) (5.65, 5.80, 5.96, 7.49), with S the largest J(τ)/sin τ over
-        /// 0 < τ < π, J a sum over modes: with more friction the contact would reverse within the half period.
-        /// `constraint` is r²E times that maximum.
+        /// 0 < τ < π.  With more friction the contact would reverse within the half period.  `constraint` is r²E times
+        /// that maximum.  r²J is the sum of (φᵀw)²((1 + g)p + uR²(cos τ − p′)) over the modes.  p is the free motion of
+        /// a mode, p″ + 2ζxp′ + x²p = 0, from p = 0 and p′ = 1 at τ = 0.
         ///
         /// Operations: 6: 2 ×, 1 +, 1 hypot, 1 ÷, 1 √.
         #[inline]

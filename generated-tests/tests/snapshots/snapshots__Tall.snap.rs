@@ -751,7 +751,7 @@ const _: () = {
             modes: &Self::MODES,
             /// constants of the chain
             chain: Self::CHAIN,
-            /// limits of β for r → 0 and for r → ∞, whatever `range` says; β_lim for r → 0 is 0
+            /// limits of β for r → 0 and for r → ∞, also if tables have a smaller range; β_lim for r → 0 is 0
             ends: Ends {
                 /// β*_lim for r → 0
                 sliding_at_rest: 0.5,
@@ -970,8 +970,9 @@ const _: () = {
             contact.reversal + contact.scale
         }
         /// β_lim = |V|/√(U² + max(S, H_c + μm*/r²)²) (5.65, 5.80, 5.96, 7.49), with S the largest J(τ)/sin τ over
-        /// 0 < τ < π, J a sum over modes: with more friction the contact would reverse within the half period.
-        /// `constraint` is r²E times that maximum.
+        /// 0 < τ < π.  With more friction the contact would reverse within the half period.  `constraint` is r²E times
+        /// that maximum.  r²J is the sum of (φᵀw)²((1 + g)p + uR²(cos τ − p′)) over the modes.  p is the free motion of
+        /// a mode, p″ + 2ζxp′ + x²p = 0, from p = 0 and p′ = 1 at τ = 0.
         ///
         /// Operations: 6: 2 ×, 1 +, 1 hypot, 1 ÷, 1 √.
         #[inline]

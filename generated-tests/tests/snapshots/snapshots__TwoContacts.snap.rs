@@ -65,6 +65,8 @@ pub struct TwoContactsInput {
     /// Kinetic friction force of each contact during the step.
     pub friction: TwoContactsFriction,
 }
+/// With the feature `serde` of frictiongen, serde writes and reads these fields by name.
+::frictiongen::kernel::written!(TwoContactsInput, force, friction);
 /// Friction forces of [`TwoContacts`], by contact.
 #[allow(
     deprecated,
@@ -85,6 +87,8 @@ pub struct TwoContactsFriction {
     /// Kinetic friction force of contact `pads`, not negative.  A contact with 0 has no effect.
     pub pads: ::core::primitive::f64,
 }
+/// With the feature `serde` of frictiongen, serde writes and reads these fields by name.
+::frictiongen::kernel::written!(TwoContactsFriction, brace, pads);
 /// Exact motion of [`TwoContacts`] in time under a harmonic load, from event to event.  Displacements are over P/k₁ (over Y for base motion), velocities are dx̄/dτ, and forces are over P (over k₁Y).
 #[allow(deprecated, non_camel_case_types)]
 #[::core::prelude::v1::derive(::core::clone::Clone, ::core::fmt::Debug)]

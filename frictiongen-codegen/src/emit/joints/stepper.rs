@@ -1,8 +1,8 @@
 //! Emits the stepper of a scene with several contacts.
 
 use super::{JointsEmission, wrapper};
-use crate::emit::about::numbers_struct;
-use crate::emit::names::TypeNames;
+use crate::emit::about::{Field, numbers_struct};
+use crate::emit::names::{TypeNames, local};
 use frictiongen_kernel::joints::MAX_STEP_EVENTS;
 use frictiongen_model::scene::{Excitation, StepInput};
 use proc_macro2::TokenStream;
@@ -27,37 +27,34 @@ fn types(emission: &JointsEmission<'_>) -> TokenStream {
         MAX_STEP_EVENTS
     );
     let mut types = wrapper(emission, stepper, "Stepper", &about);
-    let forces = emission.loads.iter().map(|(mass, field)| {
+    let mut fields = Vec::new();
+    if scene.excitation == Excitation::Base {
+        let (displacement, velocity) = (local("displacement"), local("velocity"));
+        let about = " Displacement of the base at the end of the step.";
+        fields.push(Field::new(about, &displacement, scalar));
+        let about =
+            " Velocity of the base at the end of the step, in the unit of displacement per second.";
+        fields.push(Field::new(about, &velocity, scalar));
+    }
+    fields.extend(emission.loads.iter().map(|(mass, field)| {
         let mass = scene.masses.get(*mass).map_or("", |mass| &mass.name);
         let about = format!(" Force on mass `{mass}` at the end of the step.");
-        code!(#[doc = #about] pub #field: #scalar,)
-    });
-    let base = (scene.excitation == Excitation::Base).then(|| {
-        code! {
-            /// Displacement of the base at the end of the step.
-            pub displacement: #scalar,
-            /// Velocity of the base at the end of the step, in the unit of displacement per second.
-            pub velocity: #scalar,
-        }
-    });
-    let fields = code! {
-        #base
-        #(#forces)*
-        /// Kinetic friction force of each contact during the step.
-        pub friction: #friction,
-    };
+        Field::new(about, field, scalar)
+    }));
+    let about = " Kinetic friction force of each contact during the step.";
+    fields.push(Field::new(about, &local("friction"), friction));
     let about = format!(
         " Loads on [`{name}`] and friction forces, in the units of the scene: the input of a step."
     );
     types.extend(numbers_struct(description, input, &about, &fields));
-    let fields = emission.contact_names.iter().map(|contact| {
+    let contacts = emission.contact_names.iter().map(|contact| {
         let about = format!(
             " Kinetic friction force of contact `{contact}`, not negative.  A contact with 0 has no effect."
         );
-        code!(#[doc = #about] pub #contact: #scalar,)
+        Field::new(about, contact, scalar)
     });
     let about = format!(" Friction forces of [`{name}`], by contact.");
-    let fields: TokenStream = fields.collect();
+    let fields: Vec<_> = contacts.collect();
     types.extend(numbers_struct(description, friction, &about, &fields));
     types
 }
