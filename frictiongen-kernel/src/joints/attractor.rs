@@ -18,8 +18,8 @@ const SEARCHES: usize = 4;
 const WAITS: usize = 32;
 /// Number of cycles of the load in each wait.
 const WAIT: usize = 4;
-/// Number of successive waits without a movement of a slider after which the search starts again. The search then uses
-/// the present positions of the sliders.
+/// Number of successive waits in which no slider of a contact moves, after which the search starts again. The search
+/// then uses the present positions of the sliders.
 const CALM: usize = 2;
 
 impl<S: Float, Z: Size> Search<S, Z> {

@@ -83,7 +83,7 @@ pub struct Cycle<S: Float, Z: Size> {
     /// period. If a part of the chain can move without a force, the code first subtracts the mean velocity of each
     /// mass.
     pub centred: Z::Masses<S>,
-    /// Results of each contact, in the order of the description.
+    /// Results of each contact, in the order of the scene description.
     pub contacts: Z::Contacts<ContactCycle<S>>,
     /// Number of instants in the period at which a contact has an event.
     pub events: usize,
@@ -276,7 +276,7 @@ fn extremes<S: Float>(terms: &Poly<S>, slope: &Poly<S>, end: S) -> [S; 3] {
 fn slope<S: Float>(terms: &Poly<S>) -> Poly<S> {
     let mut slope = [S::constant(0.0); TERMS];
     for (order, (slope, term)) in slope.iter_mut().zip(terms.iter().skip(1)).enumerate() {
-        *slope = S::constant((order + 1) as f64) * *term;
+        *slope = S::whole(order + 1) * *term;
     }
     slope
 }
@@ -285,7 +285,7 @@ fn slope<S: Float>(terms: &Poly<S>) -> Poly<S> {
 pub(super) fn integral<S: Float>(terms: &[S], end: S) -> S {
     let terms = terms.iter().enumerate().rev();
     terms.fold(S::constant(0.0), |sum, (order, term)| {
-        (sum + *term / S::constant((order + 1) as f64)) * end
+        (sum + *term / S::whole(order + 1)) * end
     })
 }
 

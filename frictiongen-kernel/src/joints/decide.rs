@@ -4,7 +4,7 @@
 //! accelerates in its direction of sliding. A contact that has just broken away slides against the friction force that
 //! held it. If several patterns fit, the solver takes the pattern with the most sticking contacts. If several patterns
 //! have equally many sticking contacts, the solver takes the pattern in which the contacts stick that come first in the
-//! description. The solver tries the positive direction of a sliding contact first. In the first patterns that it
+//! scene description. The solver tries the positive direction of a sliding contact first. In the first patterns that it
 //! tries, every contact that broke away slides. If none of these patterns fits, the solver tries patterns in which such
 //! a contact sticks.
 
@@ -204,9 +204,9 @@ impl<S: Float, Z: Size> Decision<'_, S, Z> {
         Ok(false)
     }
 
-    /// Searches for a fitting pattern by Murty's rule of the least index. The rule corrects the first contact that
-    /// contradicts the pattern, and repeats. If static and kinetic friction are equal, the method always ends, because
-    /// the fitting pattern then belongs to the minimum of a strictly convex function.
+    /// Searches for a fitting pattern (the phase of each contact) by Murty's rule of the least index. The rule corrects
+    /// the first contact that contradicts the pattern, and repeats. If static and kinetic friction are equal, the
+    /// method always ends, because the fitting pattern then belongs to the minimum of a strictly convex function.
     fn pivot(&self, group: &Group<Z>, mut pattern: Z::Contacts<i8>) -> Option<Z::Contacts<i8>> {
         let members = group.members.as_ref().iter();
         for _ in 0..64 * members.filter(|member| **member).count() {
@@ -220,8 +220,9 @@ impl<S: Float, Z: Size> Decision<'_, S, Z> {
         None
     }
 
-    /// Tries all patterns in which `going` contacts slide, in addition to those that broke away. The recursion is at
-    /// most as deep as the number of contacts.
+    /// Tries the patterns in which exactly `going` contacts with an open phase slide. A pattern is the phase of each
+    /// contact: sticking, or its direction of sliding. Contacts that must slide in a given direction have no open
+    /// phase. The recursion is at most as deep as the number of contacts.
     fn enumerate(
         &self,
         group: &Group<Z>,
@@ -252,7 +253,8 @@ impl<S: Float, Z: Size> Decision<'_, S, Z> {
         Ok(false)
     }
 
-    /// Tests whether a pattern of a group fits, and finds the first contact that contradicts the pattern.
+    /// Tests whether a pattern (the phase of each contact) fits for a group of contacts. If not, finds the first
+    /// contact that contradicts the pattern.
     fn try_pattern(&self, group: &Group<Z>, pattern: &Z::Contacts<i8>) -> Outcome {
         let (accelerations, forces) = self.accelerations(&group.members, pattern);
         let mut outcome = Outcome {

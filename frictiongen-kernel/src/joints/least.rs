@@ -17,7 +17,7 @@ pub(super) fn solve<S: Float>(columns: &mut [S], turns: &mut [S], b: &[S], rank:
     let count = b.len();
     for (index, entry) in turns.iter_mut().enumerate() {
         let diagonal = count > 0 && index / count == index % count;
-        *entry = S::constant(f64::from(u8::from(diagonal)));
+        *entry = S::whole(usize::from(diagonal));
     }
     for _ in 0..SWEEPS {
         if !sweep(columns, turns, count) {

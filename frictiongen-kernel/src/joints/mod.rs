@@ -1,6 +1,6 @@
 //! Chains with several rigid and elastic contacts, with dashpots, and with masses that no spring supports.
 //!
-//! All quantities have the units of the description. A contact of the nodes `plus - minus` has the relative
+//! All quantities have the units of the scene description. A contact of the nodes `plus - minus` has the relative
 //! displacement z: the displacement of the node `plus` minus that of the node `minus`. A positive force f of the
 //! contact acts on the node `plus` in the negative direction.
 //!

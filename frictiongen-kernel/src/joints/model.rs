@@ -74,7 +74,7 @@ impl<S: Float> Contact<S> {
 pub struct Model<S: Float, Z: Size> {
     /// Numbers of masses, contacts and loads in the chain. They determine the lengths of all arrays.
     pub size: Z,
-    /// Masses of the chain, in the order of the description.
+    /// Masses of the chain, in the order of the scene description.
     pub masses: Z::Constants<S>,
     /// Springs of the chain, each with its two nodes and its stiffness.
     pub springs: Z::Constants<Link<S>>,
@@ -84,7 +84,7 @@ pub struct Model<S: Float, Z: Size> {
     pub damping: Z::Constants<S>,
     /// True if the damping matrix acts on velocities relative to the base. False if it acts on absolute velocities.
     pub damping_from_base: bool,
-    /// Contacts of the chain, in the order of the description.
+    /// Contacts of the chain, in the order of the scene description.
     pub contacts: Z::Contacts<Contact<S>>,
     /// Points (v, φ) of the friction law of all rigid contacts, with ascending v. At the sliding speed v, the kinetic
     /// friction force is φ times the level of the contact. φ is 1 at v = 0, linear between two points, and constant
@@ -109,12 +109,12 @@ impl<S: Float, Z: Size> Model<S, Z> {
         self.wall() + 1
     }
 
-    /// Returns the masses of the chain, in the order of the description.
+    /// Returns the masses of the chain, in the order of the scene description.
     pub fn masses(&self) -> &[S] {
         self.masses.as_ref()
     }
 
-    /// Returns the contacts of the chain, in the order of the description.
+    /// Returns the contacts of the chain, in the order of the scene description.
     pub fn contacts(&self) -> &[Contact<S>] {
         self.contacts.as_ref()
     }

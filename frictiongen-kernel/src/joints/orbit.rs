@@ -14,6 +14,7 @@ use super::stuck::StuckResponse;
 use crate::errors::{Halt, NoOrbit, OutOfDomain, Regime, StuckResonance};
 use crate::number::complex::Complex;
 use crate::{Float, Scalar};
+use core::f64::consts::TAU;
 
 /// A chain with several contacts at one frequency.
 #[derive(Clone, Debug)]
@@ -106,7 +107,7 @@ impl<S: Float, Z: Size> Steady<S, Z> {
         if self.period.is_multiple_of(2) {
             return Ok(false);
         }
-        let half = S::constant(0.5 * self.period as f64 * core::f64::consts::TAU) / omega;
+        let half = S::constant(0.5) * S::whole(self.period) * S::constant(TAU) / omega;
         let bounds = Bounds {
             events: MAX_EVENTS,
             stretches: MAX_STRETCHES,

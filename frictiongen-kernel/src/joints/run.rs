@@ -105,7 +105,7 @@ impl<S: Float, Z: Size> Motion<S, Z> {
         (c.across(v.as_ref()), place)
     }
 
-    /// Returns the present force of each contact, in the order of the description.
+    /// Returns the present force of each contact, in the order of the scene description.
     pub fn forces(&self) -> Z::Contacts<S> {
         let (mut x, mut v) = self.nodes();
         let places = self.state.places.as_ref();

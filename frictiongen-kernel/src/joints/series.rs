@@ -63,7 +63,7 @@ impl<S: Float, Z: Size> Series<S, Z> {
             let known = (forces.as_ref(), at(&lift, order));
             let results = (a.as_mut(), holds.as_mut());
             tree.accelerate_in(model, known, rest.as_mut(), results);
-            let next = length / S::constant((order + 1) as f64);
+            let next = length / S::whole(order + 1);
             let contacts = model.contacts().iter().zip(series.forces.as_mut());
             for (j, (contact, terms)) in contacts.enumerate() {
                 match contact.stiffness {

@@ -194,6 +194,6 @@ impl<S: Float, Z: Size> Search<S, Z> {
 fn subtract_from_one<S: Float>(matrix: &mut [S], size: usize) {
     for (index, entry) in matrix.iter_mut().enumerate() {
         let diagonal = size > 0 && index / size == index % size;
-        *entry = S::constant(f64::from(u8::from(diagonal))) - *entry;
+        *entry = S::whole(usize::from(diagonal)) - *entry;
     }
 }

@@ -37,8 +37,8 @@ impl<S: Float, Z: Size> Search<S, Z> {
         }
     }
 
-    /// Returns true if the slider of every contact that does not slide is at the position 0. If a slider is at another
-    /// position, the motion does not repeat with the opposite sign.
+    /// Returns true if the slider of each contact that does not slide in the period is at the position 0. If a slider
+    /// is at another position, the motion does not repeat with the opposite sign.
     pub(super) fn is_centred(&self, motion: &Motion<S, Z>) -> bool {
         let contacts = motion.model().contacts().iter().enumerate();
         let mut still = contacts.filter(|(j, _)| !self.unknowns().moves(*j));

@@ -19,7 +19,7 @@ pub const MAX_STRETCHES: usize = 10_000_000;
 pub struct Reference<S> {
     /// Reference angular frequency √(k₁/m₁), in rad per unit of time. The excitation has this frequency at r = 1.
     pub rate: S,
-    /// Stiffness k₁ of the first spring, in the units of the description.
+    /// Stiffness k₁ of the first spring, in the units of the scene description.
     pub stiffness: S,
     /// True if the base moves and excites the chain. If false, the first load excites the chain.
     pub on_base: bool,

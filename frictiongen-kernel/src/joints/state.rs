@@ -12,9 +12,9 @@ pub const FREE: i8 = 2;
 /// State of a chain with several contacts at one instant.
 #[derive(Clone, Debug, PartialEq)]
 pub struct State<S: Float, Z: Size> {
-    /// Displacement of each mass, in the order of the description.
+    /// Displacement of each mass, in the order of the scene description.
     pub x: Z::Masses<S>,
-    /// Velocity of each mass, in the order of the description.
+    /// Velocity of each mass, in the order of the scene description.
     pub v: Z::Masses<S>,
     /// Force of each elastic contact, and 0 for each rigid contact.
     pub forces: Z::Contacts<S>,

@@ -272,11 +272,12 @@ impl<S: Float, Z: Size> Search<S, Z> {
 
     /// Returns the duration of a number of cycles of the load.
     pub(super) fn length(&self, cycles: usize) -> S {
-        S::constant(cycles as f64) * self.cycle
+        S::whole(cycles) * self.cycle
     }
 
-    /// Computes the centred amplitudes of a steady state again, if a part of the chain can move without a force. The
-    /// function first subtracts the motion with the constant mean velocity of each mass.
+    /// Computes the centred amplitude of each mass again, if a part of the chain can move without a force. The centred
+    /// amplitude is half the distance between the smallest and the largest displacement of the mass. Because such a
+    /// part may drift, the function first subtracts the mean velocity of each mass times the time.
     fn about_its_mean(
         &self,
         motion: &Motion<S, Z>,

@@ -14,7 +14,7 @@ use crate::number::matrix::SquareMatrix;
 pub struct StuckResponse<S: Float, Z: Size> {
     /// Complex amplitude X of the displacement of each mass: x = Re X exp(iωt).
     pub displacements: Z::Masses<Complex<S>>,
-    /// Amplitude of the force in each contact, in the order of the description.
+    /// Amplitude of the force in each contact, in the order of the scene description.
     pub forces: Z::Contacts<S>,
     /// Factor on all friction forces at which the first contact is about to slide, and the index of this contact.
     /// `None` if no contact has a friction force.

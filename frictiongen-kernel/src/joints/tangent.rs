@@ -31,7 +31,7 @@ pub(super) struct Tangent<'m, S: Float, Z: Size> {
     /// Deviations from the motion, with one column for each unknown. The rows are the displacements of the masses, the
     /// velocities of the masses, and the forces of the contacts.
     rows: Z::Square<S>,
-    /// Coefficients of one order in the power series of the deviations `rows`.
+    /// Coefficients of one order in the power series of the deviations in `rows`.
     term: Z::Square<S>,
     /// Deviations of the forces on the masses, with one row for each mass and one column for each unknown.
     forces: Z::Square<S>,
@@ -276,7 +276,7 @@ impl<S: Float, Z: Size> Observe<S, Z> for Tangent<'_, S, Z> {
         let mut size = S::constant(1.0);
         for order in 0..terms_of::<S>() {
             self.sum_forces(state);
-            let order = S::constant((order + 1) as f64);
+            let order = S::whole(order + 1);
             self.raise(state, length / order);
             let rows = self.rows.as_mut().iter_mut().take(used);
             for (sum, term) in rows.zip(self.term.as_ref()) {

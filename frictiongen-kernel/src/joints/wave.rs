@@ -112,7 +112,7 @@ impl<S: Float> Wave<S> {
             let mut factor = self.amplitude * power;
             for (order, term) in terms.iter_mut().enumerate().take(terms_of::<S>()) {
                 *term = factor * at(&derivatives, (order + derivative) % 4);
-                factor = factor * (self.omega * length / S::constant((order + 1) as f64));
+                factor = factor * (self.omega * length / S::whole(order + 1));
             }
         }
         let zero = S::constant(0.0);
