@@ -12,13 +12,17 @@ use frictiongen_kernel::Float;
 use frictiongen_kernel::number::complex;
 use frictiongen_kernel::number::dd::Dd;
 
-/// A mode that the contact drives. Its constants are the resonance σ = √λ, the damping ratio ζ, and the contribution c
-/// to the inverse effective mass of the contact.
+/// A mode that the contact drives: its resonance σ = √λ, its damping ratio ζ, and its term (c + es)/(s² + 2ζσs + λ) in a
+/// response of the contact. For a response to a contact force, c is the contribution of the mode to the inverse
+/// effective mass of the contact, and e is 0.
 #[derive(Clone, Copy, Debug)]
 pub struct DrivenMode {
     pub sigma: Dd,
     pub zeta: Dd,
+    /// c, the constant term of the numerator.
     pub inverse_mass: Dd,
+    /// e, the coefficient of s in the numerator.
+    pub along: Dd,
 }
 
 /// One mode of the chain with its contact stuck. A pair of roots describes the mode, the zeros of s² + 2αs + ω².
@@ -172,7 +176,7 @@ fn start(modes: &[DrivenMode], undamped: &[Dd]) -> Vec<Complex<Dd>> {
     roots
 }
 
-/// Finds zeros of the sum `direct` + Σ c_i/(s² + 2ζ_iσ_i s + λ_i) over the modes, starting from the estimates in
+/// Finds zeros of the sum `direct` + Σ (c_i + e_i s)/(s² + 2ζ_iσ_i s + λ_i) over the modes, starting from the estimates in
 /// `roots`. The first `known` entries of `roots` stay fixed.
 pub(crate) fn converge(modes: &[DrivenMode], direct: Dd, roots: &mut [Complex<Dd>], known: usize) {
     fn steps<S: Float>(
@@ -182,9 +186,9 @@ pub(crate) fn converge(modes: &[DrivenMode], direct: Dd, roots: &mut [Complex<Dd
         known: usize,
         most: (usize, f64),
     ) {
-        let modes: Vec<(S, S, S)> = modes
+        let modes: Vec<[S; 4]> = modes
             .iter()
-            .map(|mode| (to(mode.sigma), to(mode.zeta), to(mode.inverse_mass)))
+            .map(|mode| [mode.sigma, mode.zeta, mode.inverse_mass, mode.along].map(to))
             .collect();
         let direct = to(direct);
         iterate(roots, known, most, |s| slope_over_value(&modes, direct, s));
@@ -257,12 +261,12 @@ pub(crate) fn iterate<S: Float>(
     }
 }
 
-/// Returns P′/P at s, for the polynomial P = (direct + Σ c_i/d_i) Π d_i with d_i = s² + 2ζ_iσ_i s + σ_i².
-fn slope_over_value<S: Float>(modes: &[(S, S, S)], direct: S, s: Complex<S>) -> Complex<S> {
+/// Returns P′/P at s, for the polynomial P = (direct + Σ (c_i + e_i s)/d_i) Π d_i with d_i = s² + 2ζ_iσ_i s + σ_i².
+fn slope_over_value<S: Float>(modes: &[[S; 4]], direct: S, s: Complex<S>) -> Complex<S> {
     let zero = complex::real(S::constant(0.0));
     let (mut value, mut slope, mut others) = (complex::real(direct), zero, zero);
     let two = S::constant(2.0);
-    for (sigma, zeta, inverse_mass) in modes {
+    for [sigma, zeta, inverse_mass, along] in modes {
         let rate = two * *zeta * *sigma;
         let d = complex::add(
             complex::mul(s, Complex::new(s.re + rate, s.im), true),
@@ -271,7 +275,12 @@ fn slope_over_value<S: Float>(modes: &[(S, S, S)], direct: S, s: Complex<S>) -> 
         let inverse = complex::reciprocal(d, true);
         let derivative = Complex::new(s.re * two + rate, s.im * two);
         let ratio = complex::mul(derivative, inverse, true);
-        let term = complex::scale(inverse, *inverse_mass);
+        let mut term = complex::scale(inverse, *inverse_mass);
+        if !along.is_zero() {
+            let own = complex::scale(inverse, *along);
+            term = complex::add(term, complex::mul(own, s, true));
+            slope = Complex::new(slope.re - own.re, slope.im - own.im);
+        }
         value = complex::add(value, term);
         slope = complex::add(slope, complex::mul(term, ratio, true));
         others = complex::add(others, ratio);

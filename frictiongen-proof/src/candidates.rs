@@ -32,7 +32,8 @@ const SURELY: f64 = 0.3;
 /// may then reach the start within the interval of r.
 const START: f64 = 0.05;
 
-/// Returns the candidates for the witness over an interval of r, from exact searches at several r of the interval.
+/// Returns the candidates for the `Witness` over an interval of r, from exact searches for the largest velocity
+/// constraint at several r of the interval.
 pub(crate) fn candidates(
     exact: &mut Exact<'_>,
     chain: &IntervalChain,

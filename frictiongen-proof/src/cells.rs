@@ -10,27 +10,28 @@ use crate::witness::{Witness, WitnessInstant};
 use frictiongen_model::interval::Interval;
 use std::f64::consts::PI;
 
-/// Length of a step that widens the interval of τ about a witness, as a fraction of √(N/D″). [`HalfPeriodCells`]
-/// defines the level N, and the function D(τ) that must be positive. The value is tuned. A longer step widens the
-/// interval faster, but gives wider bounds of D″.
+/// Length of a step that widens the interval of τ about a witness (an instant near the largest velocity constraint), as
+/// a fraction of √(N/D″). [`HalfPeriodCells`] defines the level N, and the function D(τ) that must be positive. The
+/// value is tuned. A longer step widens the interval faster, but gives wider bounds of D″.
 const TUBE_STEP: f64 = 0.3;
-/// Largest number of steps that widen the region about a witness, on each side of the witness. A witness is an instant
-/// near the largest velocity constraint. The value is tuned. It limits the work for one region.
+/// Largest number of steps that widen the interval of τ about a witness, before and after the witness. A witness is an
+/// instant near the largest velocity constraint. The value is tuned. It limits the work for one interval of τ.
 const TUBE_STEPS: usize = 8;
-/// Largest first step that widens the region about a witness, as a fraction of the distance from the witness to the
-/// end of the half period. The value is tuned. For a flat maximum, a step in proportion to √(N/D″) alone would be too
-/// long.
+/// Largest first step that widens the interval of τ about a witness, as a fraction of the distance from the witness to
+/// the end of the half period. A witness is an instant near the largest velocity constraint. The value is tuned. For a
+/// flat maximum, a step in proportion to √(N/D″) alone would be too long.
 const TUBE_FIRST: f64 = 0.2;
-/// Largest sum of the steps that widen the region about a witness, as a fraction of the distance from the witness to
-/// the end of the half period. The region must end before the half period does.
+/// Largest sum of the steps that widen the interval of τ about a witness, as a fraction of the distance from the
+/// witness to the end of the half period. A witness is an instant near the largest velocity constraint. The interval
+/// must end before the half period does.
 const TUBE_MOST: f64 = 0.9;
-/// Relative allowance for the rounding of an instant, of the end of a region, or of r. It is thousands of rounding
-/// units.
+/// Relative allowance for the rounding of an instant, of a bound of an interval of τ, or of r. It is thousands of
+/// rounding units.
 pub(crate) const ROUNDING: f64 = 1e-12;
 
-/// Smallest D″ in a region about an instant, as a fraction of D″ at the instant. D is the function of τ that the proof
-/// must show to be positive ([`HalfPeriodCells`]). The value is tuned. A smaller fraction gives a wider region, but a
-/// flatter parabola as lower bound on D.
+/// Smallest D″ in an interval of τ about an instant, as a fraction of D″ at the instant. D is the function of τ that
+/// the proof must show to be positive ([`HalfPeriodCells`]). The value is tuned. A smaller fraction gives a wider
+/// interval, but a flatter parabola as lower bound on D.
 pub(crate) const BENT: f64 = 0.15;
 
 /// The chain and the witness at the centre of an interval of r (fields with `at`), and over the whole interval
@@ -55,8 +56,8 @@ pub(crate) struct CellData<'a> {
     pub share: f64,
 }
 
-/// A side of the half period, before or after the witness. A `share` is a position on the side. It is 0 at that end of
-/// the half period (τ = 0 or τ = π), and 1 at the witness.
+/// The half period before or after the witness, which is an instant near the largest velocity constraint. A `share` is
+/// a position in this range of instants. It is 0 at the end of the half period (τ = 0 or τ = π), and 1 at the witness.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) enum Flank {
     Before,
@@ -75,8 +76,8 @@ pub(crate) struct HalfPeriodCells<'a> {
     pub wide: ChainStage<2>,
     /// The chain over the interval of r, without derivatives.
     pub flat: ChainStage<1>,
-    /// N, a level slightly above the velocity constraint of the witness: at the centre of the interval of r
-    /// (`level_at`), and over the interval (`level_over`).
+    /// The number N, slightly above the velocity constraint of the `Witness`. `level_at` is N at the centre of the
+    /// interval of r, and `level_over` is N over the interval.
     pub level_at: IntervalSeries<1>,
     pub level_over: IntervalSeries<2>,
     pub full_at: IntervalSeries<ORDER>,
@@ -134,8 +135,8 @@ impl<'a> HalfPeriodCells<'a> {
         (force::derivatives(&self.flat, &motions, waves), waves)
     }
 
-    /// Returns D″, the second derivative in τ of D = N sin τ − F, over an interval of t = τ/π and the whole interval
-    /// of r.
+    /// Returns D″, the second derivative in τ of the function D of [`HalfPeriodCells`], over an interval of t = τ/π and
+    /// the whole interval of r.
     pub fn bend(&self, t: Interval, budget: &mut Budget) -> Interval {
         budget.spend(2 * self.wide.modes.len());
         let level = self.level_over.value();
@@ -148,9 +149,9 @@ impl<'a> HalfPeriodCells<'a> {
         plain.both(-(level * sine) - second + moves)
     }
 
-    /// Returns a region about an instant in which D″ stays above the fraction `bent` of its value at the instant. D is
-    /// the function of τ that must be positive ([`HalfPeriodCells`]). The first result has the lengths of the region
-    /// before and after the instant, in half-turns. The second is the smallest D″ in the region.
+    /// Returns an interval of τ about an instant in which D″ stays above the fraction `bent` of its value at the
+    /// instant. D is the function of τ that must be positive ([`HalfPeriodCells`]). The first result has the lengths of
+    /// the interval before and after the instant, in half-turns. The second is the smallest D″ in the interval.
     pub fn widened(
         &self,
         t: Interval,
@@ -182,8 +183,9 @@ impl<'a> HalfPeriodCells<'a> {
         (reach, least)
     }
 
-    /// Returns the instant t = τ/π at the position `share` of a side. The results are t over the whole interval of r,
-    /// the slope of t with respect to r, and t at the centre of the interval.
+    /// Returns the instant t = τ/π at the position `share`, which is 0 at an end of the half period and 1 at the
+    /// `Witness`. The results are t over the whole interval of r, the slope of t with respect to r, and t at the centre
+    /// of the interval.
     pub fn instant(&self, side: Flank, share: Interval) -> (Interval, Interval, Interval) {
         let (path, slope) = (self.path_over.value(), self.path_over.term(1));
         match side {

@@ -17,26 +17,26 @@ use crate::witness::Witness;
 use frictiongen_model::interval::Interval;
 use std::f64::consts::PI;
 
-/// Length of the first cell (an interval of τ) on each side of the witness, as an angle of the fastest mode, in rad.
+/// Length of the first cell (an interval of τ) before and after the `Witness`, as an angle of the fastest mode, in rad.
 /// The value is tuned. A longer cell gives wider bounds of D″, where D(τ) is the function that must be positive
 /// ([`HalfPeriodCells`]).
 const CELL: f64 = 1.0;
 /// Smallest (N − Q)/N at which the level N is far above Q, the velocity constraint of the witness. The value is tuned.
 /// With this difference, the function D of [`HalfPeriodCells`] is clearly positive at the witness.
 const FAR_ABOVE: f64 = 0.01;
-/// Smallest D″ in a narrower region about the witness, as a fraction of D″ at the witness. The code tries this region
-/// if `BENT` does not suffice. D(τ) is the function that must be positive ([`HalfPeriodCells`]). The value is tuned. A
-/// larger fraction gives a steeper parabola in a narrower region.
+/// Smallest D″ in a narrower interval of τ about the `Witness`, as a fraction of D″ at the witness. The code tries this
+/// interval if the fraction `BENT` does not suffice. D(τ) is the function that must be positive ([`HalfPeriodCells`]).
+/// The value is tuned. A larger fraction gives a steeper parabola in a narrower interval.
 const MORE_BENT: f64 = 0.5;
-/// Shortest cell (an interval of τ), as a fraction of its side of the half period. The value is tuned. It limits the
-/// work on a side whose proof fails. The prover then halves the interval of r.
+/// Shortest cell (an interval of τ), as a fraction of the half period before or after the `Witness`. The value is
+/// tuned. It limits the work of a proof that fails. The prover then halves the interval of r.
 const SHORTEST: f64 = 1e-3;
 /// Length of a cell (an interval of τ), as an angle of the fastest mode, in rad. If a cell becomes shorter, the code
 /// searches for another instant whose velocity constraint is nearly that of the witness. The value is tuned. Cells
 /// become short where the function D of [`HalfPeriodCells`] is small.
 const COMPETE: f64 = 0.1;
-/// Largest number of searches, on one side, for another instant whose velocity constraint is nearly that of the
-/// witness. The value is tuned. It limits the work of the searches.
+/// Largest number of searches, before or after the `Witness`, for another instant with nearly the same velocity
+/// constraint. The value is tuned. It limits the work of the searches.
 const MOST_TRIED: usize = 4;
 /// Factor by which the next cell (an interval of τ) is longer after a proven cell. The value is tuned. Fast growth
 /// saves cells, but a failed cell is lost work.
@@ -51,8 +51,8 @@ const EARLY_STEPS: usize = 6;
 /// `EARLY_STEPS`.
 const EARLY_STEP: f64 = 0.7;
 
-/// Returns true if the proof over an interval of r succeeds. The proof shows that every velocity constraint is below
-/// the constraint of the witness plus the margin.
+/// Returns true if the proof over an interval of r succeeds. The proof shows that the velocity constraint at every
+/// instant is below the constraint at the `Witness` plus the margin.
 pub(crate) fn certified(part: &CellData<'_>, budget: &mut Budget) -> bool {
     // Without damping, the velocity constraint is largest at the start of the half period if every x ≤ 2. Here x is a
     // natural frequency divided by the excitation frequency.
@@ -62,14 +62,14 @@ pub(crate) fn certified(part: &CellData<'_>, budget: &mut Budget) -> bool {
         return true;
     }
     let cells = HalfPeriodCells::of(part);
-    // `spare` is the margin of the level N above the break-away term. This term limits β_lim as a velocity constraint
-    // does, so N must exceed it too.
+    // `spare` is the margin of N above the break-away term. N is a number slightly above the velocity constraint of the
+    // `Witness`. This term limits β_lim as a velocity constraint does, so N must exceed it too.
     let spare = IntervalSeries::joined(
         &(cells.full_at - part.at.break_away),
         &(cells.full_over - part.over.break_away),
     );
     // With μ = 1 the break-away term equals the velocity constraint at the start of the half period. The proof for a
-    // witness near the start covers this constraint.
+    // `Witness` near the start also covers the start itself.
     let one = part.chain.stiction == Interval::ONE;
     let is_early = matches!(part.witness, Witness::Early(_));
     let seen = is_start || (is_early && one);
@@ -93,9 +93,9 @@ pub(crate) fn certified(part: &CellData<'_>, budget: &mut Budget) -> bool {
 }
 
 impl HalfPeriodCells<'_> {
-    /// Returns, for each side of the witness, the fraction that the cells must still prove. A parabola about the
-    /// witness proves the rest of the half period. Returns `None` if D is not proven positive about the witness.
-    /// [`HalfPeriodCells`] defines D.
+    /// Returns the fractions of the half period before and after the `Witness` that the cells must still prove. A
+    /// parabola about the witness proves the rest of the half period. Returns `None` if D is not proven positive about
+    /// the witness. [`HalfPeriodCells`] defines D.
     fn tube(&self, budget: &mut Budget) -> Option<[f64; 2]> {
         if matches!(self.part.witness, Witness::BreakAway) {
             return Some([1.0, 1.0]);
@@ -106,30 +106,30 @@ impl HalfPeriodCells<'_> {
         }
         let curve = self.bend(path, budget);
         if !(0.0 < curve.low) {
-            // D may have no minimum near the witness. An example is a U larger than S, the largest velocity constraint.
-            // U is the part of the contact's velocity at a reversal that friction causes. N is then far above all
-            // constraints, and the cells alone prove that D is positive on both sides.
+            // D may have no minimum near the `Witness`. An example is a U larger than S, the largest velocity
+            // constraint. U is the part of the contact's velocity at a reversal that friction causes. N is then far
+            // above all constraints, and the cells alone prove that D is positive before and after the witness.
             return Some([1.0, 1.0]);
         }
-        // The code first tries the widest region, then a narrower region with a steeper parabola.
+        // The code first tries the widest interval of τ, then a narrower interval with a steeper parabola.
         let tube = [BENT, MORE_BENT].into_iter().find_map(|bent| {
             let (reach, least) = self.widened(path, curve, bent, budget);
             self.is_least(least).then_some(reach)
         });
         let Some([before, after]) = tube else {
-            // If the level N is far above the constraint of the witness, the cells need no parabola about the witness.
+            // If N is far above the velocity constraint of the `Witness`, the cells need no parabola about the witness.
             let far = FAR_ABOVE * self.level_over.value().high < self.above().low;
             return far.then_some([1.0, 1.0]);
         };
-        // The proven regions are shortened a little, to allow for the rounding of the fractions.
+        // The code shortens the proven intervals of τ a little, to allow for the rounding of the fractions.
         Some([
             1.0 - before * (1.0 - ROUNDING) / path.high,
             1.0 - after * (1.0 - ROUNDING) / (1.0 - path.low),
         ])
     }
 
-    /// Returns N − Q, computed as (N² − Q²)/(N + Q). Q is the velocity constraint of the witness, and N the level above
-    /// Q.
+    /// Returns N − Q, computed as (N² − Q²)/(N + Q). Q is the velocity constraint of the `Witness`, and N is a number
+    /// slightly above Q.
     fn above(&self) -> Interval {
         let seen = self.part.seen_over;
         let share = Interval::point(self.part.share);
@@ -137,9 +137,10 @@ impl HalfPeriodCells<'_> {
         seen.size.value() * more / (self.level_over.value() + seen.constraint.value())
     }
 
-    /// Returns true if D is proven positive in a region about the witness τ_w. For a witness near the start of the half
-    /// period, D/τ takes the place of D. In the region the second derivative is at least `bend`, so D ≥ D(τ_w) −
-    /// D′(τ_w)²/(2·bend). The function tests whether this bound is positive. [`HalfPeriodCells`] defines D.
+    /// Returns true if D is proven positive in an interval of τ about the instant τ_w of the `Witness`. For a witness
+    /// near the start of the half period, D/τ takes the place of D. In the interval the second derivative is at least
+    /// `bend`, so D ≥ D(τ_w) − D′(τ_w)²/(2·bend). The function tests whether this bound is positive.
+    /// [`HalfPeriodCells`] defines D.
     fn is_least(&self, bend: f64) -> bool {
         let (seen_at, seen_over) = (self.part.seen_at, self.part.seen_over);
         let above = self.above();
@@ -150,9 +151,9 @@ impl HalfPeriodCells<'_> {
         0.0 < bend.low && 0.0 < (value - rise.squared() / (bend + bend)).low
     }
 
-    /// Returns the fraction of the side after the witness that the cells must still prove, for a witness near the start
-    /// of the half period. The proof about the witness needs (D/τ)″, where D is the function that must be positive
-    /// ([`HalfPeriodCells`]). (D/τ)″ = ∫₀¹ s²D‴(sτ) ds is at least a third of the smallest D‴.
+    /// Returns the fraction of the half period after the `Witness` that the cells must still prove, for a witness near
+    /// the start of the half period. The proof about the witness needs (D/τ)″, where D is the function that must be
+    /// positive ([`HalfPeriodCells`]). (D/τ)″ = ∫₀¹ s²D‴(sτ) ds is at least a third of the smallest D‴.
     fn early(&self, budget: &mut Budget) -> Option<f64> {
         let path = self.part.seen_over.t;
         let path = IntervalSeries::joined(&self.part.seen_at.t, &path).range(self.part.away);
@@ -174,15 +175,16 @@ impl HalfPeriodCells<'_> {
         None
     }
 
-    /// Returns true if D is proven positive on a side of the witness. The proof runs from the end of the half period
-    /// (τ = 0 or τ = π) to the position `up_to` of the side. [`HalfPeriodCells`] defines D.
+    /// Returns true if D is proven positive before or after the `Witness` (`side`). The proof runs from the end of the
+    /// half period (τ = 0 or τ = π) to the position `up_to`, which would be 1 at the witness. [`HalfPeriodCells`]
+    /// defines D.
     fn side(&self, side: Flank, up_to: f64, budget: &mut Budget) -> bool {
         let fastest = self.wide.modes.iter().map(|mode| mode.x.value().high);
         let fastest = fastest.fold(1.0, f64::max);
         let most = PI * self.path_at.middle();
         let mut length = (CELL / (fastest * most)).min(up_to);
-        // The first cell of the side starts at an end of the half period (τ = 0 or τ = π). D vanishes there, so the
-        // cell needs a proof of its own.
+        // The first cell starts at an end of the half period (τ = 0 or τ = π). D vanishes there, so the cell needs a
+        // proof of its own.
         loop {
             let share = length.min(up_to);
             let shown = match side {
@@ -208,8 +210,8 @@ impl HalfPeriodCells<'_> {
                 from = to;
                 length *= LONGER;
             } else {
-                // Near an instant with nearly the constraint of the witness, cells would become as short as their
-                // distance from that instant.
+                // Another instant may have nearly the velocity constraint of the `Witness`. Near it, cells would become
+                // as short as their distance from that instant.
                 let near = region.and_then(|region: PositiveRegion| {
                     region.reach(side, from, self.path_over.value())
                 });
@@ -232,7 +234,8 @@ impl HalfPeriodCells<'_> {
         true
     }
 
-    /// Returns true if D is proven positive in a cell, an interval `share` of a side. [`HalfPeriodCells`] defines D.
+    /// Returns true if D is proven positive in a cell. The cell is the interval `share` of positions before or after
+    /// the `Witness` (`side`). [`HalfPeriodCells`] defines D.
     fn cell(&self, side: Flank, share: Interval, budget: &mut Budget) -> bool {
         budget.spend(2 * self.wide.modes.len());
         let (t, t_slope, _) = self.instant(side, share);
@@ -260,7 +263,7 @@ impl HalfPeriodCells<'_> {
     }
 }
 
-/// Returns a lower bound on value + slope·δ + bend·δ²/2 over |δ| ≤ half.
+/// Returns a lower bound on the parabola `value` + `slope`·δ + `bend`·δ²/2 for |δ| up to `half`.
 fn lowest(value: Interval, slope: Interval, bend: Interval, half: f64) -> Interval {
     let steep = Interval::point(slope.size());
     let bend = Interval::point(bend.low);

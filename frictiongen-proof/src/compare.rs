@@ -1,4 +1,5 @@
-//! Compares the polynomial of a table's piece with the β_lim that follows from the witness, over an interval of r.
+//! Compares the polynomial of a table's piece with the β_lim that follows from the witness, over an interval of r. The
+//! witness is an instant near the largest velocity constraint.
 
 use crate::series::IntervalSeries;
 use crate::stage::{ChainStage, ORDER};
@@ -17,7 +18,7 @@ pub(crate) const SHORT: usize = ORDER - 1;
 /// give narrower bounds, but take more work.
 pub(crate) const CELLS: usize = 8;
 /// Largest fraction of the accuracy that the uncertain position of a zero of β_lim may use up. The value is tuned. The
-/// proof leaves a neighbourhood of the zero open. The length of this neighbourhood is inversely proportional to the
+/// proof does not cover a neighbourhood of the zero. The length of this neighbourhood is inversely proportional to the
 /// fraction.
 const UNCERTAIN: f64 = 0.01;
 /// Smallest distance from a zero of β_lim, divided by r, down to which the proof covers r. It is hundreds of rounding
@@ -27,7 +28,7 @@ const NEAREST: f64 = 1e-13;
 /// accuracy, so the comparison fails in any case.
 pub(crate) const SMALL: f64 = 0.1;
 
-/// Result of the comparison of a table's β_lim with the β_lim from the witness, over an interval of r.
+/// Result of the comparison of a table's β_lim with the β_lim from the `Witness`, over an interval of r.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct ComparedLimit {
     /// Largest possible relative error of the table's β_lim, with the r at which it occurs.
@@ -37,7 +38,7 @@ pub(crate) struct ComparedLimit {
     pub gap: Option<(f64, f64)>,
     /// The interval of r that the comparison proves, minus the centre of the series.
     pub away: Interval,
-    /// Square of the quotient p/β_lim. p is the polynomial of the table, and β_lim comes from the witness. The first
+    /// Square of the quotient p/β_lim. p is the polynomial of the table, and β_lim comes from the `Witness`. The first
     /// series is at the centre of the interval of r, the second over the interval.
     pub square: [IntervalSeries<SHORT>; 2],
     /// Largest rounding error in the evaluation of the table's polynomial p, divided by p.
@@ -54,9 +55,9 @@ pub(crate) fn divided(series: &IntervalSeries<ORDER>) -> IntervalSeries<SHORT> {
     IntervalSeries { terms }
 }
 
-/// Compares the polynomial of a piece with β_lim over an interval of r. Returns `None` if the polynomial is not
-/// proven to be within the accuracy. The exact β_lim is at most the β_lim from the witness, and smaller by at most
-/// the fraction `share`.
+/// Compares the polynomial of a piece with β_lim over an interval of r. Returns `None` if the polynomial is not proven
+/// to be within the accuracy. The exact β_lim is at most the β_lim from the `Witness`, and smaller by at most the
+/// fraction `share`.
 pub(crate) fn compared<S: Float>(
     piece: &Fitted<S>,
     request: &Request,

@@ -7,12 +7,12 @@ use crate::stage::ChainStage;
 use frictiongen_model::interval::Interval;
 
 /// Number of terms of the Taylor series of F/τ in τ, where F/sin τ is the velocity constraint. [`rest`] bounds the
-/// remainder. With fewer terms the proof would stay correct, but would leave more of r open.
+/// remainder. With fewer terms the proof would stay correct, but would fail for more of r.
 const TERMS: usize = 13;
 /// Derivatives of cos τ at τ = 0, which repeat after four.
 const OF_COSINE: [f64; 4] = [1.0, 0.0, -1.0, 0.0];
-/// Largest |τ|, in rad, for which the bound on the remainder of the series of sin τ/τ is valid. The instants of a
-/// witness near the start of the half period are smaller.
+/// Largest |τ|, in rad, for which the bound on the remainder of the series of sin τ/τ is valid. The proof uses the
+/// series only for instants near the start of the half period, which are earlier than this |τ|.
 const FARTHEST: f64 = 1.3;
 /// Bound on the remainder of the power series of sin τ/τ, and of its slope, for |τ| up to [`FARTHEST`]. The terms
 /// after the first [`PAIRS`] add up to less than 20·1.3¹⁹/21! < 6·10⁻¹⁷.

@@ -20,8 +20,9 @@ impl HalfPeriodCells<'_> {
         let ([_, second, third], (sine, cosine)) = self.derivatives(t);
         let level = self.level_over.value();
         let (at, over) = if matches!(part.witness, Witness::BreakAway) {
-            // D′(0) is N − m* − H_c, computed as the sum of N − μm* − H_c and (μ − 1)m*. N is the level, and μm* + H_c
-            // the break-away term. m* is the inverse effective mass of the contact.
+            // D′(0) is N − m* − H_c, computed as the sum of N − μm* − H_c and (μ − 1)m*. N is `level`, and μm* + H_c
+            // the break-away term. m* is the inverse effective mass of the contact. H_c is the contribution of damping
+            // to the acceleration of the contact at a reversal.
             let more = Interval::point(part.share);
             let more = more + more + more * more;
             let above = |seen: &WitnessInstant<ORDER>, level: &IntervalSeries<ORDER>| {

@@ -14,7 +14,7 @@ use frictiongen_model::samples::{random, scene};
 
 /// Contact, number of masses and damping ratio ζ of the chains that the test compares. They cover each kind of
 /// damping, and undamped modes in a damped chain.
-const KINDS: [(&str, usize, f64); 9] = [
+const KINDS: [(&str, usize, f64); 14] = [
     ("Wall", 1, 0.0),
     ("Base", 2, 0.0),
     ("Pair", 5, 0.0),
@@ -24,6 +24,11 @@ const KINDS: [(&str, usize, f64); 9] = [
     ("Wall", 2, 1.0),
     ("Base", 2, 1.7),
     ("Wall", 4, -0.02),
+    ("Shaken", 2, 0.02),
+    ("Shaken", 1, 1.7),
+    ("Apart", 3, 0.3),
+    ("Carried", 2, 1.0),
+    ("Carried", 4, -0.02),
 ];
 /// Largest allowed width of an interval, divided by the largest term of the sum that the interval contains.
 const WIDTH: f64 = 1e-11;
@@ -53,9 +58,9 @@ impl ComparedFormulas {
     }
 }
 
-/// Compares functions of a chain at r with the kernel's values. They are the sums V, U and G of the contact, the
-/// velocity constraint at the start, the break-away term, and F at one instant. F is the sum of the velocity constraint
-/// over the modes.
+/// Compares functions of a chain at r with the kernel's values. They are the contact's sums V, U and G (section 3 of
+/// `docs/derivation.md`), the velocity constraint at the start, the break-away term, and F at one instant. F is the sum
+/// of the velocity constraint over the modes.
 fn compare(name: &str, modal: &Modal, r: f64, t: f64, compared: &mut ComparedFormulas) {
     let chain = IntervalChain::of(modal);
     let stage = ChainStage::<2>::over(&chain, Interval::point(r), &singular(&chain, r));

@@ -51,7 +51,7 @@ use std::ops::Range;
 
 /// Estimated work to prove a piece of a table, divided by the number of modes, if every mode is damped. The unit is an
 /// evaluation of one mode, as in [`ProofWork`]. The estimate only decides whether [`prove_if_small`] starts a proof. If
-/// the proof needs more work than permitted, some intervals of r stay open.
+/// the proof needs more work than permitted, it does not cover some intervals of r.
 const PIECE_WORK: usize = 1800;
 /// Estimated work to prove a piece of a table, divided by the number of modes, if a mode is undamped. It is larger than
 /// `PIECE_WORK`, because intervals of r are shorter near the poles of an undamped mode.

@@ -1,10 +1,12 @@
 //! Bounds on the errors of the contact's amplitude and phase, for every β, over an interval of r. These errors depend
 //! on all polynomials of a piece of the table, except the polynomial of β_lim.
 //!
-//! The amplitude is |V|(√(1 − ρ²α²) − ργ), with α = β_lim·U/|V|, γ = β_lim·G/|V| and ρ = β/β_lim. The table has the
-//! polynomials a and g in place of α and γ. They were fitted together with the table's own β_lim, called β_table. The
-//! code therefore compares a·β_lim/β_table with α, and g·β_lim/β_table with γ. It takes β_lim from the witness, which
-//! exceeds the exact β_lim by at most the relative margin `share`. The bounds include this margin.
+//! The amplitude is |V|(√(1 − ρ²α²) − ργ), with α = β_lim·U/|V|, γ = β_lim·G/|V| and ρ = β/β_lim. V is the response of
+//! the contact to the load. U and G are its velocity and displacement at a reversal that the friction force causes. The
+//! table has the polynomials a and g in place of α and γ. They were fitted together with the table's own β_lim, called
+//! β_table. The code therefore compares a·β_lim/β_table with α, and g·β_lim/β_table with γ. It takes β_lim from the
+//! witness, an instant near the largest velocity constraint. This β_lim exceeds the exact β_lim by at most the relative
+//! margin `share`. The bounds include this margin.
 
 use crate::compare::{CELLS, ComparedLimit, SHORT, SMALL, divided};
 use crate::series::IntervalSeries;
@@ -65,19 +67,20 @@ struct MotionCell {
     size: Interval,
     /// Error of the table's angle arg V, in rad. V is the response of the contact to the load.
     turned: Interval,
-    /// Smallest quotient, over the cell, of the table's β_lim and the β_lim from the witness.
+    /// Smallest quotient, over the cell, of the table's β_lim and the β_lim from the `Witness`.
     least: f64,
 }
 
 /// Errors and exact values of a table's functions, as series in r.
 struct Functions {
-    /// Error of the table's polynomial a: a·b/β_table − α, and the exact value α = β_lim·U/|V|. b is the β_lim from
-    /// the witness.
+    /// Error of the table's polynomial a, and its exact value α = β_lim·U/|V|. The error is a·b/β_table − α, where b is
+    /// the β_lim from the `Witness` and β_table that of the table. U and V are sums of the contact over the modes.
     quadrature: [IntervalSeries<SHORT>; 2],
-    /// Error of the table's polynomial g: g·b/β_table − γ, and the exact value γ = β_lim·G/|V|. b is the β_lim from
-    /// the witness.
+    /// Error of the table's polynomial g, and its exact value γ = β_lim·G/|V|. The error is g·b/β_table − γ, where b is
+    /// the β_lim from the `Witness` and β_table that of the table. G and V are sums of the contact over the modes.
     displacement: [IntervalSeries<SHORT>; 2],
-    /// Error of the angle arg V, in rad: the table's polynomial minus the exact value.
+    /// Error of the angle arg V, in rad: the table's polynomial minus the exact value. V is the response of the contact
+    /// to the load.
     angle: IntervalSeries<SHORT>,
 }
 
@@ -146,7 +149,7 @@ impl<S: Float> MotionProof<'_, S> {
             least,
         } = *cell;
         let unit = 0.5 * S::EPSILON;
-        // The exact β_lim is between b/(1 + share) and b, where b is the β_lim from the witness.
+        // The exact β_lim is between b/(1 + `share`) and b, where b is the β_lim from the `Witness`.
         let fewer = Interval::new(1.0 / (1.0 + self.share) * (2.0 - UP), 1.0);
         let [alpha, gamma] = exact.map(|exact| exact * fewer);
         // Adds the rounding errors of a polynomial (a or g) divided by β_table, those of β_table itself, and those of
@@ -180,7 +183,8 @@ impl<S: Float> MotionProof<'_, S> {
             // may compensate each other.
             let of_size = size + Interval::within(self.excitation);
             let off = (off + of_size + off * of_size).size() + FEW * unit;
-            // The phase lag of the contact is −asin ρα − arg V, with ρ = β/β_lim and α = β_lim·U/|V|.
+            // The phase lag of the contact is −asin ρα − arg V, with ρ = β/β_lim and α = β_lim·U/|V|. V is the response
+            // of the contact to the load, and U its velocity at a reversal that friction causes.
             let lag = share * of_alpha / own.hull(other) + turned;
             worst = worst.max(off * UP).max((lag.size() + OF_PHASE * unit) * UP);
         }
@@ -257,7 +261,8 @@ impl<S: Float> MotionProof<'_, S> {
         let coefficients = self.coefficients(SIZE);
         let origin = self.piece.origin.to_f64();
         let [at, over] = stages;
-        // Near a zero of V, both |V| and its polynomial are divided by the distance from the zero.
+        // Near a zero of V, the response of the contact to the load, the code divides |V| and its polynomial by the
+        // distance from the zero.
         let part = |series: &IntervalSeries<ORDER>, at: &IntervalSeries<ORDER>| {
             if self.beside_zero {
                 divided(series) + IntervalSeries::fixed(at.value() / away)

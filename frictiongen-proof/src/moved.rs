@@ -67,8 +67,8 @@ fn agreeing<S: Float>(accuracy: f64, side: Side) -> usize {
         let name = format!("{kind}{count}, {zeta}, {accuracy:e}: {}", proof.told());
         assert!(proof.evidence != Evidence::Checked, "{name}");
         assert!(proof.bound.error <= accuracy, "{name}");
-        // In an undamped chain, the proof may leave only neighbourhoods of zeros open. If only some modes are damped,
-        // it may also leave the motion open over short intervals near subharmonics.
+        // In an undamped chain, the proof may omit only neighbourhoods of zeros. If only some modes are damped, it may
+        // also omit the motion over short intervals of r near sub-harmonics.
         let most = if zeta > 0.0 {
             0.0
         } else if zeta < 0.0 {
@@ -134,8 +134,8 @@ fn largest(
 }
 
 /// Checks that the proof rejects every piece with a wrong coefficient. The test changes each coefficient of each
-/// function of several pieces by ten times the accuracy. A second change of each coefficient is so small that the error
-/// exceeds the accuracy only just, at one r.
+/// function of several pieces by ten times the accuracy. A second change of each coefficient is smaller. The error then
+/// exceeds the accuracy only slightly, at one r.
 #[test]
 fn wrong_coefficients_are_not_proven() {
     let (mut little, mut much) = (0, 0);
@@ -193,7 +193,7 @@ fn wrong_coefficients_are_not_proven() {
                             assert!(seen <= 1.02 || open > 0.0, "{told}");
                             little += usize::from(seen > 1.02 && seen < 2.0);
                             much += usize::from(seen >= 2.0);
-                            // With a large error, the proof must leave a large fraction of the piece open.
+                            // With a large error, a large fraction of the piece must stay unproven.
                             assert!(seen < 5.0 || open > 0.02 * (next - ends.0), "{told}");
                         }
                     }

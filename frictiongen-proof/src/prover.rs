@@ -13,9 +13,9 @@ use frictiongen_model::interval::Interval;
 use frictiongen_model::table::building::{Exact, LimitZero};
 use frictiongen_model::table::{FINEST_PROVEN, Fitted, ProofWork, Request};
 
-/// Fraction of the accuracy by which the velocity constraint at another instant may exceed that of the witness. The
-/// value is tuned. The rest of the accuracy is for the error of the polynomial. The check of the tables leaves a
-/// tenth of the accuracy unused.
+/// Fraction of the accuracy by which the velocity constraint at another instant may exceed that of the `Witness`. The
+/// value is tuned. The rest of the accuracy is for the error of the polynomial. The check of the tables leaves a tenth
+/// of the accuracy unused.
 const ELSEWHERE: f64 = 1.0 / 32.0;
 /// Shortest interval of r, as a fraction of r. The value is tuned. It limits the work next to zeros and poles.
 const SHORTEST: f64 = 1e-7;
@@ -52,7 +52,7 @@ pub(crate) struct Prover<'a, 'm> {
     /// Largest relative error of the table's |V|, where V is the response of the contact to the load. `None` if the
     /// proof does not include amplitude and phase.
     excitation: Option<f64>,
-    /// True if a witness near the start of the half period has proven the last interval of r.
+    /// True if a `Witness` near the start of the half period has proven the last interval of r.
     early: bool,
 }
 
@@ -100,7 +100,8 @@ impl<'a, 'm> Prover<'a, 'm> {
         let beside = zero.map(|zero| if zero.at <= from { from } else { to });
         for pair in ends.windows(2) {
             let [low, high] = pair else { continue };
-            // The proof begins at the zero of β_lim, because only its first interval is expanded about the zero.
+            // The proof begins at the zero of β_lim, because only the series of the first interval have the zero as
+            // their centre.
             if beside == Some(*high) {
                 self.walk(piece, *high, *low, zero);
             } else {
@@ -121,7 +122,7 @@ impl<'a, 'm> Prover<'a, 'm> {
         let mut length = (end - start).abs() / FIRST;
         let shortest = SHORTEST * start.max(end);
         let mut skip = shortest;
-        // After a failure, amplitude and phase stay open over the length `skip_motion`. An interval must prove them
+        // After a failure, amplitude and phase stay unproven over the length `skip_motion`. An interval must prove them
         // only if its distance from `start` is at least `again`.
         let (mut skip_motion, mut again) = (0.0_f64, 0.0_f64);
         let from_zero = zero.is_some();
@@ -212,8 +213,8 @@ impl<'a, 'm> Prover<'a, 'm> {
         let mut witnesses =
             candidates(self.exact, self.chain, (from, to), centre, &over, &singular);
         if !self.early {
-            // The prover first tries the kind of witness that has proven the last interval, because it will probably
-            // succeed.
+            // The prover first tries the kind of `Witness` that has proven the last interval of r, because this kind
+            // will probably succeed.
             witnesses.reverse();
         }
         for witness in witnesses {
@@ -226,8 +227,9 @@ impl<'a, 'm> Prover<'a, 'm> {
             let mut seen_over = WitnessInstant::of(&witness, &over, all, rest);
             seen_over.refine(&seen_at, all);
             self.budget.spend(OF_STAGE * self.chain.modes.len());
-            // A witness with a negative constraint is not valid. In an undamped chain the modulus of the constraint is
-            // valid, because F, the sum of the velocity constraint over the modes, occurs with both signs.
+            // A `Witness` with a negative velocity constraint is not valid. In an undamped chain the modulus of the
+            // constraint is valid, because F occurs with both signs. F is the sum of the velocity constraint over the
+            // modes.
             let is_one = self.chain.all_undamped || 0.0 <= seen_over.constraint.value().low;
             if !is_one {
                 continue;

@@ -1,5 +1,6 @@
-//! Finds other instants whose velocity constraint is close to the constraint of the witness. Near a kink of β_lim, two
-//! instants have almost equal constraints.
+//! Finds other instants whose velocity constraint is close to the constraint of the witness. The *witness* is the
+//! instant that the proof assumes for the largest constraint. Near a kink of β_lim, two instants have almost equal
+//! constraints.
 
 use crate::cells::{BENT, Flank, HalfPeriodCells, ROUNDING};
 use crate::force;
@@ -24,8 +25,8 @@ const JUMP: f64 = 0.1;
 /// The value is tuned. More subintervals give narrower bounds, but take more work.
 const PARTS: usize = 6;
 
-/// A range of instants about a local minimum of D, in half-turns. D, the function of [`HalfPeriodCells`], is proven
-/// positive in this range for all r of an interval.
+/// A range of instants, in half-turns, about a local minimum of the function D of [`HalfPeriodCells`]. D is proven
+/// positive in this range, for all r of an interval.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct PositiveRegion {
     from: f64,
@@ -33,8 +34,9 @@ pub(crate) struct PositiveRegion {
 }
 
 impl PositiveRegion {
-    /// Returns the position on a side at which the region ends, if the region contains the instant at the position
-    /// `share`. Positions run from 0 at the end of the half period to 1 at the witness.
+    /// Returns the position at which this range of instants ends, before or after the witness (`side`). Returns `None`
+    /// unless the range contains the instants at the position `share`. A position is 0 at an end of the half period and
+    /// 1 at the witness, which is an instant near the largest velocity constraint.
     pub fn reach(&self, side: Flank, share: f64, path: Interval) -> Option<f64> {
         let (begins, end) = match side {
             Flank::Before => (
@@ -52,8 +54,9 @@ impl PositiveRegion {
 }
 
 impl HalfPeriodCells<'_> {
-    /// Returns the region about the local minimum of D near the instant t. D is the function of [`HalfPeriodCells`]
-    /// that must be positive. Returns `None` if no minimum is found, or if the bounds do not prove that D is positive.
+    /// Returns a range of instants about the local minimum of D near the instant t, in which D is positive. D is the
+    /// function of [`HalfPeriodCells`] that must be positive. Returns `None` if no minimum is found, or if the bounds
+    /// do not prove that D is positive.
     pub fn region(&self, t: f64, budget: &mut Budget) -> Option<PositiveRegion> {
         let part = self.part;
         let (low, high) = (part.away.low, part.away.high);
@@ -116,8 +119,8 @@ impl HalfPeriodCells<'_> {
         (from < to).then_some(PositiveRegion { from, to })
     }
 
-    /// Returns an approximate value of N, the level above the velocity constraint of the witness. `away` is the
-    /// distance of r from the centre of the interval of r.
+    /// Returns an approximate value of the level N, a number slightly above the velocity constraint of the witness.
+    /// `away` is the distance of r from the centre of the interval of r.
     fn level_at_away(&self, away: f64) -> f64 {
         value_at(&self.full_at, away)
     }
@@ -136,7 +139,8 @@ impl HalfPeriodCells<'_> {
     }
 }
 
-/// Returns D = N sin τ − F and its slope in τ at an instant t = τ/π, which is a series in r. N is `level`.
+/// Returns D = N sin τ − F and its slope in τ at an instant t = τ/π, which is a series in r. F/sin τ is the velocity
+/// constraint, and N is `level`.
 fn seen(
     stage: &ChainStage<ORDER>,
     level: &IntervalSeries<ORDER>,
@@ -156,7 +160,8 @@ fn value_at<const N: usize>(series: &IntervalSeries<N>, away: f64) -> f64 {
     terms.fold(0.0, |sum, term| sum * away + term.middle())
 }
 
-/// Returns the instant of the local minimum of D = N sin τ − F near the instant t, by Newton's method. N is `level`.
+/// Returns the instant of the local minimum of D = N sin τ − F near the instant t, by Newton's method. F/sin τ is the
+/// velocity constraint, and N is `level`.
 fn least(stage: &ChainStage<1>, level: f64, mut t: f64) -> Option<f64> {
     for _ in 0..STEPS {
         let at = IntervalSeries::<1>::fixed(Interval::point(t));
@@ -189,8 +194,10 @@ mod tests {
     use super::*;
     use frictiongen_model::samples::random;
 
-    /// Checks the position on a side that `PositiveRegion::reach` returns. Up to this position every instant must lie
-    /// in the region, for all positions of the witness. Just beyond it, some instant must lie outside the region.
+    /// Checks the position that `PositiveRegion::reach` returns, before and after the witness. The witness is an
+    /// instant near the largest velocity constraint. A position is 0 at an end of the half period and 1 at the witness.
+    /// Up to the returned position, all instants must lie in the region, for every witness in `path`. Just beyond, some
+    /// instant must lie outside.
     #[test]
     fn within_the_region() {
         let (mut state, mut told) = (9, 0);

@@ -41,6 +41,9 @@ pub(crate) struct IntervalMode {
     /// (φᵀw)(φᵀp), the residue of the mode in the contact's response to the load. φ is the mode shape, w the direction
     /// vector of the contact, and p the load vector.
     pub residue: Interval,
+    /// 2ζσ(φᵀw)Γ, the coefficient of ir in the numerator of the mode in the contact's response to the load. Γ is the
+    /// participation factor of the mode. `None` unless damping acts on velocities relative to the moving base.
+    pub along: Option<Interval>,
 }
 
 /// The constants of a chain, as intervals. Each interval contains the number that the modal analysis gives in
@@ -85,6 +88,7 @@ impl IntervalChain {
                     fast: Interval::of(zeta + q),
                     inverse_mass: Interval::of(mode.driven.inverse_mass),
                     residue: Interval::of(mode.residue),
+                    along: (!mode.along.is_zero()).then(|| Interval::of(mode.along)),
                 }
             })
             .collect();
@@ -107,9 +111,12 @@ pub(crate) struct ModeStage<const N: usize> {
     pub x: IntervalSeries<N>,
     /// r/√λ, the inverse of `x`: the excitation frequency divided by the natural frequency of the mode.
     pub slow: IntervalSeries<N>,
-    /// κc(1 + g), the coefficient of the free displacement p in the velocity constraint.
+    /// κc(1 + g), the coefficient of the free displacement p in the velocity constraint. c is the mode's inverse
+    /// effective mass in the contact, g a damping function of the mode, and κ the common factor of all functions.
     pub free: IntervalSeries<N>,
-    /// κcu/x², the coefficient of cos τ − p′ in the velocity constraint.
+    /// κcu/x², the coefficient of cos τ − p′ in the velocity constraint, where p is the free displacement. c is the
+    /// mode's inverse effective mass in the contact, u a damping function of the mode, and κ the common factor of all
+    /// functions.
     pub forced_slope: IntervalSeries<N>,
 }
 
@@ -121,15 +128,21 @@ pub(crate) struct ChainStage<const N: usize> {
     pub inverse: IntervalSeries<N>,
     /// κ, the product of cosines by which the functions are multiplied. `None` if no cosine is small, so that κ is 1.
     pub kappa: Option<IntervalSeries<N>>,
-    /// κr²V, real and imaginary part. V is the response of the contact to the load.
+    /// κr²V, real and imaginary part. V is the response of the contact to the load, and κ the common factor of all
+    /// functions.
     pub excitation: [IntervalSeries<N>; 2],
-    /// κr²U, where U is the part of the contact's velocity at a reversal that the friction force causes.
+    /// κr²U, where U is the part of the contact's velocity at a reversal that the friction force causes. κ is the
+    /// common factor of all functions.
     pub quadrature: IntervalSeries<N>,
-    /// κr²G, where G is the displacement of the contact, from friction, at a reversal.
+    /// κr²G, where G is the part of the contact's displacement at a reversal that the friction force causes. κ is the
+    /// common factor of all functions.
     pub displacement: IntervalSeries<N>,
-    /// κ(m* + r²H_c), r² times the velocity constraint for τ → 0. m* is the inverse effective mass of the contact.
+    /// κ(m* + r²H_c), κr² times the velocity constraint for τ → 0. κ is the common factor of all functions. m* is the
+    /// inverse effective mass of the contact. H_c is the contribution of damping to the acceleration of the contact at
+    /// a reversal.
     pub start: IntervalSeries<N>,
-    /// κ(μm* + r²H_c), r² times the break-away term, which limits β_lim as a velocity constraint does.
+    /// κ(μm* + r²H_c), κr² times the break-away term, which limits β_lim as a velocity constraint does. κ, m* and H_c
+    /// are as in `start`.
     pub break_away: IntervalSeries<N>,
 }
 
@@ -231,10 +244,16 @@ impl<const N: usize> ChainStage<N> {
                     let term = scaled(square / size).times(mode.residue);
                     *re = *re - term * detuning;
                     *im = *im - term * loss;
+                    if let Some(along) = mode.along {
+                        let turned = scaled(square / size).times(along) * ratio;
+                        *re = *re + turned * loss;
+                        *im = *im - turned * detuning;
+                    }
                 }
                 if mode.kind != ModeDecay::Undamped {
-                    // The terms are c(g + 2ζx·u/x²) for H_c in the velocity constraint, and c·g/x² for the
-                    // displacement G.
+                    // A mode adds c(g + 2ζx·u/x²) to the sum H_c, and c·g/x² to the sum G. H_c is the contribution of
+                    // damping to the acceleration of the contact at a reversal. G is its displacement from friction at
+                    // a reversal.
                     let own = free - scaled(IntervalSeries::fixed(c));
                     let carried = x.times(mode.zeta.doubled()) * forced_slope;
                     reversal = reversal + own + carried;
@@ -314,7 +333,8 @@ impl<const N: usize> ChainStage<N> {
     }
 }
 
-/// Returns two functions of a mode, 1 + g and u/x², for a mode whose cosine cos(πx/2) is not a factor of κ.
+/// Returns 1 + g and u/x² from the damping functions g and u of a mode. The cosine cos(πx/2) of this mode must not be a
+/// factor of κ.
 fn functions<const N: usize>(
     mode: &IntervalMode,
     x: &IntervalSeries<N>,
@@ -330,7 +350,7 @@ fn functions<const N: usize>(
             let e = x.times(-(Interval::pi() * mode.zeta)).exp();
             let (s, c) = x.times(mode.q * half).sine_cosine();
             let ec = e * c;
-            // This form of 1 + e² + 2e cos θ has no cancellation.
+            // This form of the sum 1 + e² + 2e cos θ has no cancellation.
             let near = (one - e).squared() + (ec * c).times(four);
             let both = ec * s;
             let g = (one - e.squared() - both.times(four * mode.zeta_over_q)) / near;

@@ -21,8 +21,8 @@ fn limit_of<S: Float>(tables: &Tables<S>, modal: &Modal, work: ProofWork) -> Pro
     limit
 }
 
-/// Checks that a table agrees with the exact search within the proven bound, at random r outside the open intervals. An
-/// open interval is not proven.
+/// Checks that a table agrees with the exact search within the proven bound, at random r. The test omits r in the
+/// intervals that the proof left open. No bound is proven there.
 #[test]
 fn the_bound_holds() {
     let mut points = 0;
@@ -44,7 +44,7 @@ fn the_bound_holds() {
                 proof.told()
             );
             assert!(proof.evidence != Evidence::Checked, "{name}");
-            // The proof may leave only the neighbourhoods of zeros in undamped chains open.
+            // The proof may omit only the neighbourhoods of zeros of β_lim in undamped chains.
             let most = if zeta > 0.0 { 0.0 } else { 1e-6 };
             assert!(proof.open_length() <= most, "{name}");
             assert!(proof.bound.error <= accuracy, "{name}");
@@ -75,8 +75,8 @@ fn the_bound_holds() {
     assert!(points > 7 * 3 * 1800, "{points}");
 }
 
-/// Checks that a piece is not proven if one coefficient is wrong by ten times the accuracy. The piece must be open (not
-/// proven) where the error matters.
+/// Checks that a piece of a table is not proven if one coefficient is wrong by ten times the accuracy. The proof must
+/// fail at the r at which the error matters.
 #[test]
 fn a_wrong_coefficient_is_not_proven() {
     let mut found = 0;
@@ -188,8 +188,8 @@ fn what_is_not_proven_says_so() {
     assert!(fine.proof.told().starts_with("Checked, not proven"));
 }
 
-/// Checks that the proof rejects a witness that is not near the largest velocity constraint, at any r. It must accept
-/// most witnesses at the largest constraint.
+/// Checks that the proof rejects a witness, an assumed instant of the largest velocity constraint, if it is not near
+/// the largest constraint. The proof must accept most witnesses that are at the largest constraint.
 #[test]
 fn witnesses_that_are_none() {
     let (mut refused, mut accepted, mut largest) = (0, 0, 0);
@@ -206,8 +206,8 @@ fn witnesses_that_are_none() {
             let r = 0.2 + 1.5 * random(&mut state);
             let all = Interval::new(r * (1.0 - 2e-5), r * (1.0 + 2e-5));
             let tau = exact.at(r).unwrap().tau;
-            // The instant of the witness is at the maximum, near the maximum, anywhere, or at the start of the half
-            // period.
+            // The instant of the `Witness` is at the largest velocity constraint, near it, anywhere, or at the start of
+            // the half period.
             let t = match (turn % 4, tau) {
                 (0, Some(tau)) => Some(tau / std::f64::consts::PI),
                 (1, Some(tau)) => {
@@ -237,7 +237,7 @@ fn witnesses_that_are_none() {
             };
             let mut budget = Budget::of(1_000_000);
             let shown = certified(&part, &mut budget);
-            // The β_lim of the witness is compared with the exact β_lim.
+            // The test compares the β_lim that follows from the `Witness` with the exact β_lim.
             let [re, im] = at.excitation.map(|part| part.value().middle());
             let own = re.hypot(im) / seen_at.size.value().middle().sqrt();
             let missed = own / exact.at(r).unwrap().limit - 1.0;

@@ -9,11 +9,11 @@ use frictiongen_model::interval::Interval;
 /// An instant that the proof takes for the position of the largest velocity constraint, for all r of an interval.
 #[derive(Clone, Debug)]
 pub(crate) enum Witness {
-    /// The break-away term takes the place of a constraint. For μ = 1 it equals the velocity constraint at the start
-    /// of the half period.
+    /// The break-away term takes the place of the velocity constraint at an instant. For μ = 1 this term equals the
+    /// velocity constraint at the start of the half period.
     BreakAway,
-    /// The instant τ = πt, where t is a polynomial in r − r₀ with these coefficients. Its velocity constraint is
-    /// F/sin τ, where F is the sum over the modes.
+    /// The instant τ = πt, where t is a polynomial in r − r₀ with these coefficients. The velocity constraint at this
+    /// instant is F/sin τ, where F is a sum over the modes.
     Instant(Vec<f64>),
     /// The instant τ = πt near the start of the half period, where t is a polynomial in r − r₀ with these
     /// coefficients. A Taylor series in τ gives its velocity constraint.
@@ -21,7 +21,8 @@ pub(crate) enum Witness {
 }
 
 impl Witness {
-    /// Returns the instant t = τ/π of the witness at r₀ + `away`, as a series in r.
+    /// Returns the instant t = τ/π of this witness at r₀ + `away`, as a series in r. r₀ is the centre of the interval
+    /// of r.
     pub fn path<const N: usize>(&self, away: Interval) -> IntervalSeries<N> {
         let coefficients: &[f64] = match self {
             Self::BreakAway => &[0.5],
@@ -42,31 +43,33 @@ pub(crate) fn polynomial<const N: usize>(
     })
 }
 
-/// The functions at a witness, as series in r at a point or over an interval.
+/// The functions at a witness (an instant near the largest velocity constraint), as series in r at a point or over an
+/// interval.
 ///
-/// N is a level slightly above the velocity constraint of the witness. The proof must show that D = N sin τ − F is
-/// positive at all instants. For a witness near the start of the half period, D/τ takes the place of D.
+/// N is a number slightly above the velocity constraint F/sin τ of the witness. The proof must show that D = N sin τ −
+/// F is positive at all instants. For a witness near the start of the half period, D/τ takes the place of D.
 #[derive(Clone, Debug)]
 pub(crate) struct WitnessInstant<const N: usize> {
     /// The instant t = τ/π of the witness, in half-turns.
     pub t: IntervalSeries<N>,
-    /// sin τ at the witness, or sin τ/τ for a witness near the start of the half period.
+    /// sin τ at the `Witness`, or sin τ/τ for a witness near the start of the half period.
     pub weight: IntervalSeries<N>,
     /// The slope in τ of `weight`.
     pub turn: IntervalSeries<N>,
-    /// κ times the velocity constraint Q of the witness. The largest constraint is at least Q.
+    /// κ times the velocity constraint Q of the `Witness`, where κ is the common factor of `ChainStage`. The largest
+    /// constraint is at least Q.
     pub constraint: IntervalSeries<N>,
-    /// (κr²U)² + (κQ)². Q is the velocity constraint F/sin τ at the witness. U is the part of the contact's velocity at
-    /// a reversal that the friction force causes.
+    /// (κr²U)² + (κQ)², where κ is the common factor of `ChainStage`. Q is the velocity constraint F/sin τ at the
+    /// `Witness`. U is the part of the contact's velocity at a reversal that the friction force causes.
     pub size: IntervalSeries<N>,
-    /// The slope in τ of D = N sin τ − F, with the witness's constraint in place of N. For a witness near the start,
-    /// the slope of D/τ.
+    /// The slope in τ of D = N sin τ − F, with the velocity constraint of the `Witness` in place of N. F/sin τ is the
+    /// velocity constraint. For a witness near the start of the half period, the slope of D/τ.
     pub rise: IntervalSeries<N>,
 }
 
 impl<const N: usize> WitnessInstant<N> {
-    /// Evaluates the functions at a witness. For a witness near the start, `rest` is the result of [`early::rest`],
-    /// otherwise 0.
+    /// Evaluates the functions at a `Witness`. For a witness near the start of the half period, `rest` is the result of
+    /// [`early::rest`]. Otherwise `rest` is 0.
     pub fn of(
         witness: &Witness,
         stage: &ChainStage<N>,

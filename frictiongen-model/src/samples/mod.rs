@@ -6,13 +6,21 @@ pub use intervals::{RandomNumbers, contains};
 
 use crate::modal::Modal;
 use crate::scene::{
-    ContactSides, Damping, Declared, Excitation, FrictionLaw, Mass, Node, Precision, Provide,
-    Scene, Side, Spring, StepperOptions,
+    ContactSides, Damping, DampingFrom, Declared, Excitation, FrictionLaw, Mass, Node, Precision,
+    Provide, Scene, Side, Spring, StepperOptions,
 };
 use crate::table::Request;
 
-/// Returns a chain of equal masses and springs. `kind` selects the contact: the last mass slides on a wall, the first
-/// mass on a moving base, or the first two masses on each other.
+/// Returns a chain of equal masses and springs. `kind` selects the contact and the load:
+///
+/// | kind | contact | load |
+/// |---|---|---|
+/// | `Wall` | the last mass with a wall | a force on the first mass |
+/// | `Base` | the first mass with the moving base | motion of the base |
+/// | `Shaken` | the last mass with a wall | motion of the base, damping relative to the base |
+/// | `Carried` | the first mass with the moving base | motion of the base, damping relative to the base |
+/// | `Apart` | the first two masses | motion of the base, damping relative to the base |
+/// | others | the first two masses | a force on the last mass |
 #[must_use]
 pub fn scene(kind: &str, count: usize, zeta: f64, stiction: f64) -> Modal {
     let mass = |place: usize| Mass {
@@ -26,7 +34,9 @@ pub fn scene(kind: &str, count: usize, zeta: f64, stiction: f64) -> Modal {
     };
     let (from, to, excitation) = match kind {
         "Wall" => (Node::Mass(count - 1), Node::Wall, Excitation::Force(0)),
-        "Base" => (Node::Mass(0), Node::Base, Excitation::Base),
+        "Base" | "Carried" => (Node::Mass(0), Node::Base, Excitation::Base),
+        "Shaken" => (Node::Mass(count - 1), Node::Wall, Excitation::Base),
+        "Apart" => (Node::Mass(0), Node::Mass(1), Excitation::Base),
         _ => (Node::Mass(0), Node::Mass(1), Excitation::Force(count - 1)),
     };
     Modal::of(&Scene {
@@ -35,7 +45,10 @@ pub fn scene(kind: &str, count: usize, zeta: f64, stiction: f64) -> Modal {
         springs: (0..count).map(spring).collect(),
         contact: ContactSides { from, to },
         excitation,
-        damping_from: Default::default(),
+        damping_from: match kind {
+            "Shaken" | "Carried" | "Apart" => DampingFrom::Base,
+            _ => DampingFrom::Rest,
+        },
         stiffness: None,
         damping: if zeta < 0.0 {
             // Every second mode is damped.

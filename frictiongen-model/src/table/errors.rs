@@ -28,9 +28,9 @@ pub(super) struct Comparison<'a, 'm, S> {
     pub limit: f64,
     /// Largest allowed error of the contact's amplitude (relative) and phase (rad).
     pub motion: f64,
-    /// |V|, the amplitude of the contact without friction, as a product over zeros and poles. Without damping, the
-    /// product is V with its sign. `None` if the motion of the contact is not needed, or if |V| is a polynomial of the
-    /// pieces.
+    /// |V|, the amplitude of the contact without friction, as a product over zeros and poles. Without damping, V is
+    /// real, and the product gives V with its sign. `None` if the motion of the contact is not needed, or if the table
+    /// has polynomials for |V|.
     pub excitation: Option<Quotient<'a, S>>,
 }
 

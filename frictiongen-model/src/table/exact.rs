@@ -128,15 +128,19 @@ impl<'a> Exact<'a> {
     /// contact to the load.
     fn cancels(&self, at: &At<&Reduced<f64>>) -> bool {
         let chain = &self.reduced.chain;
+
         let contact = at.contact_sums();
         let at_rest = chain.on_moving_base.map(f64::abs);
-        let terms = self.reduced.modes.iter().zip(at.modes()).map(|(mode, at)| {
+        let quadratures = self.reduced.quadratures.iter().copied();
+        let quadratures = quadratures.chain(std::iter::repeat([0.0; 2]));
+        let modes = self.reduced.modes.iter().zip(at.modes()).zip(quadratures);
+        let terms = modes.map(|((mode, at), [load, wall])| {
             let residue = if at_rest.is_some() {
-                mode.static_residue
+                mode.static_residue.abs() + (2.0 * mode.zeta * at.x * wall).abs()
             } else {
-                mode.residue
+                mode.residue.abs() + (mode.contact * load / at.x).abs()
             };
-            residue.abs() * complex::modulus(at.response, chain.damped)
+            residue * complex::modulus(at.response, chain.damped)
         });
         let terms = terms.sum::<f64>() + at_rest.unwrap_or(0.0) * contact.scale;
         let left = complex::modulus(contact.v, chain.damped);
@@ -154,11 +158,13 @@ impl<'a> Exact<'a> {
         let direct = if self.modal.on_moving_base { -1.0 } else { 0.0 };
         let mut excitation = complex::real(Dd::from(direct));
         let mut receptance = complex::real(Dd::ZERO);
-        for ContactMode { driven, residue } in &self.contact_modes {
+        for mode in &self.contact_modes {
+            let driven = &mode.driven;
             let re = (driven.sigma - r) * (driven.sigma + r);
             let im = two * driven.zeta * driven.sigma * r;
             let inverse = complex::reciprocal(Complex::new(re, im), true);
-            excitation = complex::add(excitation, complex::scale(inverse, *residue));
+            let load = Complex::new(mode.residue, mode.along * r);
+            excitation = complex::add(excitation, complex::mul(inverse, load, true));
             receptance = complex::add(receptance, complex::scale(inverse, driven.inverse_mass));
         }
         [excitation, receptance]

@@ -152,7 +152,7 @@ fn times_distance(coefficients: &[f64], rest: f64) -> Vec<f64> {
         .collect()
 }
 
-/// Adds whole turns to angles so that neighbouring angles differ as little as possible.
+/// Adds whole turns to the angles in a list, so that neighbouring angles differ as little as possible.
 fn unwrap(angles: &mut [f64]) {
     let mut last: Option<f64> = None;
     for angle in angles {

@@ -238,6 +238,7 @@ fn untouched(modal: &Modal, modes: std::ops::Range<usize>) -> Vec<Pole> {
         sigma: of(&modal.resonances, modes.start),
         zeta: of(&modal.damping_ratios, modes.start),
         inverse_mass: Dd::ONE,
+        along: Dd::ZERO,
     };
     let two = Dd::from(2.0);
     let at = |zero: Zero| {
@@ -354,8 +355,8 @@ fn of_mass(poles: &[Pole], mass: usize, damped: bool) -> Option<Response> {
     }))
 }
 
-/// Returns the number of zeros of Σ R/(s − z), where z are poles and R their residues. It follows from the first
-/// power of 1/s at infinity whose coefficient is more than rounding.
+/// Returns the number of zeros of Σ R/(s − z), where z are poles and R their residues. It follows from the expansion of
+/// the sum in powers of 1/s, and depends on the first power whose coefficient is larger than its rounding error.
 fn degree(simple: &[[Complex<Dd>; 2]]) -> Option<usize> {
     let mut powers: Vec<Complex<Dd>> = simple.iter().map(|[_, residue]| *residue).collect();
     for lost in 1..=simple.len() {

@@ -13,7 +13,8 @@ const FEWEST: usize = 64;
 /// Largest number of steps in the search for kinks of β_lim in the range of r.
 const MOST: usize = 20_000;
 
-/// Returns the frequency ratios within a range at which β_lim has a kink, in ascending order, to the last digits.
+/// Returns the frequency ratios within a range at which β_lim has a kink, in ascending order. Bisection finds each
+/// frequency ratio to the last digit of its `f64`.
 pub(super) fn kinks(exact: &mut Exact<'_>, (low, high): (f64, f64)) -> Vec<f64> {
     let fastest = exact
         .modal

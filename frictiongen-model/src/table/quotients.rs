@@ -159,8 +159,8 @@ impl<S: Float> Products<S> {
                 let side_factors =
                     side_factors.map(|excess| 1.0 + excess.min(0.5 * request.accuracy));
                 let built = side_factors.into_iter().filter_map(of_sliding);
-                // A proof may leave part of the range of r open. `min_by` takes the product with the shortest open
-                // part.
+                // A proof may fail in some intervals of r. `min_by` takes the product for which these intervals are
+                // shortest in total.
                 built.min_by(|a, b| a.2.open_length().total_cmp(&b.2.open_length()))
             }
         };

@@ -52,9 +52,6 @@ pub enum TableError {
         /// The frequency ratio r at which no table meets the accuracy.
         at: f64,
     },
-    /// Damping acts on velocities relative to the moving base. The tables cannot represent the load that this damping
-    /// causes.
-    DampedFromBase,
     /// The contact is elastic. Its response has no table.
     ElasticContact,
     /// The scene has several contacts or dashpots. Tables do not support them.
@@ -78,9 +75,6 @@ impl fmt::Display for TableError {
             Self::Accuracy { value, finest } => write!(
                 f,
                 "an accuracy must be between {finest:?} and 0.1, not {value:?}"
-            ),
-            Self::DampedFromBase => f.write_str(
-                "tables are not possible with `damping_from: base`; use the exact formulas, or `damping_from: rest`",
             ),
             Self::ElasticContact => f.write_str(
                 "tables are not possible with an elastic contact (`stiffness`); compute its steady states at run time",

@@ -61,8 +61,8 @@ pub struct Tables<S> {
     /// Table of β*_lim as a product over zeros and poles. `None` if only the exact sums over the modes are accurate
     /// enough.
     pub sliding: Option<Product<S>>,
-    /// |V|, the amplitude of the contact without friction, as a product over zeros and poles. `None` if |V| is a
-    /// polynomial of the pieces, or if the tables have no motion.
+    /// |V|, the amplitude of the contact without friction, as a product over zeros and poles. `None` if the table has
+    /// polynomials for |V|, or if the tables have no motion.
     pub excitation: Option<Product<S>>,
     /// Responses while the contact is stuck, if the request includes them. `None` if only the exact formulas are
     /// accurate enough. The check compares the responses with the exact values. No proof covers them.
@@ -92,16 +92,6 @@ fn one_digit(value: f64) -> f64 {
     format!("{value:.0e}").parse().unwrap_or(value)
 }
 
-/// Fails if damping acts on velocities relative to the moving base. The products over zeros and poles do not contain
-/// the load of this damping.
-fn check_damping(modal: &Modal) -> Result<(), TableError> {
-    if modal.participations.is_empty() {
-        Ok(())
-    } else {
-        Err(TableError::DampedFromBase)
-    }
-}
-
 impl<S: Float> Tables<S> {
     /// Builds the tables of a scene for a request.
     ///
@@ -109,7 +99,6 @@ impl<S: Float> Tables<S> {
     /// Returns every [`TableError`] except `TooFewBytes`.
     pub fn build(modal: &Modal, request: Request) -> Result<Self, TableError> {
         request.check::<S>()?;
-        check_damping(modal)?;
         let mut exact = Exact::new(modal);
         let tables = Self::built(&mut exact, request).map_err(|error| match error {
             TableError::NotMet { at, accuracy, .. } => TableError::NotMet {
@@ -198,7 +187,6 @@ impl<S: Float> Tables<S> {
             ..request
         };
         coarsest.check::<S>()?;
-        check_damping(modal)?;
         let mut exact = Exact::new(modal);
         // The responses with the contact stuck get only a limited fraction of the bytes, because their exact formulas
         // need no search and are therefore fast.
@@ -243,8 +231,11 @@ impl<S: Float> Tables<S> {
         self.report.bytes - self.held.as_ref().map_or(0, Held::bytes)
     }
 
+    /// Returns the responses while the contact is stuck. Their products do not contain the load of damping relative to a
+    /// moving base. For such a scene the result is `None`, and the exact formulas give the stuck responses.
     fn held_of(modal: &Modal, request: &Request) -> Option<Held<S>> {
-        request.stuck.then(|| Held::of(modal, request.r)).flatten()
+        let is_held = request.stuck && modal.participations.is_empty();
+        is_held.then(|| Held::of(modal, request.r)).flatten()
     }
 
     /// Adds the stuck responses to the tables, if they are accurate enough.

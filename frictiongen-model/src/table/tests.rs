@@ -191,3 +191,43 @@ fn a_budget_below_the_polynomials() {
     let tables = Tables::<f64>::within(&modal, request, bytes).expect("smaller ones");
     assert!(tables.report.bytes <= bytes);
 }
+
+#[test]
+fn probe() {
+    for (kind, count, zeta, mu) in [
+        ("Shaken", 1, 0.2, 1.0),
+        ("Shaken", 5, 0.02, 1.2),
+        ("Shaken", 2, 1.7, 1.0),
+        ("Apart", 3, 0.3, 1.0),
+        ("Apart", 5, -0.02, 1.2),
+        ("Carried", 2, 0.02, 1.2),
+    ] {
+        let modal = crate::samples::scene(kind, count, zeta, mu);
+        for motion in [false, true] {
+            let asked = Request {
+                motion,
+                ..request((0.2, 2.5), 1e-3)
+            };
+            let built = Tables::<f64>::build(&modal, asked);
+            match built {
+                Ok(tables) => println!(
+                    "{kind} {count} {zeta} {motion}: {} pieces, {} functions, sliding {}, {}",
+                    tables.pieces.len(),
+                    tables.functions,
+                    tables.sliding.is_some(),
+                    tables.sliding_proof.told()
+                ),
+                Err(error) => {
+                    println!("{kind} {count} {zeta} {motion}: {error}");
+                    if let TableError::NotMet { at, .. } = error {
+                        let mut exact = crate::table::exact::Exact::new(&modal);
+                        for k in -3..=3 {
+                            let r = at + f64::from(k) * 1e-3;
+                            println!("   {r} {:?}", exact.at(r));
+                        }
+                    }
+                }
+            }
+        }
+    }
+}

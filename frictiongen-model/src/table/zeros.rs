@@ -101,20 +101,27 @@ pub struct Zeros {
 pub struct ContactMode {
     /// Resonance and damping ratio of the mode, and its contribution to H.
     pub driven: DrivenMode,
-    /// Contribution of the mode to V, the response of the contact to the load.
+    /// Constant term c of the numerator of the mode in V, the response of the contact to the load.
     pub residue: Dd,
+    /// Coefficient e of s = ir in the numerator of the mode in V. It is 0 unless damping acts on velocities relative to
+    /// the moving base.
+    pub along: Dd,
 }
 
 /// Returns the modes that the contact drives.
 pub fn contact_modes(modal: &Modal) -> Vec<ContactMode> {
     let modes = modal.resonances.iter().zip(&modal.damping_ratios);
     let drives = modal.loads.iter().zip(&modal.contacts);
+    // The list of participations is empty unless damping acts on velocities relative to the moving base.
+    let participations = modal.participations.iter().copied();
+    let participations = participations.chain(std::iter::repeat(Dd::ZERO));
     let mut contact_modes: Vec<ContactMode> = Vec::new();
-    for ((sigma, zeta), (load, contact)) in modes.zip(drives) {
+    for (((sigma, zeta), (load, contact)), participation) in modes.zip(drives).zip(participations) {
         if contact.is_zero() {
             continue;
         }
         let (inverse_mass, residue) = (*contact * *contact, *load * *contact);
+        let along = Dd::from(2.0) * *zeta * *sigma * participation * *contact;
         // Equal modes have the same denominator, so that the code adds their contributions to the responses of the
         // contact.
         if let Some(last) = contact_modes.last_mut()
@@ -123,6 +130,7 @@ pub fn contact_modes(modal: &Modal) -> Vec<ContactMode> {
         {
             last.driven.inverse_mass = last.driven.inverse_mass + inverse_mass;
             last.residue = last.residue + residue;
+            last.along = last.along + along;
             continue;
         }
         contact_modes.push(ContactMode {
@@ -130,8 +138,10 @@ pub fn contact_modes(modal: &Modal) -> Vec<ContactMode> {
                 sigma: *sigma,
                 zeta: *zeta,
                 inverse_mass,
+                along: Dd::ZERO,
             },
             residue,
+            along,
         });
     }
     contact_modes
@@ -147,7 +157,7 @@ impl Zeros {
         let (mut loaded, mut unloaded) = (Vec::new(), Vec::new());
         for mode in &contact_modes {
             let poles = poles(&mode.driven);
-            if mode.residue.is_zero() {
+            if mode.residue.is_zero() && mode.along.is_zero() {
                 unloaded.extend(poles);
             } else {
                 loaded.extend(poles);
@@ -160,24 +170,26 @@ impl Zeros {
                 sigma: pair.omega,
                 zeta: pair.zeta,
                 inverse_mass: Dd::ONE,
+                along: Dd::ZERO,
             };
             receptance.extend(poles(&mode));
         }
         let excitation: Vec<DrivenMode> = contact_modes
             .iter()
-            .filter(|mode| !mode.residue.is_zero())
+            .filter(|mode| !(mode.residue.is_zero() && mode.along.is_zero()))
             .map(|mode| DrivenMode {
                 inverse_mass: mode.residue,
+                along: mode.along,
                 ..mode.driven
             })
             .collect();
-        // At r = 0 a moving base may carry the contact along without relative motion. The contact's response V to the
-        // load then has a zero at s = 0, which is double without damping.
+        // At r = 0 a moving base may carry the contact along without relative motion. V then has a zero at s = 0. It is
+        // double if no damping acts on the common motion of the chain with the base.
         let at_rest = modal.on_moving_base && modal.static_motion.is_zero();
-        let known = match (at_rest, damped) {
-            (false, _) => 0,
-            (true, true) => 1,
-            (true, false) => 2,
+        let known = match at_rest {
+            false => 0,
+            true if slopes_at_rest(&excitation) => 1,
+            true => 2,
         };
         let mut excitation = zeros(&excitation, direct, damped, known)?;
         let mut common = Vec::new();
@@ -219,8 +231,26 @@ pub(super) fn poles(mode: &DrivenMode) -> Vec<Zero> {
         .to_vec()
 }
 
-/// Returns the zeros of the rational function `direct` + Σ ρ_i/(s² + 2ζ_iσ_i s + λ_i) over the modes. The list contains
-/// one zero of each conjugate pair. The first `known` zeros are at s = 0.
+/// Returns true if the sum Σ (c_i + e_i s)/(s² + 2ζ_iσ_i s + λ_i) over the modes has a derivative at s = 0 that is
+/// larger than its rounding error.
+fn slopes_at_rest(modes: &[DrivenMode]) -> bool {
+    let two = Dd::from(2.0);
+    let (mut slope, mut sizes) = (Dd::ZERO, Dd::ZERO);
+    for mode in modes {
+        let lambda = mode.sigma * mode.sigma;
+        let terms = [
+            mode.along / lambda,
+            -(two * mode.zeta * mode.sigma * mode.inverse_mass / (lambda * lambda)),
+        ];
+        for term in terms {
+            (slope, sizes) = (slope + term, sizes + term.abs());
+        }
+    }
+    slope.abs() > sizes * Dd::from(NONE)
+}
+
+/// Returns the zeros of the rational function `direct` + Σ (c_i + e_i s)/(s² + 2ζ_iσ_i s + λ_i) over the modes. The list
+/// contains one zero of each conjugate pair. The first `known` zeros are at s = 0.
 fn zeros(modes: &[DrivenMode], direct: Dd, damped: bool, known: usize) -> Option<Vec<Zero>> {
     let degree = degree(modes, direct)?;
     let mut roots = vec![complex::real(Dd::ZERO); known];
@@ -237,10 +267,10 @@ pub(super) fn classified(roots: Vec<Complex<Dd>>, known: usize, damped: bool) ->
     let tiny = Dd::from(NONE);
     let mut zeros = Vec::new();
     let mut found = known;
-    if known > 0 {
-        let (x, y) = (Dd::ZERO, Dd::ZERO);
-        zeros.push(Zero { x, y });
-    }
+    // Without damping, one zero at s = 0 stands for the double zero.
+    let (x, y) = (Dd::ZERO, Dd::ZERO);
+    let at_rest = if damped { known } else { known.min(1) };
+    zeros.resize(at_rest, Zero { x, y });
     for root in roots.into_iter().skip(known) {
         let size = complex::modulus(root, true);
         if !size.is_finite() {
@@ -267,8 +297,9 @@ pub(super) fn classified(roots: Vec<Complex<Dd>>, known: usize, damped: bool) ->
     (found == degree).then_some(zeros)
 }
 
-/// Returns the number of zeros of the rational function `direct` + Σ ρ_i/(s² + 2ζ_iσ_i s + λ_i) over the modes. The
-/// number follows from the first power of 1/s at infinity whose coefficient exceeds rounding.
+/// Returns the number of zeros of the rational function `direct` + Σ (c_i + e_i s)/(s² + 2ζ_iσ_i s + λ_i) over the
+/// modes. The number follows from the expansion of the function in powers of 1/s. It depends on the first power whose
+/// coefficient is larger than its rounding error.
 fn degree(modes: &[DrivenMode], direct: Dd) -> Option<usize> {
     let most = 2 * modes.len();
     if !direct.is_zero() {
@@ -276,12 +307,12 @@ fn degree(modes: &[DrivenMode], direct: Dd) -> Option<usize> {
     }
     let two = Dd::from(2.0);
     let mut powers: Vec<[Dd; 2]> = modes.iter().map(|_| [Dd::ZERO, Dd::ONE]).collect();
-    for lost in 2..=most {
+    for lost in 1..=most {
         let (mut sum, mut sizes) = (Dd::ZERO, Dd::ZERO);
         for (mode, [before, power]) in modes.iter().zip(&mut powers) {
-            let term = mode.inverse_mass * *power;
-            sum = sum + term;
-            sizes = sizes + term.abs();
+            for term in [mode.inverse_mass * *before, mode.along * *power] {
+                (sum, sizes) = (sum + term, sizes + term.abs());
+            }
             let rate = two * mode.zeta * mode.sigma;
             let next = -(rate * *power) - mode.sigma * mode.sigma * *before;
             (*before, *power) = (*power, next);

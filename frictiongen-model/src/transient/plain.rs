@@ -50,6 +50,7 @@ pub(super) fn driven<T: Float>(
             sigma: value(mode.resonance),
             zeta: value(mode.zeta),
             inverse_mass: contact * contact,
+            along: Dd::ZERO,
         }
     });
     driven.collect()

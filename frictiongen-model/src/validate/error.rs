@@ -98,8 +98,6 @@ scene_errors! {
         "{what} is {value:?}: negative damping would feed energy in; write zero or more",
     NoMovingBase { load: String } =>
         "`damping_from: base` needs a base that moves, but here a force acts on `{load}` and the base is at rest; write `excitation: base`, or leave `damping_from` out",
-    NoTablesFromBase { tables: String } =>
-        "tables are not possible with `damping_from: base`; leave `{tables}` and its range out, so that the exact formulas are emitted, or write `damping_from: rest`",
     ContactStiffnessNotPositive { value: f64 } =>
         "the stiffness of the contact is {value:?}: it must be greater than zero; write a positive number, or leave `stiffness` out for a rigid contact",
     StiffnessInfinite {} =>

@@ -78,6 +78,7 @@ pub enum Path {
     DamperFrom(usize),
     /// The second end of the dashpot with this index.
     DamperTo(usize),
-    /// The list of masses on which a force may act in the stepper, as a whole (`None`), or the entry with this index.
+    /// The list of masses on which a force may act in the stepper. `None` means the whole list, and a number is the
+    /// index of one entry.
     Force(Option<usize>),
 }

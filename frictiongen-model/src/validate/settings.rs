@@ -50,7 +50,7 @@ fn check_damping(scene: &Scene, checks: &Checks, errors: &mut Vec<SceneError>) {
     }
 }
 
-/// Reports `damping_from: base` in a scene whose base does not move, and in a scene with tables.
+/// Reports `damping_from: base` in a scene whose base does not move.
 fn check_damping_from(scene: &Scene, checks: &Checks, errors: &mut Vec<SceneError>) {
     let path = Path::DampingFrom;
     if scene.damping_from != DampingFrom::Base || !checks.excitation {
@@ -59,14 +59,6 @@ fn check_damping_from(scene: &Scene, checks: &Checks, errors: &mut Vec<SceneErro
     if let Excitation::Force(mass) = scene.excitation {
         let load = scene.node_name(Node::Mass(mass)).to_owned();
         errors.push(SceneError::NoMovingBase { path, load });
-    } else if scene.is_damped_from_base() && scene.declared.is_tabled() {
-        let tables = if scene.declared.budget.is_some() {
-            "budget"
-        } else {
-            "accuracy"
-        };
-        let tables = tables.to_owned();
-        errors.push(SceneError::NoTablesFromBase { path, tables });
     }
 }
 

@@ -72,15 +72,14 @@ impl Receptances {
         let zeros = zeros?.clone();
         let modal = exact.modal;
         let contact_modes = exact.contact_modes();
-        let of = |mode: &'_ ContactMode| mode.residue;
-        let driven: Vec<(&ContactMode, Dd)> = contact_modes
+        let driven: Vec<(&ContactMode, [Dd; 2])> = contact_modes
             .iter()
-            .filter(|mode| !mode.residue.is_zero())
-            .map(|mode| (mode, of(mode)))
+            .filter(|mode| !(mode.residue.is_zero() && mode.along.is_zero()))
+            .map(|mode| (mode, [mode.residue, mode.along]))
             .collect();
-        let all: Vec<(&ContactMode, Dd)> = contact_modes
+        let all: Vec<(&ContactMode, [Dd; 2])> = contact_modes
             .iter()
-            .map(|mode| (mode, mode.driven.inverse_mass))
+            .map(|mode| (mode, [mode.driven.inverse_mass, Dd::ZERO]))
             .collect();
         let direct = if modal.on_moving_base { -1.0 } else { 0.0 };
         let joined =

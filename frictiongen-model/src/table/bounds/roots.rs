@@ -15,15 +15,16 @@ use frictiongen_kernel::number::dd::Dd;
 /// precision.
 const UP: f64 = 1.0 + OUTWARD;
 
-/// A term of a sum over the modes: the residue of a mode divided by its denominator, v² + rate·v + square or v +
-/// square.
+/// A term of a sum over the modes: the numerator of a mode, residue + along·v, divided by its denominator, v² + rate·v +
+/// square or v + square.
 struct Term {
     rate: Ball,
     square: Ball,
     residue: Ball,
+    along: Option<Ball>,
 }
 
-/// A sum over the modes: direct + Σρ/d, with the residues ρ and the denominators d.
+/// A sum over the modes: direct + Σ(ρ + ev)/d, with the residues ρ, the coefficients e of v, and the denominators d.
 pub(super) struct PartialFractions {
     damped: bool,
     direct: Dd,
@@ -43,8 +44,8 @@ pub(super) struct Factored {
 }
 
 impl PartialFractions {
-    pub fn of(direct: f64, contact_modes: &[(&ContactMode, Dd)], damped: bool) -> Self {
-        let terms = contact_modes.iter().map(|(mode, of)| {
+    pub fn of(direct: f64, contact_modes: &[(&ContactMode, [Dd; 2])], damped: bool) -> Self {
+        let terms = contact_modes.iter().map(|(mode, [residue, along])| {
             let (sigma, zeta) = (
                 Ball::exact(mode.driven.sigma),
                 Ball::exact(mode.driven.zeta),
@@ -52,7 +53,8 @@ impl PartialFractions {
             Term {
                 rate: Ball::number(2.0) * zeta * sigma,
                 square: sigma * sigma,
-                residue: Ball::exact(*of),
+                residue: Ball::exact(*residue),
+                along: (!along.is_zero()).then(|| Ball::exact(*along)),
             }
         });
         Self {
@@ -66,7 +68,8 @@ impl PartialFractions {
     fn degree(&self) -> Option<usize> {
         let full = self.terms.len() * if self.damped { 2 } else { 1 };
         if self.direct.is_zero() {
-            full.checked_sub(if self.damped { 2 } else { 1 })
+            let rises = self.terms.iter().any(|term| term.along.is_some());
+            full.checked_sub(if self.damped && !rises { 2 } else { 1 })
         } else {
             Some(full)
         }
@@ -82,7 +85,11 @@ impl PartialFractions {
             } else {
                 v + Disc::real(term.square)
             };
-            sum = sum + Disc::real(term.residue) * denominator.inverse();
+            let mut load = Disc::real(term.residue);
+            if let Some(along) = term.along {
+                load = load + v * Disc::real(along);
+            }
+            sum = sum + load * denominator.inverse();
             all = all * denominator;
         }
         sum * all

@@ -15,7 +15,7 @@ use frictiongen_kernel::table::{Factor, Quotient};
 
 /// Kind, number of masses, ζ and μ of each tested chain. If ζ is negative, only every second mode is damped, with the
 /// damping ratio |ζ|.
-const KINDS: [(&str, usize, f64, f64); 15] = [
+const KINDS: [(&str, usize, f64, f64); 20] = [
     ("Wall", 1, 0.0, 1.0),
     ("Wall", 1, 0.02, 1.2),
     ("Base", 1, 0.0, 1.2),
@@ -31,6 +31,11 @@ const KINDS: [(&str, usize, f64, f64); 15] = [
     ("Wall", 2, -0.02, 1.0),
     ("Base", 3, -0.1, 1.2),
     ("Pair", 5, -0.02, 1.0),
+    ("Shaken", 1, 0.2, 1.0),
+    ("Shaken", 5, 0.02, 1.2),
+    ("Shaken", 2, 1.7, 1.0),
+    ("Apart", 3, 0.3, 1.0),
+    ("Apart", 5, -0.02, 1.2),
 ];
 
 fn asked(accuracy: f64, side: Side) -> super::Request {

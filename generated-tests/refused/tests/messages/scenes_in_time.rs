@@ -262,21 +262,6 @@ struct Frame {
 }
 }
 
-mod case_772_tables_with_damping_from_the_base {
-frictiongen::friction_system! {
-struct Frame {
-    masses: { lower: 3.27, upper: 3.25 },
-    springs: { base - lower: 1190.0, lower - upper: 1323.0 },
-    contact: upper - wall,
-    excitation: base,
-    damping: modal(0.01),
-    damping_from: base,
-    accuracy: 1e-4,
-    range: { r: 0.2..2.5 },
-}
-}
-}
-
 mod case_773_stiffness_of_the_contact_is_zero {
 frictiongen::friction_system! {
 struct Frame {

@@ -271,11 +271,11 @@ fn chains<S: Float>(budgets: &[f64], each: usize, default: usize) {
     }
 }
 
-fn random_scenes(budgets: &[f64], count: usize, default: usize) {
+fn random_scenes(scene: fn(&mut Random) -> String, budgets: &[f64], count: usize, default: usize) {
     let mut tallies: Vec<Tally> = budgets.iter().map(Tally::of).collect();
     let mut random = Random(20_211_122);
     for number in 0..count {
-        let text = random::scene(&mut random);
+        let text = scene(&mut random);
         let name = format!("scene {number}");
         check::<f64>(&name, &text, points(default), &mut tallies);
     }
@@ -314,7 +314,13 @@ fn of_chains_in_single_precision() {
 
 #[test]
 fn of_random_scenes() {
-    random_scenes(&[1e-3, 1e-6], 10, 200);
+    random_scenes(random::scene, &[1e-3, 1e-6], 10, 200);
+}
+
+/// Checks tables of scenes whose damping acts relative to the moving base.
+#[test]
+fn of_damping_from_the_base() {
+    random_scenes(random::damped_from_base, &[1e-3, 1e-6], 8, 200);
 }
 
 #[test]
@@ -332,7 +338,7 @@ fn of_chains_in_single_precision_whole() {
 #[test]
 #[ignore = "a hundred scenes"]
 fn of_random_scenes_whole() {
-    random_scenes(&[1e-2, 1e-3, 1e-4, 1e-6, 1e-9], 100, 100_000);
+    random_scenes(random::scene, &[1e-2, 1e-3, 1e-4, 1e-6, 1e-9], 100, 100_000);
 }
 
 /// Checks a mode that the contact drives and the load does not. Its resonance is a pole of H but not of V, so that

@@ -103,6 +103,18 @@ scene! { NEVER_STUCK: struct NeverStuck {
     range: { r: 0.4..0.8, beta: 0..0.4 },
 } }
 
+scene! { FROM_BASE: struct FromBase {
+    masses: { lower: 3.27, upper: 3.25 },
+    springs: { base - lower: 1190.0, lower - upper: 1323.0 },
+    contact: lower - base,
+    excitation: base,
+    damping: modal[0.010, 0.012],
+    damping_from: base,
+    provide: [limits, motion, stuck, orbit],
+    accuracy: 1e-4,
+    range: { r: 0.2..2.5 },
+} }
+
 /// Returns frequency ratios over a range, including its bounds.
 fn ratios(low: f64, high: f64) -> impl Iterator<Item = f64> {
     (0..=1000).map(move |k| low + (high - low) * f64::from(k) / 1000.0)
@@ -262,6 +274,37 @@ fn the_rest_is_exact() {
             reference.contact().amplitude(),
         );
         close(emitted.exact().continuous_limit(), exact.continuous_limit());
+    }
+}
+
+/// Checks a scene whose damping acts relative to the moving base. The tables have the bits of the run-time tables and
+/// the declared accuracy. All other results are exact.
+#[test]
+fn of_damping_from_the_base() {
+    let text = FROM_BASE.split("accuracy").next().unwrap().to_owned() + "}";
+    let exact: System = text.parse().unwrap();
+    let system: System = FROM_BASE.parse().unwrap();
+    let tables = system.compile(0.2..2.5, 1e-4).unwrap();
+    let near = |a: f64, b: f64, by: f64| assert!((a - b).abs() <= by * b.abs(), "{a} for {b}");
+    for r in ratios(0.2, 2.5) {
+        let (emitted, compiled) = (FromBase::at(r).unwrap(), tables.at(r).unwrap());
+        let exact = exact.at(r).unwrap();
+        let limits = emitted.limits();
+        assert_eq!(limits, compiled.limits(), "r = {r}");
+        near(limits.continuous, exact.limits().continuous, 1e-4);
+        near(limits.sliding, exact.limits().sliding, 1e-4);
+        let beta = 0.7 * limits.continuous.min(limits.sliding);
+        let (motion, reference) = (emitted.motion(beta).unwrap(), exact.motion(beta).unwrap());
+        let contact = compiled.motion(beta).unwrap();
+        assert_eq!(motion.contact().largest(), contact.contact().largest());
+        let amplitude = reference.contact().amplitude();
+        near(motion.contact().amplitude(), amplitude, 1e-4);
+        let amplitude = reference.mass("upper").unwrap().amplitude();
+        near(motion.upper().amplitude(), amplitude, 1e-12);
+        let (stuck, reference) = (emitted.stuck().unwrap(), exact.stuck().unwrap());
+        let reference = reference.mass("upper").unwrap();
+        near(stuck.upper().re, reference.re, 1e-12);
+        near(stuck.upper().im, reference.im, 1e-9);
     }
 }
 

@@ -118,6 +118,26 @@ fn of_random_scenes() {
     assert!(open / f64::from(tables) < 0.25, "{open} of {tables}");
 }
 
+/// Checks that the bounds are right that are proven for scenes whose damping acts relative to the moving base.
+#[test]
+fn of_damping_from_the_base() {
+    let mut scenes = Random(20_261_126);
+    let mut random = Random(8);
+    let (mut tables, mut open) = (0, 0.0);
+    while tables < 5 {
+        let text = random::damped_from_base(&mut scenes);
+        if text.matches("m4: ").count() > 0 {
+            continue;
+        }
+        let name = format!("scene {tables}");
+        if let Some(own) = held(&name, &text, 1e-3, 1000, &mut random) {
+            open += own;
+            tables += 1;
+        }
+    }
+    assert!(open / f64::from(tables) < 0.25, "{open} of {tables}");
+}
+
 /// Prints the fraction of the range without a proof and the work of the proof, each as minimum and maximum over the
 /// chains of a kind. β*_lim is always proven over the whole range.
 fn measured<S: Float>(accuracies: &[f64]) -> usize {

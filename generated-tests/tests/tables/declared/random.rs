@@ -3,6 +3,16 @@
 use fuzzing::Random;
 use std::fmt::Write as _;
 
+/// Returns a random scene in which the base moves, and in which damping acts on velocities relative to the base.
+pub fn damped_from_base(random: &mut Random) -> String {
+    loop {
+        let text = scene(random);
+        if text.contains("excitation: base") && text.contains("damping: ") {
+            return text.replace("excitation: base", "excitation: base, damping_from: base");
+        }
+    }
+}
+
 /// Returns a random scene whose masses and stiffnesses lie within a factor of ten of each other.
 pub fn scene(random: &mut Random) -> String {
     let count = 1 + random.below(16);
