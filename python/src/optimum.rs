@@ -1,5 +1,6 @@
-//! Finds the friction that minimises the largest amplitude over a frequency range. For several quantities, finds the
-//! friction that minimises the largest quotient of a quantity and its value.
+//! Finds the friction that minimises the largest amplitude over a frequency range, also while other quantities stay
+//! within bounds. For several quantities, finds the friction that minimises the largest quotient of a quantity and its
+//! value.
 
 use crate::asked::{
     FrequencyKeywords, FrequencyRange, LoadKeywords, Measure, MovingPart, measure, one, quantity,
@@ -11,29 +12,55 @@ use crate::system::NativeSystem;
 use crate::work::without_lock;
 use frictiongen::System;
 use frictiongen::study::columns::{Cell, Column, Further, OptimumLine, OptimumTable};
-use frictiongen::study::optimum::{FrequencyBand, Optimum, OptimumRequest, Tuning, Weighted};
+use frictiongen::study::optimum::{
+    FrequencyBand, KeptQuantity, Optimum, OptimumError, OptimumRequest, Tuning, Weighted,
+};
 use frictiongen::study::response::MotionQuantity;
 use pyo3::prelude::*;
 use pyo3::types::{PyDict, PyString};
 
-/// Key of the list with several quantities in the library's lines about an optimum.
-const WEIGHTED: &str = "weighted";
+/// Names of the lists of several quantities and of kept quantities in the library's lines about an optimum.
+const LISTS: [&str; 2] = ["weighted", "kept"];
 
-/// A quantity, and the value by which the search divides it. The value has the unit in which an optimum gives
-/// amplitudes.
+/// An argument that is a dict of quantities and their values.
+struct ValuedArgument {
+    /// Name of the argument.
+    name: &'static str,
+    /// What each value is, for messages.
+    value: &'static str,
+}
+
+/// Quantities of which the search minimises the largest quotient.
+const OF: ValuedArgument = ValuedArgument {
+    name: "of",
+    value: "the value that divides a quantity",
+};
+
+/// Quantities that the search keeps within bounds.
+const KEEP: ValuedArgument = ValuedArgument {
+    name: "keep",
+    value: "the bound of a quantity",
+};
+
+/// A quantity with its divisor or its bound. The value has the unit in which an optimum gives amplitudes.
 struct Valued {
     part: MovingPart,
     value: f64,
 }
 
-/// The answer: columns of the optimum, of its peaks, of its tolerances and of its sensitivities. The list has an entry
-/// for each quantity if the caller gave several quantities.
-type OptimumAnswer<'py> = ([Bound<'py, PyDict>; 4], Vec<QuotientAnswer<'py>>);
+/// A further variable of the optimisation, with its interval, and quantities with their bounds.
+type Constraints<'py> = (Option<(String, f64, f64)>, Option<Bound<'py, PyDict>>);
 
-/// Answer about one quantity of several: the name, the unit, and the numbers by the keys of the library.
-type QuotientAnswer<'py> = (String, &'static str, Bound<'py, PyDict>);
+/// The answer: columns of the optimum, of its peaks, of its tolerances and of its sensitivities, and an entry for
+/// each of several quantities and for each kept quantity.
+type OptimumAnswer<'py> = ([Bound<'py, PyDict>; 4], Vec<QuantityAnswer<'py>>);
 
-/// Finds the best friction for a quantity, or for several quantities that are each divided by a value.
+/// Answer about one of several quantities, or about a kept quantity: its name, its unit, and its numbers by the keys of
+/// the library.
+type QuantityAnswer<'py> = (String, &'static str, Bound<'py, PyDict>);
+
+/// Finds the best friction for a quantity, or for several quantities that are each divided by a value. With `keep`, the
+/// best friction satisfies a bound on each quantity of this dict.
 #[pyfunction]
 pub fn optimum<'py>(
     py: Python<'py>,
@@ -41,18 +68,20 @@ pub fn optimum<'py>(
     of: Bound<'py, PyAny>,
     frequency: FrequencyKeywords<'py>,
     load: LoadKeywords<'py>,
-    vary: Option<(String, f64, f64)>,
+    constraints: Constraints<'py>,
 ) -> PyResult<OptimumAnswer<'py>> {
-    let system = &system.system;
+    let (system, (vary, keep)) = (&system.system, constraints);
     let measure = measure::of(system, &load)?;
     let band = FrequencyRange::of(system, &frequency)?;
     if let Ok(quantities) = of.cast::<PyDict>() {
-        if vary.is_some() {
-            return Err(domain(
-                "vary needs a single quantity: give its name as of, without a value",
-            ));
+        for (given, name) in [(vary.is_some(), "vary"), (keep.is_some(), "keep")] {
+            if given {
+                return Err(domain(format_args!(
+                    "{name} needs a single quantity: give its name as of, without a value"
+                )));
+            }
         }
-        let all = valued(system, &measure, quantities)?;
+        let all = valued(system, &measure, (&OF, quantities))?;
         return weighted(py, system, (&band, measure), &all);
     }
     let Ok(name) = of.cast::<PyString>() else {
@@ -67,29 +96,119 @@ pub fn optimum<'py>(
         let of = of.map_err(|error| domain(format_args!("vary: {error}")))?;
         Ok::<_, PyErr>(Tuning { of, from, to })
     });
-    let (optimum, value) = match tuning.transpose()? {
-        None => {
-            let found = without_lock(py, |stop| {
-                system.optimum_watched(&request, &|| stop.goes_on())
-            })?;
-            (found.map_err(domain)?, None)
-        }
-        Some(tuning) => {
-            let found = without_lock(py, |stop| {
-                system.tuned_optimum_watched(&request, &tuning, &|| stop.goes_on())
-            })?;
-            let found = found.map_err(|error| domain(format_args!("vary: {error}")))?;
-            (found.optimum, Some(found.value))
-        }
+    let tuning = tuning.transpose()?;
+    let bounds = match &keep {
+        Some(keep) => valued(system, &measure, (&KEEP, keep))?,
+        None => Vec::new(),
     };
+    let found = without_lock(py, |stop| {
+        best(system, &request, (tuning.as_ref(), &bounds), &|| {
+            stop.goes_on()
+        })
+    })?;
+    let found =
+        found.map_err(|error| failure(system, &measure, (tuning.as_ref(), &bounds), error))?;
     let parts = [part];
     let table = OptimumTable {
         setting: setting(system, measure, band.unit(&measure), &parts),
     };
-    let answer = answer(py, &table, &optimum)?;
+    let answer = answer(py, &table, &found.optimum)?;
     let [once, ..] = &answer;
-    once.set_item("value", value)?;
-    Ok((answer, Vec::new()))
+    once.set_item("value", found.value)?;
+    let values = largest_of(&bounds, &found.largest);
+    let lines = table.lines_with(&found.optimum, None, Further::Kept(&values));
+    Ok((answer, quantities(py, &values, &lines)?))
+}
+
+/// The best friction, the best value of a further variable, and the largest value of each kept quantity.
+struct Found {
+    optimum: Optimum,
+    value: Option<f64>,
+    largest: Vec<f64>,
+}
+
+/// Finds the best friction, with the further variable and the bounds that are given.
+fn best(
+    system: &System,
+    request: &OptimumRequest,
+    (tuning, bounds): (Option<&Tuning>, &[Valued]),
+    watch: &(dyn Fn() -> bool + Sync),
+) -> Result<Found, OptimumError> {
+    let kept: Vec<KeptQuantity> = bounds
+        .iter()
+        .map(|bound| KeptQuantity {
+            of: bound.part.of,
+            size: bound.part.size,
+            most: bound.value,
+        })
+        .collect();
+    let (optimum, value, largest) = match (tuning, kept.is_empty()) {
+        (None, true) => (system.optimum_watched(request, watch)?, None, Vec::new()),
+        (None, false) => {
+            let found = system.kept_optimum(request, &kept, watch)?;
+            (found.optimum, None, found.largest)
+        }
+        (Some(tuning), true) => {
+            let found = system.tuned_optimum_watched(request, tuning, watch)?;
+            (found.optimum, Some(found.value), Vec::new())
+        }
+        (Some(tuning), false) => {
+            let (found, largest) = system.kept_tuned_optimum(request, tuning, &kept, watch)?;
+            (found.optimum, Some(found.value), largest)
+        }
+    };
+    Ok(Found {
+        optimum,
+        value,
+        largest,
+    })
+}
+
+/// Returns the exception for a search without a result. If no friction satisfies a bound, the message names the bound
+/// and the smallest possible value, in the unit of the argument.
+fn failure(
+    system: &System,
+    measure: &Measure,
+    (tuning, bounds): (Option<&Tuning>, &[Valued]),
+    error: OptimumError,
+) -> PyErr {
+    if let OptimumError::Unreachable {
+        index, least, beta, ..
+    } = error
+        && let Some(bound) = bounds.get(index)
+    {
+        let reference = system.angular_frequency(1.0);
+        let dimension = bound.part.dimension();
+        let [least, most] =
+            [least, bound.value].map(|value| measure.convert(dimension, value, reference));
+        let unit = measure.unit_or_reference(dimension);
+        let before = match index {
+            0 => "",
+            _ => " together with the bounds before it",
+        };
+        let friction = match measure.scale() {
+            Some(_) => format!("{:?} N", measure.force(beta)),
+            None => format!("beta {beta:?}"),
+        };
+        return domain(format_args!(
+            "keep[{:?}] is {most:?}: no friction holds this bound{before}; the least value is {}, with the friction {friction}",
+            bound.part.name,
+            format!("{least:?} {unit}").trim_end(),
+        ));
+    }
+    let is_of_vary = matches!(error, OptimumError::Interval | OptimumError::Scene(_));
+    match tuning {
+        Some(_) if is_of_vary || bounds.is_empty() => domain(format_args!("vary: {error}")),
+        _ => domain(error),
+    }
+}
+
+/// Returns each quantity with its divisor or bound and its largest value over the band.
+fn largest_of(all: &[Valued], largest: &[f64]) -> Vec<(MovingPart, f64, f64)> {
+    let values = all.iter().zip(largest);
+    values
+        .map(|(valued, largest)| (valued.part.clone(), valued.value, *largest))
+        .collect()
 }
 
 fn request(part: &MovingPart, band: &FrequencyRange, measure: &Measure) -> OptimumRequest {
@@ -101,32 +220,41 @@ fn request(part: &MovingPart, band: &FrequencyRange, measure: &Measure) -> Optim
     }
 }
 
-/// Reads quantities from Python, each with the value by which the search divides it, in SI units.
-fn valued(system: &System, measure: &Measure, given: &Bound<'_, PyDict>) -> PyResult<Vec<Valued>> {
+/// Reads a dict of quantities and their values in SI units from Python.
+fn valued(
+    system: &System,
+    measure: &Measure,
+    (argument, given): (&ValuedArgument, &Bound<'_, PyDict>),
+) -> PyResult<Vec<Valued>> {
+    let of = argument.name;
     if given.is_empty() {
-        return Err(domain(
-            "of: the dict is empty; give at least one quantity with the value that divides it",
-        ));
+        return Err(domain(format_args!(
+            "{of}: the dict is empty; give at least one quantity with {}",
+            argument.value
+        )));
     }
     // The result of an optimum has non-dimensional groups that refer to the load at r = 1, so the values are converted
     // with this load.
     let reference = system.angular_frequency(1.0);
     let read = |(name, value): (Bound<'_, PyAny>, Bound<'_, PyAny>)| {
         let name: String = name.extract().map_err(|_| {
-            wrong_type("of: the names of quantities are needed, as in {\"accel(roof)\": 5.0}")
+            wrong_type(format_args!(
+                "{of}: the names of quantities are needed, as in {{\"accel(roof)\": 5.0}}"
+            ))
         })?;
-        let part = quantity(system, "of", &name)?;
+        let part = quantity(system, of, &name)?;
         if part.size == MotionQuantity::Damping {
             return Err(domain(format_args!(
-                "of: `{name}`: an equivalent damping ratio has no upper bound; leave it out"
+                "{of}: `{name}`: an equivalent damping ratio has no upper bound; leave it out"
             )));
         }
-        let place = format!("of[{name:?}]");
+        let place = format!("{of}[{name:?}]");
         let value = one(&place, &value)?;
         let over = value / measure.convert(part.dimension(), 1.0, reference);
         if !(0.0 < value && value.is_finite()) {
             return Err(domain(format_args!(
-                "{place} is {value:?}: the value that divides a quantity must be above 0 and finite"
+                "{place} is {value:?}: {} must be above 0 and finite",
+                argument.value
             )));
         }
         if !(0.0 < over && over.is_finite()) {
@@ -165,27 +293,26 @@ fn weighted<'py>(
     let table = OptimumTable {
         setting: setting(system, measure, band.unit(&measure), &parts),
     };
-    let values = all.iter().zip(&found.largest);
-    let values: Vec<(MovingPart, f64, f64)> = values
-        .map(|(valued, largest)| (valued.part.clone(), valued.value, *largest))
-        .collect();
+    let values = largest_of(all, &found.largest);
     let lines = table.lines_with(&found.optimum, None, Further::Weighted(&values));
     let answer = answer(py, &table, &found.optimum)?;
     let ([once, ..], [decisive]) = (&answer, &parts);
     once.set_item("decisive", &decisive.name)?;
     once.set_item("quotient", found.ratio)?;
-    Ok((answer, quotients(py, &values, &lines)?))
+    Ok((answer, quantities(py, &values, &lines)?))
 }
 
-/// Returns the answer about each quantity of several: the name, the unit and the numbers.
-fn quotients<'py>(
+/// Returns the answer about each of several quantities, or about each kept quantity: its name, its unit and its numbers.
+fn quantities<'py>(
     py: Python<'py>,
     values: &[(MovingPart, f64, f64)],
     lines: &[OptimumLine],
-) -> PyResult<Vec<QuotientAnswer<'py>>> {
+) -> PyResult<Vec<QuantityAnswer<'py>>> {
     let each = (1..).zip(values).map(|(row, (part, ..))| {
         let (numbers, mut unit) = (PyDict::new(py), "");
-        let of_row = |line: &&OptimumLine| line.list == Some(WEIGHTED) && line.row == Some(row);
+        let of_row = |line: &&OptimumLine| {
+            line.list.is_some_and(|list| LISTS.contains(&list)) && line.row == Some(row)
+        };
         for line in lines.iter().filter(of_row) {
             if let Cell::Number(value) = line.value {
                 numbers.set_item(&line.key, value)?;

@@ -71,3 +71,27 @@ def test_one_quantity_of_several_is_that_quantity():
     assert several.friction_N == pytest.approx(alone.friction_N, rel=1e-3)
     assert several.quotient == pytest.approx(several.amplitude_m_s2 / 2.0, rel=1e-15)
     assert alone.largest == {} and "decisive" not in alone.keys() and len(alone.tolerances.excess) > 0
+
+
+@pytest.mark.parametrize("vary", [None, ("k base - block", 500.0, 1500.0)])
+def test_bounds_hold(command_json, tmp_path, vary):
+    """Checks the best friction under a bound: every number equals the command's, and the bound decides."""
+    scene = tmp_path / "isolator.friction"
+    scene.write_text(ISOLATOR, encoding="utf-8")
+    bound = 0.0015
+    best = frictiongen.System(ISOLATOR).optimum(
+        "accel(block)", hz=(1, 9), base=0.001, keep={"block-base": bound}, vary=vary
+    )
+    option = () if vary is None else ("--vary", f"{vary[0]}={vary[1]}:{vary[2]}")
+    asked = ("--of", "accel(block)", "--keep", "block-base <= 1.5mm", "--hz", "1:9", "--base", 0.001, *option)
+    lines = command_json("optimum", scene, *asked)
+    kept = {line["key"]: line["value"] for line in lines if line["list"] == "kept"}
+    assert {key: best.kept[key].tolist() for key in kept} == {key: [value] for key, value in kept.items()}
+    once = {line["key"]: line["value"] for line in lines if line["list"] is None}
+    assert best.friction_N == once["friction_N"] and best.amplitude_m_s2 == once["amplitude_m_s2"]
+    if vary is not None:
+        assert best.value == next(line["value"] for line in lines if line["list"] == "tuned")
+    assert best.largest == {"block-base": kept["largest"]} and kept["largest"] <= kept["bound"] == bound
+    free = frictiongen.System(ISOLATOR).optimum("accel(block)", hz=(1, 9), base=0.001, vary=vary)
+    assert free.amplitude_m_s2 <= best.amplitude_m_s2 and not free.kept.quantity.size
+    assert len(best.weighted.quantity) == 0

@@ -142,7 +142,11 @@ def step(
 ) -> _Columns: ...
 def drive(system: System, recording: Recording, friction: Any | None, of: Any | None, beginning: _Beginning) -> _Columns: ...
 def optimum(
-    system: System, of: Any, frequency: _Frequency, load: _Load, vary: tuple[str, float, float] | None
+    system: System,
+    of: Any,
+    frequency: _Frequency,
+    load: _Load,
+    constraints: tuple[tuple[str, float, float] | None, dict[str, float] | None],
 ) -> tuple[list[_Columns], list[tuple[str, str, dict[str, float]]]]: ...
 def sensitivities(
     system: System, of: Any, frequency: _Frequency, friction: _Friction, load: _Load

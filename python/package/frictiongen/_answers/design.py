@@ -34,6 +34,7 @@ class Optimum(Table):
       best one.  Empty without a load, and for several quantities, as is `tolerances`.
     * `weighted`: each of several quantities with its `largest` value over the band, the value `over` which it is
       divided, the `unit` of both, and their `ratio`.
+    * `kept`: each quantity of `keep` with its `largest` value over the band, its `bound`, and the `unit` of both.
     """
 
     friction_N: float
@@ -53,6 +54,7 @@ class Optimum(Table):
     tolerances: Table
     sensitivities: Table
     weighted: Table
+    kept: Table
 
     def __init__(
         self,
@@ -61,30 +63,38 @@ class Optimum(Table):
         tolerances: dict[str, Any],
         sensitivities: dict[str, Any],
         *,
-        weighted: list[tuple[str, str, dict[str, float]]],
+        several: list[tuple[str, str, dict[str, float]]],
     ) -> None:
         super().__init__({name: value for name, value in columns.items() if value is not None})
         self.peaks = Table(peaks)
         self.tolerances = Table(tolerances)
         self.sensitivities = Table(sensitivities)
-        keys = dict.fromkeys(key for _, _, numbers in weighted for key in numbers)
-        self.weighted = Table(
-            {
-                "quantity": np.array([name for name, _, _ in weighted], str),
-                **{key: np.array([numbers.get(key, np.nan) for _, _, numbers in weighted], float) for key in keys},
-                "unit": np.array([unit for _, unit, _ in weighted], str),
-            }
-        )
+        self.weighted = _quantities([entry for entry in several if "bound" not in entry[2]])
+        self.kept = _quantities([entry for entry in several if "bound" in entry[2]])
 
     @property
     def largest(self) -> dict[str, float]:
-        """Largest value of each of several quantities over the band, in m, m/s, m/s2, N or J.  Empty for a single one."""
-        if not len(self.weighted.quantity):
-            return {}
-        return dict(zip(self.weighted.quantity.tolist(), self.weighted.largest.tolist(), strict=True))
+        """Largest value over the band of each of several quantities, or of each quantity of `keep`, in m, m/s, m/s2, N or
+        J.  Empty for a single quantity."""
+        for table in (self.weighted, self.kept):
+            if len(table.quantity):
+                return dict(zip(table.quantity.tolist(), table.largest.tolist(), strict=True))
+        return {}
 
     def __repr__(self) -> str:
         return f"Optimum: {', '.join(f'{name} = {value}' for name, value in self._columns.items())}"
+
+
+def _quantities(entries: list[tuple[str, str, dict[str, float]]]) -> Table:
+    """Returns a table of quantities, from the name, the unit and the numbers of each."""
+    keys = dict.fromkeys(key for _, _, numbers in entries for key in numbers)
+    return Table(
+        {
+            "quantity": np.array([name for name, _, _ in entries], str),
+            **{key: np.array([numbers.get(key, np.nan) for _, _, numbers in entries], float) for key in keys},
+            "unit": np.array([unit for _, unit, _ in entries], str),
+        }
+    )
 
 
 class Sensitivities(Table):

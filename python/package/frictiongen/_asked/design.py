@@ -29,6 +29,7 @@ class Design(Base):
         force: float | str | None = None,
         base: float | str | None = None,
         vary: tuple[str, float, float] | None = None,
+        keep: Mapping[str, float] | None = None,
     ) -> Optimum:
         """Finds the friction that minimises the largest value of a quantity over a frequency band.
 
@@ -41,6 +42,8 @@ class Design(Base):
         :param force: amplitude of the force in N, or an unbalance such as `"0.02 kg m"`.
         :param vary: a second variable of the optimisation: the name of a number in the description, and its interval.
             It needs a single quantity.
+        :param keep: upper bounds, as a dict of quantities and values above 0.  The result is the best friction with which
+            no quantity exceeds its bound over the band.  It needs a single quantity as `of`.
 
         >>> import frictiongen
         >>> frame = frictiongen.System(frictiongen.FRAME)
@@ -53,10 +56,14 @@ class Design(Base):
         (1.328, 1.081)
         >>> {name: round(value, 5) for name, value in both.largest.items()}  # m, m/s2
         {'block-base': 0.00108, 'accel(block)': 1.08109}
+        >>> bound = isolator.optimum("accel(block)", hz=(1, 9), base=0.001, keep={"block-base": 0.001})
+        >>> str(bound.kind), {name: round(value, 5) for name, value in bound.largest.items()}
+        ('a bound on another quantity', {'block-base': 0.001})
         """
         asked = dict(of) if isinstance(of, Mapping) else of
-        columns, quotients = _native.optimum(self._native, asked, (r, hz, omega), (force, base), vary)
-        return Optimum(*columns, weighted=quotients)
+        bounds = None if keep is None else dict(keep)
+        columns, quantities = _native.optimum(self._native, asked, (r, hz, omega), (force, base), (vary, bounds))
+        return Optimum(*columns, several=quantities)
 
     def sensitivities(
         self,
