@@ -78,12 +78,14 @@ impl<'a, S: Float> SystemOrbit<'a, S> {
 
     /// Returns the phase of the contact's relative motion with the opposite sign, in rad, in (−π, π]. If
     /// [`contact_is_reversed`](System::contact_is_reversed) is true, this phase follows the sign convention of the
-    /// description.
+    /// scene description.
     #[must_use]
     pub fn reversed_contact_phase(&self) -> S {
         let phase = self.orbit.contact().phase();
-        // A contact that never slides has no reversed phase.
-        if self.orbit.never_slides() {
+        // A rigid contact that never slides has no instant of its largest displacement, and so no reversed phase. The
+        // spring of an elastic contact moves it also while it sticks.
+        let is_rigid = self.system.scene().stiffness.is_none();
+        if is_rigid && self.orbit.never_slides() {
             phase
         } else {
             reversed_phase(phase)

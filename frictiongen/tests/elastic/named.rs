@@ -164,3 +164,36 @@ fn responses_follow_the_spring() {
     let curve_free = at.response(0.0).expect("a response");
     assert!(curve_free.swing(Of::Mass(0)).is_some());
 }
+
+/// Checks the phase of the contact with its sides in both orders. The sides in the other order reverse the sign of the
+/// motion, so that the phases differ by half a turn. This also holds while the contact sticks, because its spring moves.
+#[test]
+fn the_order_of_the_sides_turns_the_phase() {
+    let frame = |contact: &str| -> System {
+        let text = FRAME.replace("upper - wall", contact);
+        text.parse().expect("a scene")
+    };
+    let frames = [frame("lower - upper"), frame("upper - lower")];
+    let reversed = frames.each_ref().map(System::contact_is_reversed);
+    assert_ne!(reversed[0], reversed[1]);
+    let mut stuck = 0;
+    for beta in [0.05, 0.2, 30.0] {
+        let orbits = frames.each_ref().map(|frame| {
+            let at = frame.at(0.7).expect("in the domain");
+            at.orbit(beta).expect("a steady state")
+        });
+        stuck += usize::from(orbits[0].never_slides());
+        let phase = |index: usize| match reversed[index] {
+            true => orbits[index].reversed_contact_phase(),
+            false => orbits[index].contact().phase(),
+        };
+        let turn = (phase(0) - phase(1)).abs() - std::f64::consts::PI;
+        assert!(
+            turn.abs() < 1e-9,
+            "β = {beta}: {} and {}",
+            phase(0),
+            phase(1)
+        );
+    }
+    assert_eq!(stuck, 1);
+}
