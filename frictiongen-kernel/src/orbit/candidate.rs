@@ -23,9 +23,9 @@ const MOST_FOLLOWED: u32 = 64;
 /// Away from a resonance both sizes are of the order of P/k₁.
 const MOST_GROWN: f64 = 64.0;
 
-/// Number of successive equal half cycles after which a motion is assumed to converge to a member of a continuum of
-/// steady states. The assumption applies to motions with at most two stops or reversals in a cycle. A motion with more
-/// events may still converge to another state.
+/// Number of successive half cycles with unchanged numbers of events after which the code assumes that a motion
+/// converges to a member of a continuum of steady states. The assumption applies to motions with at most two stops or
+/// reversals in a cycle. A motion with more events may still converge to another state.
 const CALM: u32 = 64;
 
 /// Distance of the motion from the fixed point at which the test ends, divided by the distance at the start of the
@@ -95,7 +95,8 @@ pub(super) struct Candidate<S> {
     pub wanted: EventPattern,
     /// Numbers of stops, break-aways and reversals of the motion in the last cycle of the excitation.
     pub recent: EventPattern,
-    /// Number of successive half cycles whose numbers of events equal those of the half cycle one cycle earlier.
+    /// Number of successive half cycles that each have as many stops, break-aways and reversals as the half cycle one
+    /// cycle earlier.
     pub alike: u32,
     /// True if the stiction μ is 1. The distance between two motions then never grows.
     pub monotone: bool,

@@ -302,7 +302,7 @@ where
         OrbitMotion::of_contact(self)
     }
 
-    /// Returns the steady motion of a mass. `index` is the index of the mass in the description. An invalid index
+    /// Returns the steady motion of a mass. `index` is the index of the mass in the scene description. An invalid index
     /// returns a motion at rest.
     pub fn mass(&self, index: usize) -> OrbitMotion<'_, 'a, S, P, V, C, K> {
         let dynamics = &self.setting.dynamics;
@@ -338,7 +338,7 @@ where
         OrbitMotion::of_combination(self, combination)
     }
 
-    /// Returns the steady motion of a mass. `index` is the index of the mass in the description. An invalid index
+    /// Returns the steady motion of a mass. `index` is the index of the mass in the scene description. An invalid index
     /// returns `None`.
     pub fn mass_at(&self, index: usize) -> Option<OrbitMotion<'_, 'a, S, P, V, C, K>> {
         let known = !self.setting.dynamics.shape(index).is_empty();

@@ -400,3 +400,38 @@ impl<S: Float> LargestDisplacement<S> {
         }
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::LargestDisplacement;
+
+    /// Returns the lag in half-turns after the values at two instants, in both orders.
+    fn lags(values: [(f64, f64); 2]) -> [f64; 2] {
+        let [first, second] = values;
+        [[first, second], [second, first]].map(|values| {
+            let mut best = LargestDisplacement {
+                value: 0.0,
+                lag: None,
+            };
+            for (t, value) in values {
+                best.note(t, value);
+            }
+            best.lag.expect("a value was noted") / core::f64::consts::PI
+        })
+    }
+
+    /// Checks that of two equal maxima the lag of smaller size counts, and of two lags of equal size the positive one.
+    /// Rounding must not decide.
+    #[test]
+    fn of_equal_maxima_the_positive_lag() {
+        let [first, second] = lags([(0.3, 2.0), (1.7, 2.0 * (1.0 + 1e-15))]);
+        assert!((first - 0.3).abs() < 1e-15 && (second - 0.3).abs() < 1e-15);
+        // A negative value has its lag half a turn later.
+        let [first, second] = lags([(0.3, 2.0), (0.7 + 1e-16, -2.0)]);
+        assert!((first - 0.3).abs() < 1e-15 && (second - 0.3).abs() < 1e-15);
+        let [first, second] = lags([(0.3, 2.0), (1.8, 2.0)]);
+        assert!((first + 0.2).abs() < 1e-15 && (second + 0.2).abs() < 1e-15);
+        let [first, second] = lags([(0.3, 2.0), (1.8, 1.999)]);
+        assert!((first - 0.3).abs() < 1e-15 && (second - 0.3).abs() < 1e-15);
+    }
+}

@@ -96,8 +96,8 @@ impl PeriodMap {
     }
 }
 
-/// Applies Newton's method to the map, starting at the state of the cycle map. Leaves the cycle map at the fixed point,
-/// and returns the events during one application of the map. Returns `None` if the method does not converge.
+/// Applies Newton's method to the map, starting at the state of the cycle map. Afterwards the cycle map contains the
+/// fixed point. Returns the events during one application of the map. Returns `None` if the method does not converge.
 pub(super) fn newton<S: Float, K: ContactChain<S>>(
     cycle_map: &mut CycleMap<'_, '_, S, K>,
     workspace: &mut Workspace<'_, S>,
@@ -186,8 +186,8 @@ pub(super) fn negate<S: Float>(numbers: &mut [S]) {
     }
 }
 
-/// Computes the Floquet multipliers of the period. The cycle map must be at a fixed point, and is at this point after
-/// the call too. Returns the largest absolute value of the map's multipliers.
+/// Computes the Floquet multipliers of the period. The state in the cycle map must be a fixed point, and is the same
+/// after the call. Returns the largest absolute value of the map's multipliers.
 pub(super) fn multipliers<S: Float, K: ContactChain<S>>(
     cycle_map: &mut CycleMap<'_, '_, S, K>,
     workspace: &mut Workspace<'_, S>,

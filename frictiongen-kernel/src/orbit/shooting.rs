@@ -19,11 +19,12 @@ const MAX_CYCLES_NEAR: u32 = 128;
 const MOST_TRIED: u32 = 3;
 /// Number of cycles after which the search first tests for a subharmonic state.
 const FIRST_ASKED: u32 = 16;
-/// Largest difference of two states n cycles apart at which n is a possible period, divided by the size of the motion.
+/// Limit for a possible period n: the largest difference between two states n cycles apart, divided by the size of the
+/// motion.
 const NEARLY_BACK: f64 = 1e-2;
-/// Largest distance between two states n cycles apart at which n is a possible period, divided by the smallest distance
-/// after fewer than n cycles. The motion thus comes back much closer to its state than after any smaller number of
-/// cycles.
+/// Limit for a possible period n: the largest distance between two states n cycles apart, divided by the smallest
+/// distance after fewer than n cycles. After n cycles the motion thus comes back much closer to its state than after
+/// any smaller number of cycles.
 const NEARER: f64 = 0.1;
 
 impl<S> Start<'_, S> {
@@ -46,8 +47,8 @@ pub(super) enum Settled<S> {
     Not(NoOrbit),
 }
 
-/// Follows the motion until it reaches a steady state. If the search finds a steady state, it leaves the cycle map at
-/// that state. If not, the cycle map has the last state of the motion.
+/// Follows the motion until it reaches a steady state. Afterwards the cycle map contains the steady state if the search
+/// found one. Otherwise it contains the last state of the motion.
 ///
 /// If β is large enough for a stuck state, `holding` is |V/H|, the amplitude of the contact force in the stuck state.
 /// Otherwise `holding` is `None`. The search follows at most `most` cycles. `spare` is working memory for two states.

@@ -18,8 +18,8 @@ const FIRST: [f64; 2] = [1.5, 2.0];
 /// the friction ratio changes by at most the first factor, the search expects the amplitude to change by at most the
 /// second factor.
 const WHOLE: [f64; 2] = [1.1, 4.0];
-/// Factor on the expected amplitude if the amplitude is not known at a similar friction ratio. Two friction ratios are
-/// similar if their quotient is at most the first factor of `FIRST` or `WHOLE`.
+/// Factor on the expected amplitude at a frequency if the search does not know the amplitude at a similar friction
+/// ratio. Two friction ratios are similar if their quotient is at most the first factor of `FIRST` or `WHOLE`.
 const UNKNOWN: f64 = 5.0;
 
 /// A local maximum of the amplitude over the band.
@@ -148,4 +148,31 @@ pub(super) fn sorted(mut peaks: Vec<BandPeak>) -> Vec<BandPeak> {
         }
     }
     kept
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{Closely, FrictionAmount, KnownAmplitude};
+
+    /// Checks that the largest expected amplitude is never below the known amplitude. If it were, a look would leave out
+    /// motions that may be the largest.
+    #[test]
+    fn no_estimate_is_below_the_known_amplitude() {
+        let known = KnownAmplitude {
+            beta: 0.4,
+            value: 3.0,
+        };
+        for closely in [Closely::First, Closely::Whole] {
+            for factor in [0.01, 0.7, 0.95, 1.0, 1.05, 1.4, 100.0] {
+                let friction = FrictionAmount::Ratio(factor * known.beta);
+                assert!(known.value <= known.promise(friction, closely), "{factor}");
+            }
+            let unknown = KnownAmplitude {
+                beta: f64::NAN,
+                ..known
+            };
+            let friction = FrictionAmount::Ratio(known.beta);
+            assert!(known.value <= unknown.promise(friction, closely));
+        }
+    }
 }

@@ -130,10 +130,10 @@ fn from_the_level_itself() {
     assert_eq!(compared, 6 * 6 * 6);
 }
 
-/// Checks a stop whose middle coincides with the minimum of the load. The ends of the stop have the lags ±φ. The
-/// phase must be the positive lag.
+/// Checks a stop whose middle coincides with the minimum of the load. The beginning and the end of the stop have lags of
+/// equal size with opposite signs. The phase must be the lag of the beginning.
 #[test]
-fn of_equal_maxima_the_positive_lag() {
+fn a_stop_has_the_lag_of_its_beginning() {
     let chain = system(
         "struct Chain { masses: { a: 1, b: 2.289, c: 1.466 },
         springs: { base - a: 1, a - b: 1.526, b - c: 1.69 }, contact: a - wall, excitation: b,

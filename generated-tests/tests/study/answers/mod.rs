@@ -355,4 +355,16 @@ fn a_bound_on_the_work_of_a_curve_is_told() {
     };
     assert!(whole.refined && !coarse.refined);
     assert!(points(&coarse) < points(&whole));
+    // A bound that stops the refinement later is reported too. A refined curve has all its points.
+    let mut partial = 0;
+    loop {
+        request.work = 2 * request.work + 1;
+        let curve = system.curve(&request, 0.3).expect("a curve");
+        if curve.refined {
+            assert_eq!(points(&curve), points(&whole), "work {}", request.work);
+            break;
+        }
+        partial += usize::from(points(&coarse) < points(&curve));
+    }
+    assert!(partial > 0);
 }

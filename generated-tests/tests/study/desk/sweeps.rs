@@ -127,6 +127,33 @@ fn a_stuck_and_a_sliding_block() {
     }
 }
 
+/// Checks a sweep whose work does not suffice for refinement. It goes directly from one frequency of the grid to the next,
+/// and still takes the last state as its start. The block therefore slides at frequencies at which it would not slide from
+/// rest.
+#[test]
+fn a_sweep_without_work_keeps_its_state() {
+    let system: System = BLOCK.parse().expect("a scene");
+    let beta = 1.2;
+    let request = CurveRequest {
+        start: CurveStart::Down,
+        work: 0,
+        ..CurveRequest::new(1.01, 1.75, &[Of::Contact])
+    };
+    let down = system.curve(&request, beta).expect("a curve");
+    println!("{}", told(&down));
+    assert!(!down.refined);
+    let (ends, departure) = (ends_at(beta, 1.01, 1.7), (MU * beta).sqrt());
+    let pieces = of(&down, Regime::Continuous);
+    let points = pieces.iter().flat_map(|piece| &piece.points);
+    let between = points.filter(|point| ends < point.r && point.r < 0.99 * departure);
+    let from_rest = |r: f64| {
+        let at = system.at(r).expect("in the domain");
+        at.response(beta).expect("a response").regime()
+    };
+    let kept = between.filter(|point| from_rest(point.r) == Regime::Stuck);
+    assert!(kept.count() > 3);
+}
+
 /// Checks that a sweep of a chain with one steady state gives the curve from rest. The sweep takes the last state of
 /// one frequency as the start at the next.
 #[test]

@@ -47,6 +47,19 @@ fn of_one_cycle() {
     tally.end(bars);
 }
 
+/// Checks that z̄ has the same bits at the end of a stop as at its beginning. The extremes of the contact include the ends
+/// of stops, and the amplitude only their beginnings. The larger extreme must have the bits of the amplitude.
+#[test]
+fn a_stop_keeps_the_bits_of_the_displacement() {
+    let points = points(reported);
+    for point in &points {
+        let orbit = point.orbit().expect("a steady state");
+        let (least, most) = orbit.contact().extremes();
+        let (largest, amplitude) = (most.max(-least), orbit.contact().amplitude());
+        assert_eq!(largest.to_bits(), amplitude.to_bits(), "{}", point.what);
+    }
+}
+
 /// Checks that τ counts from the largest maximum of z̄, if z̄ has several maxima.
 #[test]
 fn counted_from_the_largest() {
