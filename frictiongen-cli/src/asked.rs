@@ -14,7 +14,7 @@ pub const MOST_HARMONICS: u32 = 9999;
 /// A mass whose motion the user has requested.
 #[derive(Clone, Debug)]
 pub struct RequestedMass {
-    /// Index of the mass in the description.
+    /// Index of the mass in the scene description.
     pub index: usize,
     /// Name of the requested mass.
     pub name: String,

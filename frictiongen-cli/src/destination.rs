@@ -92,7 +92,8 @@ impl FormatArguments {
 pub struct Destination<'a> {
     /// Format of the output: table, CSV, JSON or picture.
     pub form: OutputFormat,
-    /// The file, and the path of the description, which the command must not overwrite. `None` is standard output.
+    /// The file, and the path of the scene description, which the command must not overwrite. `None` is standard
+    /// output.
     file: Option<(&'a Path, Option<&'a Path>)>,
 }
 

@@ -1,4 +1,4 @@
-//! `frictiongen expand`: prints the Rust code that the macro emits. The output begins with comments that name the
+//! `frictiongen expand`: prints the Rust code that the macro emits. The output begins with comments that name the scene
 //! description and the version of the program.
 
 use crate::args::ExpandArguments;
@@ -11,7 +11,7 @@ use std::io::Write;
 
 /// Runs `frictiongen expand`.
 pub fn run(arguments: &ExpandArguments, out: &mut dyn Write) -> Result<(), Failure> {
-    // The command rejects every description that the macro rejects.
+    // The command rejects every scene description that the macro rejects.
     let description = arguments.file.description(&SizeLimits::MACRO)?;
     let source = pretty(&description).map_err(|error| {
         Failure::new(format_args!(

@@ -5,13 +5,13 @@ use std::fs::{self, File, OpenOptions};
 use std::io::{self, Write};
 use std::path::{Path, PathBuf};
 
-/// Writes a text to a file. The file must not be the description.
+/// Writes a text to a file. The file must not be `description`, the file that describes the scene.
 pub fn write_file(path: &Path, description: Option<&Path>, text: &str) -> Result<(), Failure> {
     write_with(path, description, |out| Ok(out.write_all(text.as_bytes())?))
 }
 
-/// Writes a file by the function `write`. The file must not be the description. After a failure, an existing file is
-/// unchanged.
+/// Writes a file by the function `write`. The file must not be `description`, the file that describes the scene. After
+/// a failure, an existing file is unchanged.
 pub fn write_with(
     path: &Path,
     description: Option<&Path>,
@@ -33,7 +33,8 @@ pub fn write_with(
     written
 }
 
-/// Writes a web page to a file, which must not be the description, or to `out` without a path.
+/// Writes a web page to the file `path`, or to `out` without a path. The file must not be `description`, the file that
+/// describes the scene.
 pub fn write_page(
     (path, description): (Option<&Path>, Option<&Path>),
     html: &str,
@@ -46,7 +47,7 @@ pub fn write_page(
     Ok(out.flush()?)
 }
 
-/// Fails if the program cannot write a file at this path, or if the file is the description.
+/// Fails if the program cannot write a file at this path, or if the file is the scene description.
 pub fn check(path: &Path, description: Option<&Path>) -> Result<(), Failure> {
     if description.is_some_and(|description| is_same(description, path)) {
         return Err(Failure::new(format_args!(

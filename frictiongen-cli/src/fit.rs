@@ -81,9 +81,9 @@ impl TableLayout {
         (shown, left)
     }
 
-    /// Returns the rank of each column. A table always contains the columns of rank 0. The table takes columns of
-    /// higher rank in ascending order, as long as they fit into the width. A table never contains a column without a
-    /// rank (`None`).
+    /// Returns the rank of each column, which decides whether a table of limited width contains the column. A table
+    /// always contains the columns of rank 0. The table takes columns of higher rank in ascending order, as long as
+    /// they fit into the width. A table never contains a column without a rank (`None`).
     fn ranks<R>(self, columns: &[Column<'_, R>]) -> Vec<Option<usize>> {
         let mut part: Option<&str> = None;
         let mut place = 0;

@@ -109,8 +109,8 @@ fn too_far(quantity: GridQuantity, given: f64) -> Failure {
     ))
 }
 
-/// Returns the quantity (ratio r, Hz or rad/s) that the parser expects for frequencies in this unit. If `in_time` is
-/// true, a frequency must be above 0 and finite.
+/// Returns the quantity (ratio r, Hz or rad/s) of frequencies that the user gives in this unit. If `in_time` is true,
+/// the parser rejects a frequency that is 0 or infinite.
 fn quantity(unit: Unit, in_time: bool) -> GridQuantity {
     match (unit, in_time) {
         (Unit::Ratio | Unit::RatioUnderLoad, false) => GridQuantity::FrequencyRatio,

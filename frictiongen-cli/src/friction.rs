@@ -27,7 +27,7 @@ impl Frictions {
         Self::read(arguments, frequencies, grid::parse)
     }
 
-    /// Parses the grid of frictions of a map. This grid may contain a range `a:b` without a step.
+    /// Parses a grid of frictions for a map. This grid may contain a range `a:b` without a step.
     pub fn of_map(
         arguments: &FrictionArguments,
         frequencies: &Frequencies,

@@ -15,7 +15,7 @@ pub struct Grids {
     pub frequencies: Frequencies,
     /// Frictions at which the command computes results.
     pub frictions: Frictions,
-    /// Units of the results: SI units under a load, otherwise non-dimensional groups.
+    /// Units of the results: SI units if the amplitude of the load is given, otherwise non-dimensional groups.
     pub measure: Measure,
     /// The contact and masses whose motions the results contain.
     pub parts: Vec<MovingPart>,

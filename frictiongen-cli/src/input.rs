@@ -1,4 +1,4 @@
-//! Reads descriptions from files and standard input.
+//! Reads scene descriptions from files and standard input.
 
 use crate::args::FileArgument;
 use crate::failure::{Failure, reason};
@@ -9,22 +9,22 @@ use std::fs::File;
 use std::io::{self, Read};
 use std::path::Path;
 
-/// Largest size of a description in bytes. The command rejects a larger file.
+/// Largest size of a scene description in bytes. The command rejects a larger file.
 const MOST_BYTES: usize = 16 << 20;
 
 impl FileArgument {
-    /// Returns the path of the file with the description, or `None` for standard input.
+    /// Returns the path of the file with the scene description, or `None` for standard input.
     pub fn path(&self) -> Option<&Path> {
         self.file.as_deref().filter(|path| *path != Path::new("-"))
     }
 
-    /// Returns the name of the description, which messages to the user contain.
+    /// Returns the name of the scene description, which messages to the user contain.
     pub fn name(&self) -> String {
         self.path()
             .map_or_else(|| "<stdin>".to_owned(), |path| path.display().to_string())
     }
 
-    /// Reads the text of the description from the file or from standard input.
+    /// Reads the text of the scene description from the file or from standard input.
     pub fn text(&self) -> Result<String, Failure> {
         let bytes = match self.path() {
             Some(path) => File::open(path).and_then(read),
@@ -47,7 +47,7 @@ impl FileArgument {
         })
     }
 
-    /// Reads and parses the description. Fails for a scene with several contacts or dashpots.
+    /// Reads and parses the scene description. Fails for a scene with several contacts or dashpots.
     pub fn description(&self, limits: &SizeLimits) -> Result<Description, Failure> {
         self.single(self.parsed(&self.text()?, limits)?)
     }
@@ -72,7 +72,7 @@ impl FileArgument {
         Ok(description)
     }
 
-    /// Returns the description unchanged. Fails if it has the field `contacts` or the field `dampers`.
+    /// Returns the scene description unchanged. Fails if it has the field `contacts` or the field `dampers`.
     pub fn single(&self, description: Description) -> Result<Description, Failure> {
         if !description.scene.is_joined() {
             return Ok(description);
@@ -91,7 +91,7 @@ impl FileArgument {
         })
     }
 
-    /// Fails if the contact of the description is elastic.
+    /// Fails if the contact of the scene description is elastic.
     pub fn check_rigid(&self, description: &Description) -> Result<(), Failure> {
         if description.scene.stiffness.is_none() {
             return Ok(());
@@ -102,13 +102,14 @@ impl FileArgument {
         )))
     }
 
-    /// Reads and parses a description for a command that requires constant kinetic friction. Fails for any other
+    /// Reads and parses a scene description for a command that requires constant kinetic friction. Fails for any other
     /// friction law.
     pub fn constant_level(&self, limits: &SizeLimits) -> Result<Description, Failure> {
         Ok(self.constant_level_with_text(limits)?.0)
     }
 
-    /// Reads and parses a description as [`constant_level`](Self::constant_level) does, and returns it with its text.
+    /// Reads and parses a scene description as [`constant_level`](Self::constant_level) does, and returns it with its
+    /// text.
     pub fn constant_level_with_text(
         &self,
         limits: &SizeLimits,
@@ -119,7 +120,7 @@ impl FileArgument {
         Ok((description, text))
     }
 
-    /// Reads and parses a description within the limits that the macro sets, and returns it with its text.
+    /// Reads and parses a scene description within the limits that the macro sets, and returns it with its text.
     pub fn exported(&self, limits: &SizeLimits) -> Result<(Description, String), Failure> {
         let text = self.text()?;
         let description = self.single(self.parsed(&text, limits)?)?;

@@ -1,8 +1,8 @@
 //! Command line of frictiongen: limits, responses, steady states, motions over time and emitted solvers of friction
 //! scenes.
 //!
-//! Every command reads one description, computes with [`frictiongen::System`] and writes a table,
-//! CSV or JSON. The program's exit status is 0, or 2 with the reason on standard error.
+//! Every command reads one scene description, computes with [`frictiongen::System`] and writes a table, CSV or JSON.
+//! The program's exit status is 0, or 2 with the reason on standard error.
 
 mod args;
 mod asked;

@@ -1,4 +1,4 @@
-//! `frictiongen new`: writes a description as a starting point.
+//! `frictiongen new`: writes a scene description as a starting point.
 
 use crate::args::NewArguments;
 use crate::failure::{Failure, reason};

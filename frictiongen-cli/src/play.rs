@@ -1,4 +1,4 @@
-//! `frictiongen play`: writes the page of the playground, with a description in it.
+//! `frictiongen play`: writes the page of the playground, with a scene description in it.
 
 use crate::args::PlayArguments;
 use crate::failure::{Failure, reason};
@@ -8,8 +8,8 @@ use serde_json::{Value as Json, json};
 use std::io::Write;
 use std::path::{Path, PathBuf};
 
-/// The element of the playground's page that contains the description. `scripts/playground` writes the element with
-/// `null`. The command replaces `null` by the description.
+/// The element of the playground's page that contains the scene description. `scripts/playground` writes the element
+/// with `null`. The command replaces `null` by the description.
 const GIVEN: &str = r#"<script id="given" type="application/json">null</script>"#;
 /// File name of the playground's page. The file is in the folder of the program.
 const PAGE: &str = "playground.html";
@@ -31,17 +31,17 @@ pub fn run(arguments: &PlayArguments, out: &mut dyn Write) -> Result<(), Failure
     file::write_page((arguments.output.as_deref(), description), &html, out)
 }
 
-/// Returns the page of the playground with the given start. The start is an object with the key `text` for the
+/// Returns the page of the playground with the given start. The start is an object with the key `text` for the scene
 /// description. It may also have the keys `r` and `beta` for a point, and `from` and `to` for the range of frequency
 /// ratios.
 pub fn with(page: &str, start: &Json) -> String {
-    // The text "</script>" in a comment of the description would end the element.
+    // The text "</script>" in a comment of the scene description would end the element.
     let start = start.to_string().replace('<', "\\u003c");
     page.replacen(GIVEN, &GIVEN.replace("null", &start), 1)
 }
 
-/// Reads the page of the playground, without a description. Without a path, the page is the file [`PAGE`] in the folder
-/// of the program.
+/// Reads the page of the playground, without a scene description. Without a path, the page is the file [`PAGE`] in the
+/// folder of the program.
 pub fn page(path: Option<&Path>) -> Result<String, Failure> {
     let beside = || Some(std::env::current_exe().ok()?.parent()?.join(PAGE));
     let path: PathBuf = match path {

@@ -26,7 +26,7 @@ pub struct Summary {
     base_motion: bool,
     /// Natural frequencies in Hz. `None` if the user gave all frequencies as ratios.
     pub hertz: Option<Vec<f64>>,
-    /// Units of the results: SI units under a load, otherwise non-dimensional groups.
+    /// Units of the results: SI units if the amplitude of the load is given, otherwise non-dimensional groups.
     pub measure: Measure,
 }
 

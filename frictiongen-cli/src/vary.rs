@@ -8,7 +8,7 @@ use std::fmt::Display;
 /// The text of the option `--vary`, divided into a name and an interval.
 pub struct Vary<'t> {
     text: &'t str,
-    /// Name of the number in the description that the search varies.
+    /// Name of the number in the scene description that the search varies.
     pub name: &'t str,
     interval: &'t str,
 }
@@ -42,7 +42,7 @@ impl<'t> Vary<'t> {
         Ok((end(from)?, end(to)?))
     }
 
-    /// Returns the number of the description that varies, with the interval of its values.
+    /// Returns the number of the scene description that varies, with the interval of its values.
     pub fn tuning(&self, system: &System) -> Result<Tuning, Failure> {
         let of = system.tunable_named(self.name);
         let of = of.map_err(|error| self.wrong(&error))?;

@@ -42,7 +42,7 @@
 //! | `Frame::NATURAL_FREQUENCIES`, `RESONANCES`, `MODE_SHAPES` | ω_i in rad/s; the frequency ratios r of the
 //! resonances; φ by mode and mass with φᵀΓφ = 1 |
 //! | `Frame::K1`, `M1`, `NATURAL_FREQUENCIES_HZ`, `SCENE_HASH` | k₁ and m₁ in the scene's units; ω_i/2π in Hz; the hash
-//! of the scene, which changes with every field of the description |
+//! of the scene, which changes with every field of the scene description |
 //! | `Frame::frequency_ratio(omega)`, `friction_ratio(friction, load)` | r = ω√(m₁/k₁), β = F/P |
 //! | `Frame::at(r)` | the scene at one frequency ratio, `FrameAt`, or [`OutOfDomain`] |
 //! | `at.limits()`, `at.limits_searched()` | β_lim and β*_lim by one search, as [`Limits`], which needs no further

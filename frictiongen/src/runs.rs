@@ -105,8 +105,8 @@ pub trait Run {
     fn relative(&self) -> (Self::Scalar, Self::Scalar);
     /// Returns the present friction force in the contact, divided by the load amplitude P.
     fn friction(&self) -> Self::Scalar;
-    /// Returns the present displacement x̄ and velocity dx̄/dτ of a mass. `mass` is the index in the description. For
-    /// an invalid index, displacement and velocity are 0.
+    /// Returns the present displacement x̄ and velocity dx̄/dτ of a mass. `mass` is the index in the scene description.
+    /// For an invalid index, displacement and velocity are 0.
     fn moment(&self, mass: usize) -> Moment<Self::Scalar>;
 }
 

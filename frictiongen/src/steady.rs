@@ -17,7 +17,7 @@ use frictiongen_kernel::table::{SteadyContact, TabledMotion};
 pub enum Of {
     /// The relative motion of the two sides of the contact.
     Contact,
-    /// The displacement of a mass. The number is its index in the description.
+    /// The displacement of a mass. The number is its index in the scene description.
     Mass(usize),
     /// The displacement of one mass minus that of another. The numbers are the indices of the first and the second
     /// mass.
@@ -25,8 +25,8 @@ pub enum Of {
     /// The displacement of a mass minus the displacement of the base. The number is the index of the mass. A base that
     /// is not excited is at rest.
     FromBase(usize),
-    /// The force in a spring. The number is the index of the spring in the description. The force is positive if the
-    /// second end of the spring moves away from the first end.
+    /// The force in a spring. The number is the index of the spring in the scene description. The force is positive if
+    /// the second end of the spring moves away from the first end.
     Spring(usize),
     /// The base shear. It is the sum of the forces in all springs between a mass and the base.
     Shear,

@@ -64,8 +64,8 @@ pub trait Steps {
 pub struct StepLoad<'l, S> {
     /// Displacement and velocity of the base at this instant, or 0 and 0 for a base that does not move.
     pub base: [S; 2],
-    /// Forces on masses. Each entry has the index of a mass in the description, and the force. Forces on the same mass
-    /// add up. No force acts on a mass without an entry.
+    /// Forces on masses. Each entry has the index of a mass in the scene description, and the force. Forces on the same
+    /// mass add up. No force acts on a mass without an entry.
     pub forces: &'l [(usize, S)],
     /// Kinetic friction force F at zero sliding speed. F must not be negative.
     pub friction: S,
@@ -125,8 +125,8 @@ pub trait Stepping {
         &mut self,
         load: &StepLoad<'_, Self::Scalar>,
     ) -> Result<Stepped<Self::Scalar>, OutOfDomain>;
-    /// Returns the present displacement and velocity of a mass. `index` is the index in the description. For an invalid
-    /// index, displacement and velocity are 0.
+    /// Returns the present displacement and velocity of a mass. `index` is the index in the scene description. For an
+    /// invalid index, displacement and velocity are 0.
     fn mass(&self, index: usize) -> MassNow<Self::Scalar>;
     /// Returns the present state of the contact, with its relative motion and friction force.
     fn contact(&self) -> ContactNow<Self::Scalar>;

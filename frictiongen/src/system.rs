@@ -45,7 +45,7 @@ pub trait FrictionSystem {
     fn resonances(&self) -> &[Self::Scalar];
     /// Returns the number of masses in the scene.
     fn masses(&self) -> usize;
-    /// Returns the name of a mass, by its index in the description.
+    /// Returns the name of a mass, by its index in the scene description.
     fn mass_name(&self, index: usize) -> Option<&str>;
     /// Evaluates the scene at the frequency ratio r = ω√(m₁/k₁).
     ///
@@ -246,7 +246,7 @@ where
 pub trait StuckAt: LimitsAt {
     /// Returns x̄* = V_k − H_kV/H, the complex amplitude of mass k while the contact is stuck. V_k and V are the
     /// motions of mass k and of the contact without friction. H_k and H are their responses to a unit force in the
-    /// contact. `index` is the index of the mass in the description. Returns `None` if no mass has this index.
+    /// contact. `index` is the index of the mass in the scene description. Returns `None` if no mass has this index.
     ///
     /// # Errors
     /// [`StuckResonance`] on an undamped resonance of the chain with its contact stuck.

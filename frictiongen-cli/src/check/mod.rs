@@ -1,4 +1,4 @@
-//! `frictiongen check`: prints the errors and warnings of a description in the style of a compiler. For a valid
+//! `frictiongen check`: prints the errors and warnings of a scene description in the style of a compiler. For a valid
 //! description, prints numbers that reveal a wrong unit.
 
 mod numbers;
@@ -16,8 +16,8 @@ use std::ops::Range;
 pub fn run(arguments: &CheckArguments, out: &mut dyn Write) -> Result<(), Failure> {
     let name = arguments.file.name();
     let text = arguments.file.text()?;
-    // The command rejects the same descriptions as the macro, with one exception. It accepts all valid scenes with
-    // several contacts or dashpots.
+    // The command rejects the same scene descriptions as the macro, with one exception. It accepts all valid scenes
+    // with several contacts or dashpots.
     let description = parse_text(&text, &SizeLimits::CHECK).map_err(|diagnostics| {
         if arguments.json {
             let answer =
@@ -74,14 +74,14 @@ pub fn run(arguments: &CheckArguments, out: &mut dyn Write) -> Result<(), Failur
     Ok(out.flush()?)
 }
 
-/// Returns errors or warnings of a description as JSON, each with its line and column, counted from 1.
+/// Returns errors or warnings of a scene description as JSON, each with its line and column, counted from 1.
 fn listed(list: &[Diagnostic]) -> Json {
     let one =
         |of: &Diagnostic| json!({ "line": of.line, "column": of.column, "message": of.message });
     list.iter().map(one).collect()
 }
 
-/// Returns an error or a warning as text, with the affected line of the description.
+/// Returns an error or a warning as text, with the affected line of the scene description.
 fn shown(name: &str, text: &str, error: &Diagnostic, level: Level<'_>) -> String {
     let snippet = Snippet::source(text)
         .path(name)
@@ -90,8 +90,8 @@ fn shown(name: &str, text: &str, error: &Diagnostic, level: Level<'_>) -> String
     Renderer::plain().render(&[report])
 }
 
-/// Returns the range of bytes of the token at a line and a column of the description, both counted from 1. The range is
-/// empty if the position is after the end of the text.
+/// Returns the range of bytes of the token at a line and a column of the scene description, both counted from 1. The
+/// range is empty if the position is after the end of the text.
 fn token(text: &str, line: usize, column: usize) -> Range<usize> {
     let before: usize = text
         .split_inclusive('\n')

@@ -37,7 +37,7 @@ pub(super) fn written(arguments: &CompileArguments) -> String {
     words.join(" ")
 }
 
-/// Returns the command-line argument for the description.
+/// Returns the command-line argument for the scene description.
 pub fn description(file: &FileArgument) -> String {
     file.path().map_or_else(|| "-".to_owned(), name)
 }

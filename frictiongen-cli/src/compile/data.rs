@@ -7,7 +7,7 @@ use frictiongen_codegen::known::{KnownAnswers, MotionAnswers, MotionKind};
 use frictiongen_codegen::standalone::{NOTICE, Source, UnitConstants, known_answers, scene_hash};
 use serde_json::{Value, json};
 
-/// Returns the tables as JSON. The first fields name the description and the command.
+/// Returns the tables as JSON. The first fields name the scene description and the command.
 pub(super) fn written<S: frictiongen::scalar::Float>(source: &Source<'_, S>) -> String {
     let Source {
         scene,

@@ -20,8 +20,8 @@ use frictiongen_codegen::{SceneTables, SizeLimits};
 use std::io::Write;
 use std::path::Path;
 
-/// Size limits of the macro for a description, without the macro's tables. The command builds the tables itself, with
-/// the accuracy from its options.
+/// Size limits of the macro for a scene description, without the macro's tables. The command builds the tables itself,
+/// with the accuracy from its options.
 const LIMITS: SizeLimits = SizeLimits {
     tables: false,
     ..SizeLimits::MACRO
@@ -104,12 +104,12 @@ fn say_what_is_left_out(scene: &Scene) {
     }
 }
 
-/// Replaces the accuracy, range and side of the description by those from the options. On the safe side, β_lim is
+/// Replaces the accuracy, range and side of the scene description by those from the options. On the safe side, β_lim is
 /// never above its exact value, and β*_lim never below.
 fn declare(scene: &mut Scene, arguments: &CompileArguments) -> Result<(), Failure> {
     let declared = &mut scene.declared;
-    // Only the option --prove requests a proof of the accuracy here. The field `proof` of the description applies only
-    // to the macro.
+    // Only the option --prove requests a proof of the accuracy here. The field `proof` of the scene description applies
+    // only to the macro.
     declared.proof = Proving::Quick;
     if let Some(accuracy) = &arguments.accuracy {
         declared.accuracy = Accuracy::Relative(number(accuracy, "--accuracy")?);
@@ -126,8 +126,8 @@ fn declare(scene: &mut Scene, arguments: &CompileArguments) -> Result<(), Failur
         scene.declared.range = Some(Range { r, beta });
     }
     if scene.declared.accuracy == Accuracy::Exact && scene.declared.budget.is_none() {
-        // A description with a range but without an accuracy has an error of its own. The message of that error would
-        // not mention the options.
+        // A scene description with a range but without an accuracy has an error of its own. The message of that error
+        // would not mention the options.
         return Err(Failure::new(NO_ACCURACY));
     }
     if arguments.safe {
@@ -172,8 +172,8 @@ fn range(scene: &Scene, arguments: &CompileArguments) -> Result<Option<(f64, f64
     if unit == FrequencyUnit::Ratio {
         return Ok(Some((low, high)));
     }
-    // A description may declare an accuracy without a range, which is an error for the macro. The conversion to r needs
-    // only the chain.
+    // A scene description may declare an accuracy without a range, which is an error for the macro. The conversion to r
+    // needs only the chain.
     let chain = Scene {
         declared: Declared::default(),
         ..scene.clone()

@@ -21,7 +21,7 @@ pub struct CurveReport {
     pub band: Band,
     /// Frictions of the results.
     pub frictions: Frictions,
-    /// Units of the results: SI units under a load, otherwise non-dimensional groups.
+    /// Units of the results: SI units if the amplitude of the load is given, otherwise non-dimensional groups.
     pub measure: Measure,
     /// The contact and masses whose motions the output contains.
     pub parts: Vec<MovingPart>,

@@ -21,7 +21,7 @@ const FINITE: &str = "where both are finite";
 /// Words for a comparison only at frequencies at which both scenes have a continuous motion.
 const CONTINUOUS: &str = "where both motions are continuous";
 
-/// Largest difference of one result of two scenes over the compared frequencies.
+/// Largest difference, over the compared frequencies, between the old scene and the new scene in one result.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Difference {
     /// Name of the result that the command compares.
@@ -191,7 +191,7 @@ fn unshared(old: &System, new: &System) -> Option<String> {
     (!names.is_empty()).then(|| format!("motions of {}: only one scene has them", names.join(", ")))
 }
 
-/// Values of one result of a scene over the compared frequencies.
+/// Values of one result (such as β_lim or an amplitude) of a scene over the compared frequencies.
 struct ResultSeries {
     name: String,
     unit: &'static str,

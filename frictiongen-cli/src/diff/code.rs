@@ -1,30 +1,30 @@
-//! Differences of the code that the macro emits for two descriptions.
+//! Differences of the code that the macro emits for two scene descriptions.
 
 use crate::emitted::functions;
 use frictiongen_codegen::{Description, SceneTables, SizeLimits, parse_text, pretty};
 use similar::{ChangeTag, TextDiff};
 
-/// Sizes of the emitted code of two descriptions (old, new), and differences between the two codes.
+/// Sizes of the emitted code of two scene descriptions (old, new), and differences between the two codes.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Code {
-    /// Number of lines of the emitted code, for the old and the new description.
+    /// Number of lines of the emitted code, for the old and the new scene description.
     pub lines: (usize, usize),
     /// Number of lines in which the two sources differ: lines that only the old source contains, and lines that only
     /// the new source contains.
     pub differing: (usize, usize),
-    /// Number of bytes of the emitted code, for the old and the new description.
+    /// Number of bytes of the emitted code, for the old and the new scene description.
     pub bytes: (usize, usize),
-    /// Number of bytes of the tables of a declared accuracy, for the old and the new description.
+    /// Number of bytes of the tables of a declared accuracy, for the old and the new scene description.
     pub tables: (usize, usize),
     /// Functions whose numbers of operations differ: name, old number and new number. A number is `None` if the source
     /// does not contain the function.
     pub functions: Vec<(String, Option<String>, Option<String>)>,
 }
 
-/// Compares the emitted code of two descriptions.
+/// Compares the emitted code of two scene descriptions.
 ///
 /// # Errors
-/// Returns the reason if one of the descriptions gives no code.
+/// Returns the reason if one of the scene descriptions gives no code.
 pub fn compare(old: &str, new: &str) -> Result<Code, String> {
     let (old, new) = (emitted(old, "old")?, emitted(new, "new")?);
     let difference = TextDiff::from_lines(&old.0, &new.0);

@@ -1,4 +1,4 @@
-//! `frictiongen diff`: compares two descriptions, their results and their emitted code.
+//! `frictiongen diff`: compares two scene descriptions, their results and their emitted code.
 
 mod answers;
 mod code;
@@ -20,7 +20,7 @@ use similar::TextDiff;
 use std::io::Write;
 use steppers::Steppers;
 
-/// All differences between two descriptions.
+/// All differences between two scene descriptions.
 struct Differences {
     names: [String; 2],
     changes: Vec<FieldChange>,
@@ -48,7 +48,7 @@ pub fn run(arguments: &DiffArguments, out: &mut dyn Write) -> Result<(), Failure
     let found = match found {
         Ok(found) => found,
         Err(failure) => {
-            // If a description cannot be parsed, the command compares the texts line by line.
+            // If a scene description cannot be parsed, the command compares the texts line by line.
             unified(&files, &texts, out)?;
             return Err(failure);
         }
@@ -61,7 +61,7 @@ pub fn run(arguments: &DiffArguments, out: &mut dyn Write) -> Result<(), Failure
     Ok(out.flush()?)
 }
 
-/// Compares two descriptions. If a description has errors, the failure contains them.
+/// Compares two scene descriptions. If a description has errors, the failure contains them.
 fn compare(names: [String; 2], texts: &[String; 2]) -> Result<Differences, Failure> {
     let mut errors = Vec::new();
     let mut systems = Vec::new();

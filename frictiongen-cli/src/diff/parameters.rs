@@ -1,29 +1,30 @@
-//! Compares the parameters of two descriptions, field by field.
+//! Compares the parameters of two scene descriptions, field by field.
 
 use frictiongen::study::scene::{
     Accuracy, Beyond, Damping, DampingFrom, Excitation, FrictionLaw, Precision, Provide, Scene,
     Side, StepInput,
 };
 
-/// A field of a description as text, and as a number if the text is a number.
+/// A field of a scene description as text, and as a number if the text is a number.
 #[derive(Clone, Debug, PartialEq)]
 pub struct DescriptionField {
     /// Name of the field, with the name of its mass or spring.
     pub name: String,
-    /// Value of the field, in the notation of a description.
+    /// Value of the field, in the notation of a scene description.
     pub text: String,
     /// Value of the field as a number, or `None` if it is not a number.
     pub number: Option<f64>,
 }
 
-/// A field with different values in two descriptions. The value is `None` if a description does not contain the field.
+/// A field with different values in two scene descriptions. The value is `None` if a description does not contain the
+/// field.
 #[derive(Clone, Debug, PartialEq)]
 pub struct FieldChange {
     /// Name of the field that differs.
     pub name: String,
-    /// Value of the field in the old description.
+    /// Value of the field in the old scene description.
     pub old: Option<DescriptionField>,
-    /// Value of the field in the new description.
+    /// Value of the field in the new scene description.
     pub new: Option<DescriptionField>,
 }
 
@@ -58,7 +59,7 @@ pub fn renamed(old: &Scene, new: &Scene) -> (Scene, Vec<FieldChange>) {
     (scene, changes)
 }
 
-/// Returns the fields whose values differ, in the order of the old description.
+/// Returns the fields whose values differ, in the order of the old scene description.
 pub fn changes(old: &Scene, new: &Scene) -> Vec<FieldChange> {
     let (old, new) = (fields(old), fields(new));
     let find = |fields: &[DescriptionField], name: &str| {

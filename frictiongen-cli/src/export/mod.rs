@@ -33,7 +33,7 @@ struct ExportRequest<'a> {
     description: &'a Description,
     /// Prefix of all names in the exported C interface.
     prefix: &'a str,
-    /// Text of the description, and the command line of the export.
+    /// Text of the scene description, and the command line of the export.
     origin: Origin<'a>,
     /// Folder of the crate `frictiongen`. `None` means the crate of the registry.
     library: Option<&'a Path>,
@@ -41,7 +41,7 @@ struct ExportRequest<'a> {
 
 /// Runs `frictiongen export`.
 pub fn run(arguments: &ExportArguments, _out: &mut dyn Write) -> Result<(), Failure> {
-    // The command rejects every description that the macro rejects, because the exported crate calls the macro.
+    // The command rejects every scene description that the macro rejects, because the exported crate calls the macro.
     let (description, text) = arguments.file.exported(&SizeLimits::MACRO)?;
     check_facade(&description)?;
     let prefix = names::prefix(&description.scene, arguments.name.as_deref())?;
@@ -75,7 +75,7 @@ fn write_c(asked: &ExportRequest<'_>) -> Result<(), Failure> {
     let source = asked.arguments.file.path();
     let all = files(asked, &face);
     create(&folder.join("src"))?;
-    // The folder may already contain a copy of the description, and the command may have read this copy.
+    // The folder may already contain a copy of the scene description, and the command may have read this copy.
     let copy = folder.join(format!("{prefix}.friction"));
     let is_same = source.is_some_and(|source| same(source, &copy));
     for (path, text) in &all {
@@ -171,7 +171,7 @@ fn face_of(description: &Description) -> ExportedItems {
     face
 }
 
-/// Fails if the field `crate` of the description gives another path for the crate `frictiongen`.
+/// Fails if the field `crate` of the scene description gives another path for the crate `frictiongen`.
 fn check_facade(description: &Description) -> Result<(), Failure> {
     let path = description.facade.to_string().replace(' ', "");
     if path == "::frictiongen" {

@@ -49,13 +49,13 @@ pub fn field(scene: &Scene, index: usize, start: &str) -> String {
     }
 }
 
-/// Returns the name of a mass in the description.
+/// Returns the name of a mass in the scene description.
 pub fn mass(scene: &Scene, index: usize) -> &str {
     scene.masses.get(index).map_or("", |mass| &mass.name)
 }
 
 /// Returns one text for each mass. `text` creates the text from two names of the mass: as a struct field, and in the
-/// description.
+/// scene description.
 pub fn of_masses(scene: &Scene, text: impl Fn(&str, &str) -> String) -> Vec<String> {
     (0..scene.masses.len())
         .map(|index| text(&field(scene, index, "mass"), mass(scene, index)))

@@ -10,16 +10,16 @@ use frictiongen_codegen::standalone::StepperShape;
 /// Number of bytes that padding may add to an extrapolated size.
 const PADDING: i64 = 16;
 
-/// Size in bytes of a stepper, and size of its saved state, for one combination of three small numbers. The numbers are
-/// one or two modes, one or two modes of the stuck chain, and one or two inputs.
+/// Size of a stepper and size of its saved state, in bytes, for one combination of three counts. The stepper has one or
+/// two modes, one or two modes with the contact stuck, and one or two inputs.
 type Corner = [usize; 2];
 
 /// Returns the size of a stepper and the size of its saved state, in words of 64 bits. Each size includes one word that
 /// marks an initialised struct.
 ///
-/// The size of a stepper is linear in each of three numbers: modes, modes of the stuck chain, and inputs. The sizes for
-/// eight combinations therefore determine all sizes. The exported crate asserts at compile time that the size suffices
-/// on its target.
+/// The size of a stepper is linear in each of three numbers: modes, modes with the contact stuck, and inputs. The sizes
+/// for eight combinations therefore determine all sizes. The exported crate asserts at compile time that the size
+/// suffices on its target.
 pub fn words(shape: &StepperShape, precision: Precision) -> [usize; 2] {
     let corners = match precision {
         Precision::F64 => corners::<f64>(shape),
@@ -49,8 +49,8 @@ pub fn words(shape: &StepperShape, precision: Precision) -> [usize; 2] {
 }
 
 /// Returns the size of a simulation in words of 64 bits, including one word that marks an initialised struct. The size
-/// is linear in `parts`, the number of the simulation's oscillators. The flags of `of` are true for a friction law that
-/// depends on the speed, and for an elastic contact.
+/// is linear in `parts`, the number of the simulation's oscillators. The first flag in `of` is true for a friction law
+/// that depends on the speed. The second flag is true for an elastic contact.
 pub fn simulation_words(parts: usize, of: (bool, bool), precision: Precision) -> usize {
     let [one, two] = match precision {
         Precision::F64 => simulations::<f64>(of),

@@ -16,7 +16,7 @@ pub struct FeaturesReport<'s> {
     pub system: &'s System,
     /// Range of frequencies of the results.
     pub band: Band,
-    /// Units of the results: SI units under a load, otherwise non-dimensional groups.
+    /// Units of the results: SI units if the amplitude of the load is given, otherwise non-dimensional groups.
     pub measure: Measure,
     /// The features, one for each line.
     pub lines: Vec<FeatureLine>,

@@ -108,7 +108,7 @@ impl<'a> Asked<'a> {
         }
     }
 
-    /// Prepares the request with the units of the results, and calls `answer` with it.
+    /// Prepares the request with the units of the results, and calls `answer` with the request.
     fn question(
         self,
         scene: Scene,

@@ -126,7 +126,7 @@ impl OptimumArguments {
     }
 }
 
-/// Finds the best friction together with the best value of the number in the description that `--vary` names.
+/// Finds the best friction together with the best value of the number in the scene description that `--vary` names.
 fn tuned(
     system: &System,
     request: &OptimumRequest,

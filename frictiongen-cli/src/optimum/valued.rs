@@ -42,8 +42,8 @@ impl QuantityArgument {
                 &"a value with a unit needs the load; give --base, --force or --unbalance",
             ));
         }
-        // The result of the search has non-dimensional amplitudes that refer to the load at r = 1, so the value is
-        // converted with this load.
+        // The amplitudes in the result of the search are non-dimensional, and refer to the load at r = 1. The code
+        // therefore converts the value with the load at r = 1.
         let reference = system.angular_frequency(1.0);
         let unit = measure.convert(part.dimension(), 1.0, reference);
         Ok(Self {

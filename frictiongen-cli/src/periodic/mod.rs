@@ -83,7 +83,8 @@ pub fn run(arguments: &PeriodicArguments, out: &mut dyn Write) -> Result<(), Fai
     })
 }
 
-/// Reads the scene from its description. With `--hold` the scene keeps each force constant between samples.
+/// Reads the scene from the file with its description. With `--hold` the scene keeps each force constant between
+/// samples.
 fn scene(arguments: &PeriodicArguments) -> Result<System, Failure> {
     let file = FileArgument {
         file: Some(arguments.scene.clone()),
@@ -91,7 +92,7 @@ fn scene(arguments: &PeriodicArguments) -> Result<System, Failure> {
     let mut description = file.description(&SizeLimits::RUN_TIME)?;
     if arguments.hold {
         description.scene.stepping.input = StepInput::Hold;
-        // A description may have the field `input` only if it provides a stepper.
+        // A scene description may have the field `input` only if it provides a stepper.
         if !description.scene.provides(&Provide::Stepper) {
             description.scene.provide.push(Provide::Stepper);
         }

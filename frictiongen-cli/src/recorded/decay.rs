@@ -19,7 +19,7 @@ pub fn lines<'a>(
             "--decay: one recording of one free vibration is needed",
         ));
     };
-    // The fit takes the damping of the description as known, unless the user requests a fit of the damping.
+    // The fit takes the damping of the scene description as known, unless the user requests a fit of the damping.
     let described = system.described_damping();
     let known = described.filter(|_| arguments.also.is_empty());
     let found = system

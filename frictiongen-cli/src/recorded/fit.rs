@@ -14,8 +14,8 @@ use frictiongen::measure::columns::{fit_lines, motion_lines};
 use frictiongen::measure::{CsvRequest, Recording, SweepFit, SweepPoint};
 use std::io::Write;
 
-/// Ratio of the residuals to the recorded motion above which the command warns that the description does not explain
-/// the recording.
+/// Ratio of the residuals to the recorded motion above which the command warns that the scene description does not
+/// explain the recording.
 const UNEXPLAINED: f64 = 0.1;
 
 /// Runs `frictiongen fit`.
@@ -56,7 +56,7 @@ fn lines<'a>(system: &'a System, found: &SweepFit, points: usize) -> ResultLines
     }
 }
 
-/// Fits the friction force and numbers of the description to a recording of the whole motion.
+/// Fits the friction force and numbers of the scene description to a recording of the whole motion.
 fn motion<'a>(
     arguments: &FitArguments,
     system: &'a System,

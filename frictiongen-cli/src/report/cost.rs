@@ -67,7 +67,7 @@ pub struct CostSection {
 }
 
 impl CostSection {
-    /// Computes the contents of the section for the text of a description.
+    /// Computes the contents of the section for the text of a scene description.
     pub fn of(text: &str, asked: &ReportRequest) -> Self {
         let scene = asked.system.scene();
         Self {

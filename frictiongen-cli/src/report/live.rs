@@ -10,8 +10,8 @@ use serde_json::json;
 pub const POLICY: &str = "default-src 'none'; style-src 'unsafe-inline'; script-src 'unsafe-inline' \
      'wasm-unsafe-eval' blob:; worker-src blob:; img-src data:";
 
-/// Returns the page of the playground with the description, the range of frequencies and the best friction ratio of the
-/// report.
+/// Returns the page of the playground with the scene description, the range of frequencies and the best friction ratio
+/// of the report.
 pub fn start(page: &str, text: &str, asked: &ReportRequest, best: Option<f64>) -> String {
     let [from, to] = [asked.band.from, asked.band.to];
     play::with(

@@ -1,4 +1,4 @@
-//! `frictiongen report`: writes the results for a description as one HTML page. The page needs no network.
+//! `frictiongen report`: writes the results for a scene description as one HTML page. The page needs no network.
 
 pub mod asked;
 mod best;

@@ -24,9 +24,9 @@ const SCRIPT_HASH: &str = include_str!("read.js.sha256");
 
 /// Contents of the report page.
 pub struct ReportPage<'a> {
-    /// Name of the description, which the report page shows.
+    /// Name of the scene description, which the report page shows.
     pub file: &'a str,
-    /// Doc comments of the description, which the report page shows.
+    /// Doc comments of the scene description, which the report page shows.
     pub documentation: &'a str,
     /// Scene, range, units and motions of the page, from the user's options and the defaults.
     pub asked: ReportRequest,
@@ -42,7 +42,7 @@ pub struct ReportPage<'a> {
     pub best: Result<Vec<Best>, String>,
     /// Contents of the section about cost and accuracy of the emitted code.
     pub cost: CostSection,
-    /// The page of the playground with the description, if the user requests the playground.
+    /// The page of the playground with the scene description, if the user requests the playground.
     pub live: Option<String>,
 }
 
@@ -120,8 +120,8 @@ impl ReportPage<'_> {
 }
 
 /// Returns a whole page: the head with the security policy, the `main` element, the data, and the script if there is
-/// one. `name` is the name of the scene. `file` is the name of the description, and `documentation` contains its doc
-/// comments.
+/// one. `name` is the name of the scene. `file` is the name of the scene description, and `documentation` contains its
+/// doc comments.
 pub fn document(
     policy: &str,
     name: &str,

@@ -9,7 +9,7 @@ use frictiongen_plot::{Excitation as Drawn, Label, Sketch, desk};
 use maud::{Markup, PreEscaped, html};
 use serde_json::{Value as Json, json};
 
-/// Returns the name of a node in the description.
+/// Returns the name of a node in the scene description.
 fn node(scene: &Scene, node: Node) -> &str {
     scene.node_name(node)
 }

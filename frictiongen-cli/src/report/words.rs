@@ -83,7 +83,7 @@ impl PageUnits {
         self.force(self.scales.friction(beta))
     }
 
-    /// Formats a friction that is already in the unit of the page.
+    /// Formats a friction that is already in the unit of the page, N under a load and otherwise the ratio β.
     pub fn force(&self, force: f64) -> String {
         let value = digits(force);
         match self.measure.scale() {

@@ -17,7 +17,7 @@ pub struct RunSettings<'a> {
     pub frequency: Frequency,
     /// Friction in the contact, as ratio β and, under a load, as force in N.
     pub friction: FrictionSetting,
-    /// Units of the results: SI units under a load, otherwise non-dimensional groups.
+    /// Units of the results: SI units if the amplitude of the load is given, otherwise non-dimensional groups.
     pub measure: Measure,
     /// The contact and masses whose motions the output contains.
     pub parts: Vec<MovingPart>,

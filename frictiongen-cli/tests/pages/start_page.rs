@@ -118,11 +118,11 @@ fn what_start_says_is_true(text: &str, printed: &[String]) {
             millimetres("largest amplitude of lower")
         ),
         format!(
-            "it would be {:.1} mm",
+            "The peak would be {:.1} mm",
             millimetres("largest amplitude without friction")
         ),
         format!(
-            "never slides {:.1} mm",
+            "slides, the peak would be {:.1} mm",
             millimetres("largest amplitude with the contact stuck")
         ),
         format!(

@@ -1,5 +1,5 @@
-//! Searches for the velocity constraint S. Each search proves that no larger value of the constraint exists. The module
-//! also decides whether a continuous motion exists.
+//! Searches for the velocity constraint S, the maximum over the half period of a sum over the modes divided by sin τ.
+//! Each search proves that no larger value exists. The module also decides whether a continuous motion exists.
 
 use crate::contact::regime::check_beta;
 use crate::contact::sums::{Chain, ContactAt, ModeAt};

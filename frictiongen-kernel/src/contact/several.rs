@@ -86,8 +86,9 @@ impl<S: Float> Chain<S> {
         let least = touched().fold(Lanes::constant(f64::INFINITY), |least, mode| {
             least.min(mode.size_but_zero(U::KIND, inverse_r))
         });
-        // The scale E must not be 0. If x² − 1 of a mode is exactly zero, the code therefore replaces it by a small
-        // number. The code makes this replacement once, in the smallest |x² − 1|, as in the sums over pairs of modes.
+        // The scale E, the smallest |x² − 1| among the modes, must not be 0. If x² − 1 of a mode is exactly zero, the
+        // code therefore replaces it by a small number. The code makes this replacement once, in the smallest |x² − 1|,
+        // as in the sums over pairs of modes.
         let scale = if U::DAMPED {
             least
         } else {

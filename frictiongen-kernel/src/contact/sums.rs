@@ -23,14 +23,15 @@ pub struct Chain<S> {
 /// Response and damping functions of one mode at one frequency, multiplied by the scale E of [`ContactAt`].
 #[derive(Clone, Copy, Debug)]
 pub struct ModeAt<S> {
-    /// Natural frequency of the mode divided by the excitation frequency, x = √λ/r = 1/R.
+    /// Natural frequency of the mode divided by the excitation frequency, x = √λ/r. The thesis uses R = 1/x.
     pub x: S,
-    /// Response of the mode to a harmonic force, multiplied by the scale E of the chain. The value is E/(x² − 1 + 2iζx)
-    /// = E·v/x², with v = x²/(x² − 1 + 2iζx).
+    /// Response of the mode to a harmonic force, multiplied by the factor E (`ContactAt::scale`) of the chain. The
+    /// value is E/(x² − 1 + 2iζx) = E·v/x², with v = x²/(x² − 1 + 2iζx).
     pub response: Complex<S>,
-    /// Half-period damping function u (7.11), multiplied by the scale E of the chain and divided by x².
+    /// Half-period damping function u (7.11), multiplied by the factor `ContactAt::scale` of the chain and divided by
+    /// x².
     pub u: S,
-    /// Half-period damping function g (7.12), multiplied by the scale E of the chain.
+    /// Half-period damping function g (7.12), multiplied by the factor `ContactAt::scale` of the chain.
     pub g: S,
 }
 
@@ -79,7 +80,8 @@ impl<S: Scalar> ContactAt<S> {
         compliance * self.scale / (inverse_r * inverse_r)
     }
 
-    /// Creates modal sums of the contact that are all 0, for the given scale E.
+    /// Creates modal sums of the contact that are all 0. `scale` is the factor by which all sums of a chain are
+    /// multiplied, so that they stay finite at a resonance.
     #[must_use]
     pub fn zero(scale: S) -> Self {
         let zero = S::constant(0.0);
@@ -264,7 +266,8 @@ impl<S: Scalar> Chain<S> {
         self.with_term(sum, &term, with_g)
     }
 
-    /// Returns the terms of one mode in the modal sums V, H, U, G and H_c of the contact, multiplied by the scale E.
+    /// Returns the terms of one mode in the modal sums V, H, U, G and H_c of the contact, multiplied by the factor E
+    /// (`ContactAt::scale`).
     #[inline(always)]
     pub fn term(
         &self,

@@ -12,7 +12,7 @@ use crate::oscillator::mode::Mode;
 /// period of the excitation.
 #[derive(Clone, Copy, Debug)]
 pub struct Wave<S, D> {
-    /// Natural frequency of the mode divided by the excitation frequency, x = √λ/r = 1/R.
+    /// Natural frequency of the mode divided by the excitation frequency, x = √λ/r. The thesis uses R = 1/x.
     pub x: S,
     /// Damping of the mode, as a type that selects the closed forms.
     pub decay: D,
@@ -259,7 +259,7 @@ impl<S: Float, D: Decay<S>> Sum<'_, S, D> {
     }
 
     /// Returns the sum of |forced|·P + |forced_slope|·Q over all modal terms. The closure `of` returns the factors (P,
-    /// Q) for the x of a mode.
+    /// Q) of a mode. Its argument is x, the natural frequency of the mode divided by the excitation frequency.
     fn over_sine(&self, of: impl Fn(S) -> (S, S)) -> S {
         let add = |sum: S, wave: &Wave<S, D>| {
             let (p, q) = of(wave.x);

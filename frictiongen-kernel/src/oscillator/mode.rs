@@ -114,8 +114,8 @@ impl<S: Scalar> Mode<S> {
         }
     }
 
-    /// Evaluates the response and damping functions of an undamped mode at x = √λ/r, its natural frequency divided by
-    /// the excitation frequency.
+    /// Evaluates the response v and the functions u and g of an undamped mode, where g is 0. x = √λ/r is the natural
+    /// frequency of the mode divided by the excitation frequency.
     #[inline(always)]
     pub(crate) fn undamped(x: S) -> ModeResponse<S> {
         undamped::response(x, None)

@@ -234,9 +234,10 @@ impl<T: Scene> At<T> {
     /// Returns the exact β_lim, the limit of continuous motion (5.65, 5.80, 5.96, 7.49). An elastic contact sticks
     /// after each reversal, so that its β_lim is 0.
     ///
-    /// A search finds the velocity constraint S, a maximum in the half period, and proves that no larger value exists.
-    /// In a scene without damping, a search is needed only if the excitation is slower than half the natural frequency
-    /// of some mode.
+    /// The velocity constraint S is the largest value in the half period of F/sin τ, where F is a sum over the modes
+    /// (section 4 of `docs/derivation.md`). A search finds S, and proves that no larger value exists. In a scene
+    /// without damping, a search is needed only if the excitation is slower than half the natural frequency of some
+    /// mode.
     ///
     /// [`most_evaluations`](Self::most_evaluations) returns the largest number of evaluations of the modal sum.
     /// [`limits_searched`](Self::limits_searched) returns how many evaluations the search took, and whether the search

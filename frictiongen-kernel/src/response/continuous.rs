@@ -159,15 +159,15 @@ impl<T: ProvidesMotion> Continuous<T> {
     /// Returns the relative motion of the contact. For a mass that slides on a wall, the relative motion is the
     /// displacement x̄ of the mass. For a mass that slides on a base, it is x̄ of the mass minus the displacement of
     /// the base. If two masses slide on each other, it is a difference of their displacements. The first term is x̄ of
-    /// the mass that comes later in the description, and the second term x̄ of the other mass.
+    /// the mass that comes later in the scene description, and the second term x̄ of the other mass.
     #[inline]
     #[must_use]
     pub fn contact(&self) -> MotionOf<T> {
         T::contact_motion(&self.at, &self.friction)
     }
 
-    /// Returns the motion of a mass, from its index in the description, as [`mass_at`](Self::mass_at) does. If the
-    /// scene has no mass with this index, the function returns a motion at rest.
+    /// Returns the motion of a mass, from its index in the scene description, as [`mass_at`](Self::mass_at) does. If
+    /// the scene has no mass with this index, the function returns a motion at rest.
     #[inline]
     #[must_use]
     pub fn mass(&self, mass: usize) -> MotionOf<T> {
@@ -177,8 +177,8 @@ impl<T: ProvidesMotion> Continuous<T> {
         })
     }
 
-    /// Returns the motion of a mass, from its index in the description (5.50 and its exact form, 7.29). Returns `None`
-    /// if the scene has no mass with this index or does not provide the motion of this mass.
+    /// Returns the motion of a mass, from its index in the scene description (5.50 and its exact form, 7.29). Returns
+    /// `None` if the scene has no mass with this index or does not provide the motion of this mass.
     #[inline]
     #[must_use]
     pub fn mass_at(&self, mass: usize) -> Option<MotionOf<T>> {

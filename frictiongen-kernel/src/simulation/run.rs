@@ -183,8 +183,8 @@ impl<'a, S: Float, P: AsMut<[Part<S>]> + AsRef<[Part<S>]>, L: KineticLaw<'a, S>,
         self.contact_state.contact
     }
 
-    /// Returns the present displacement and velocity of a mass. `index` is the index of the mass in the description.
-    /// For an invalid index, displacement and velocity are 0.
+    /// Returns the present displacement and velocity of a mass. `index` is the index of the mass in the scene
+    /// description. For an invalid index, displacement and velocity are 0.
     #[must_use]
     pub fn mass(&self, index: usize) -> Moment<S> {
         let shape = self.setting.dynamics.shape(index);

@@ -108,7 +108,7 @@ impl<S: Float, const D: usize, T: StepTables<S, D>, V: Store<S, D>, K: StepConta
     }
 
     /// Returns the displacement and velocity of a mass at the end of the last step. `index` is the index of the mass in
-    /// the description. For an invalid index, displacement and velocity are 0.
+    /// the scene description. For an invalid index, displacement and velocity are 0.
     #[must_use]
     pub fn mass(&self, index: usize) -> MassNow<S> {
         if self.rests() && self.scene.dynamics.moves_as_contact(index) {
@@ -121,7 +121,7 @@ impl<S: Float, const D: usize, T: StepTables<S, D>, V: Store<S, D>, K: StepConta
         self.sum(|mode| shape.get(mode).copied().unwrap_or(S::constant(0.0)))
     }
 
-    /// Writes the motions of all masses at the end of the last step to `to`, in the order of the description. The
+    /// Writes the motions of all masses at the end of the last step to `to`, in the order of the scene description. The
     /// function computes each mode once. The cost of the call is therefore one product of the mode shapes with the
     /// modes ([`Cost::masses`]). The results have the same bits as those of [`mass`](Self::mass). Entries of `to` after
     /// the last mass become motions at rest.
@@ -258,7 +258,7 @@ impl<
     K: StepContact<S>,
 > Stepper<'_, S, D, T, FixedStore<S, D, MODES, HELD, INPUTS>, K>
 {
-    /// Returns the motions of all masses at the end of the last step, in the order of the description. One call
+    /// Returns the motions of all masses at the end of the last step, in the order of the scene description. One call
     /// computes each mode once. The call therefore costs about as much as one call of [`mass`](Self::mass) and one
     /// product of the mode shapes with the modes.
     #[must_use]

@@ -27,8 +27,8 @@ pub struct StepScene<'a, S, K = Chain<S>> {
     pub units: Units<S>,
     /// True if the motion of the base excites the scene.
     pub on_base: bool,
-    /// Indices, in the description, of the masses on which a force acts. If a force excites the scene, the first of
-    /// these masses is the excited mass.
+    /// Indices, in the scene description, of the masses on which a force acts. If a force excites the scene, the first
+    /// of these masses is the excited mass.
     pub forces: &'a [usize],
     /// Interpolation of the stepper's input between two samples.
     pub input: Input,

@@ -187,8 +187,8 @@ impl<T: TabledMotion> Moving<T> {
         }
     }
 
-    /// Returns the motion of a mass from the exact formulas. `mass` is the index of the mass in the description. If the
-    /// scene has no mass with this index, the result is a motion at rest.
+    /// Returns the motion of a mass from the exact formulas. `mass` is the index of the mass in the scene description.
+    /// If the scene has no mass with this index, the result is a motion at rest.
     #[must_use]
     pub fn mass(&self, mass: usize) -> MotionOf<T> {
         self.exact().mass(mass)

@@ -121,7 +121,7 @@ impl<T: TabledStuck> Sticking<T> {
     }
 
     /// Returns x̄*, the complex amplitude of a mass while the contact is stuck (6.11, 6.27, 6.33). `mass` is the index
-    /// of the mass in the description. Returns `None` if the scene has no mass with this index.
+    /// of the mass in the scene description. Returns `None` if the scene has no mass with this index.
     #[inline]
     #[must_use]
     pub fn mass_at(&self, mass: usize) -> Option<Complex<T::Scalar>> {

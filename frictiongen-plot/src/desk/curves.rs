@@ -11,7 +11,7 @@ use frictiongen::study::response::MotionQuantity;
 use frictiongen::study::units::polar;
 use frictiongen::{Of, Regime};
 
-/// The quantity of a motion that a curve shows over frequency: amplitude, phase, rate, or one harmonic.
+/// The quantity of a motion that a curve shows over frequency: amplitude, phase, a [`MotionQuantity`], or one harmonic.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Reading {
     /// The amplitude of the motion. For a stuck contact, this amplitude assumes the centred position of the contact.
@@ -104,8 +104,9 @@ impl Reading {
         })
     }
 
-    /// Returns the amplitude or rate of a motion at a point of the curve, and its phase in rad. `part` is the index
-    /// of the motion among the requested motions. The phase is `None` for a rate and for an amplitude of zero.
+    /// Returns the amplitude of a motion (or its [`MotionQuantity`]) at a point of the curve, and its phase in rad.
+    /// `part` is the index of the motion among the requested motions. The phase is `None` for a [`MotionQuantity`], and
+    /// for an amplitude of zero.
     fn polar(self, point: &CurvePoint, part: usize) -> Option<(f64, Option<f64>)> {
         let movement = point.movements.get(part)?;
         Some(match self {

@@ -17,7 +17,7 @@ pub fn sketch_under_record(scene: &Scene) -> Sketch {
 }
 
 /// Returns the sketch of a scene. If `own_names` is true, the masses have the names of the scene. Otherwise they have
-/// the symbols of the theory, such as *m*₁. Springs are numbered in the order of the description.
+/// the symbols of the theory, such as *m*₁. Springs are numbered in the order of the scene description.
 #[must_use]
 pub fn sketch(scene: &Scene, own_names: bool) -> Sketch {
     let end = |node: Node| match node {

@@ -46,7 +46,8 @@ pub struct Measured {
     pub steady: (f64, f64),
     /// Mean and harmonics of the excitation: displacement of the base in m, or force in N.
     pub drive: Tone,
-    /// Displacement of each recorded mass in m, as mean and harmonics, with the index of the mass in the description.
+    /// Displacement of each recorded mass in m, as mean and harmonics, with the index of the mass in the scene
+    /// description.
     pub masses: Vec<(usize, Tone)>,
 }
 

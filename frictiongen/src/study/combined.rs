@@ -142,7 +142,7 @@ impl<S: Float> System<S> {
         let base_moves = self.scene.excitation == Excitation::Base;
         match of {
             // The contact's motion is that of the later mass minus that of the earlier mass, by their order in the
-            // description.
+            // scene description.
             Of::Relative(of, to)
                 if to < of
                     && [of, to]

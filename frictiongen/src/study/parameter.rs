@@ -26,10 +26,10 @@ pub enum OperatingPoint {
     },
 }
 
-/// A number on which a response depends. It is a number of the description or of the operating point.
+/// A number on which a response depends. It is a number of the scene description or of the operating point.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum Parameter {
-    /// A number of the description, in its own unit: a mass, a stiffness, a damping number, or the ratio μ.
+    /// A number of the scene description, in its own unit: a mass, a stiffness, a damping number, or the ratio μ.
     Quantity(Quantity),
     /// The friction. It is the force F in N at a physical operating point, and β at a non-dimensional operating point.
     Friction,

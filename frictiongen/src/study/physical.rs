@@ -76,8 +76,8 @@ impl System {
     /// slides, it is the stuck response.
     ///
     /// In physical units no derivative depends on the order of masses and springs. The phase of the contact has the
-    /// sign of the contact in the description ([`contact_is_reversed`](Self::contact_is_reversed)). A change of m₁ or
-    /// k₁ also changes the non-dimensional groups.
+    /// sign of the contact in the scene description ([`contact_is_reversed`](Self::contact_is_reversed)). A change of
+    /// m₁ or k₁ also changes the non-dimensional groups.
     ///
     /// ```
     /// use frictiongen::study::{System, units::Load, sensitivity::{OperatingPoint, Parameter, Quantity}};

@@ -182,7 +182,7 @@ impl SystemResponse<'_> {
 
     /// Returns the phase of the contact's relative motion with the opposite sign, in rad. If
     /// [`contact_is_reversed`](System::contact_is_reversed) is true, this phase follows the sign convention of the
-    /// description. Returns `None` for a contact that does not move.
+    /// scene description. Returns `None` for a contact that does not move.
     #[must_use]
     pub fn reversed_contact_phase(&self) -> Option<f64> {
         match self {

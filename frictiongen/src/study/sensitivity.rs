@@ -1,5 +1,5 @@
-//! Sensitivities: exact derivatives of every result with respect to a number of the description. To compute them, the
-//! code evaluates the formulas with dual numbers.
+//! Sensitivities: exact derivatives of every result with respect to a number of the scene description. To compute them,
+//! the code evaluates the formulas with dual numbers.
 
 pub use super::parameter::{OperatingPoint, Parameter, Slope};
 pub use super::physical::{ParameterSensitivity, ResponseSensitivities};

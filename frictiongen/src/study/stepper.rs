@@ -375,7 +375,7 @@ impl<'a, S: Float> SystemStepper<'a, S> {
     }
 
     /// Takes one step. `input` is the input at the end of the step. By default the input changes linearly during the
-    /// step. With `input: hold` in the description, the new input acts over the whole step.
+    /// step. With `input: hold` in the scene description, the new input acts over the whole step.
     ///
     /// # Errors
     /// [`OutOfDomain`] for a number that is NaN or infinite, and for friction below zero. [`OutOfDomain`] also for a
@@ -422,15 +422,15 @@ impl<'a, S: Float> SystemStepper<'a, S> {
         Ok(self.stepper.mass(self.system.mass_index(name)?))
     }
 
-    /// Returns the present displacement and velocity of a mass. `index` is the index in the description. For an invalid
-    /// index, displacement and velocity are 0.
+    /// Returns the present displacement and velocity of a mass. `index` is the index in the scene description. For an
+    /// invalid index, displacement and velocity are 0.
     #[must_use]
     pub fn mass_at(&self, index: usize) -> MassNow<S> {
         self.stepper.mass(index)
     }
 
-    /// Returns the present displacement and velocity of all masses, in the order of the description. The call evaluates
-    /// each mode only once, and then multiplies the mode shapes with the modes.
+    /// Returns the present displacement and velocity of all masses, in the order of the scene description. The call
+    /// evaluates each mode only once, and then multiplies the mode shapes with the modes.
     #[must_use]
     pub fn all_masses(&self) -> Vec<MassNow<S>> {
         let mut masses = vec![self.stepper.mass(usize::MAX); self.forces.len()];

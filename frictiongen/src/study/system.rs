@@ -221,7 +221,7 @@ impl<S: Float> System<S> {
         &self.modal
     }
 
-    /// Returns the natural frequencies ω_i in rad/s, in ascending order, from the masses and stiffnesses of the
+    /// Returns the natural frequencies ω_i in rad/s, in ascending order, from the masses and stiffnesses of the scene
     /// description.
     #[must_use]
     pub fn natural_frequencies(&self) -> Vec<S> {
@@ -315,8 +315,8 @@ impl<S: Float> System<S> {
     }
 
     /// Returns the peak amplitude |x̄| of a mass at a damped resonance, estimated for small ζ (7.60). `mode` is the
-    /// index of the resonance in ascending order, and `mass` the index in the description. Returns `None` for a mode
-    /// without damping, and for an elastic contact.
+    /// index of the resonance in ascending order, and `mass` the index in the scene description. Returns `None` for a
+    /// mode without damping, and for an elastic contact.
     #[must_use]
     pub fn resonant_peak_estimate(&self, mode: usize, mass: usize, beta: S) -> Option<S> {
         self.rigid().ok()?;

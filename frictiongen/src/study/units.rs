@@ -1,7 +1,7 @@
 //! Conversions between physical units and non-dimensional groups: hertz and r, newtons and β, metres and x̄.
 //!
 //! The units are those of the scene. With masses in kg and stiffnesses in N/m, a force is in N, a length in m and an
-//! angular frequency in rad/s. The groups refer to the first mass m₁ and the first spring k₁ of the description.
+//! angular frequency in rad/s. The groups refer to the first mass m₁ and the first spring k₁ of the scene description.
 //! Another order of masses or springs therefore gives other groups, but the same physical results.
 
 pub use super::error::LoadError;

@@ -22,7 +22,7 @@ use std::sync::OnceLock;
 /// derivatives have enough digits close to a resonance.
 pub type Sensitive = Dual<Dd>;
 
-/// A system whose results have derivatives with respect to one quantity of the description.
+/// A system whose results have derivatives with respect to one quantity of the scene description.
 ///
 /// For derivatives with respect to r or β, pass `Dual::variable` to an [`unvaried`](System::unvaried) system. In all
 /// other derivatives r and β are constant. For derivatives at a constant angular frequency, pass r from
@@ -254,7 +254,7 @@ impl<S: Float> System<S> {
         }
     }
 
-    /// Returns a result and its derivative with respect to every quantity of the description, in the unit of that
+    /// Returns a result and its derivative with respect to every quantity of the scene description, in the unit of that
     /// quantity. `question` computes the result from a [`Varied`] system.
     ///
     /// # Errors

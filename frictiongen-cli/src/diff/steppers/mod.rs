@@ -10,7 +10,7 @@ use frictiongen_codegen::{SizeLimits, StepFacts, parse_text, step_facts};
 use run::{Answer, Load, Run};
 use std::f64::consts::TAU;
 
-/// Number of time steps in the shortest natural period of both scenes, if no description declares a step.
+/// Number of time steps in the shortest natural period of both scenes, if no scene description declares a step.
 const STEPS_IN_PERIOD: f64 = 20.0;
 /// Length of the compared run, divided by the longest natural period of both scenes.
 const PERIODS: f64 = 10.0;
@@ -22,11 +22,11 @@ const FRICTION: f64 = 0.3;
 /// Friction force that keeps every contact stuck in a run, as a multiple of the load. For base motion the load is the
 /// amplitude of the base times the largest spring stiffness.
 const HOLDS: f64 = 1e6;
-/// Largest velocity of a contact without friction in the compared run, divided by the last speed of the field
-/// `friction: stribeck`.
+/// Largest velocity of a contact without friction in the compared run, divided by a speed. The speed is the last one in
+/// the field `friction: stribeck` of the scene description.
 const SPEED: f64 = 2.0;
 
-/// Largest difference of one result of two steppers over the compared steps.
+/// Largest difference, over the compared steps, between the two steppers in one result.
 #[derive(Clone, Debug, PartialEq)]
 pub struct StepDifference {
     /// Name of the result, such as the displacement of a mass.
@@ -69,7 +69,7 @@ pub struct Answers {
 /// Comparison of the steppers of two scenes.
 #[derive(Clone, Debug, Default)]
 pub struct Steppers {
-    /// Time step that each description declares, old and new. `None` if a description declares no step.
+    /// Time step that each scene description declares, old and new. `None` if a description declares no step.
     pub declared: (Option<f64>, Option<f64>),
     /// Facts about the emitted steppers, old and new, such as step tables and bounds on the cost. `None` if one of the
     /// scenes has several contacts or no emitted code.
@@ -108,10 +108,10 @@ pub fn compare([old, new]: [&System; 2], texts: &[String; 2]) -> Option<Steppers
     Some(found)
 }
 
-/// Returns the facts about the emitted steppers of both descriptions, such as step tables. Returns `None` if a
+/// Returns the facts about the emitted steppers of both scene descriptions, such as step tables. Returns `None` if a
 /// description has no emitted stepper.
 fn facts(texts: &[String; 2]) -> Option<(StepFacts, StepFacts)> {
-    // If the macro rejects a description, the comparison of emitted code reports the errors.
+    // If the macro rejects a scene description, the comparison of emitted code reports the errors.
     let limits = SizeLimits {
         tables: false,
         ..SizeLimits::MACRO

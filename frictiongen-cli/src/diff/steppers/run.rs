@@ -9,8 +9,8 @@ use std::f64::consts::TAU;
 
 /// Number of sine waves in the load.
 const WAVES: u32 = 8;
-/// Lowest frequency of the waves, divided by the lowest natural frequency. Highest frequency of the waves, divided by
-/// the highest natural frequency.
+/// Two factors for the range of the waves' frequencies. The range begins at the first factor times the lowest natural
+/// frequency, and ends at the second factor times the highest natural frequency.
 const BAND: (f64, f64) = (0.3, 1.2);
 /// Seed of the pseudo-random phases of the waves.
 const SEED: u64 = 0x9E37_79B9_7F4A_7C15;
@@ -64,9 +64,9 @@ impl Load {
 /// Results of a stepper at the end of a step: the motions of masses and contacts.
 #[derive(Clone, Debug, Default)]
 pub struct Answer {
-    /// Displacement of each mass, in the order of the description.
+    /// Displacement of each mass, in the order of the scene description.
     pub masses: Vec<f64>,
-    /// Displacement, velocity and friction force of each contact, in the order of the description.
+    /// Displacement, velocity and friction force of each contact, in the order of the scene description.
     pub contacts: Vec<[f64; 3]>,
     /// Number of events of all contacts in the step.
     pub events: u64,

@@ -15,7 +15,7 @@ use std::io::Write;
 /// Security policy of the page, which has no script.
 const POLICY: &str = "default-src 'none'; style-src 'unsafe-inline'";
 
-/// Computes the report page of a scene with several contacts, and writes the page. `file` is the name of the
+/// Computes the report page of a scene with several contacts, and writes the page. `file` is the name of the scene
 /// description, and `documentation` contains its doc comments.
 pub fn write(
     arguments: &ReportArguments,

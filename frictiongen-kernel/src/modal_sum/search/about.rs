@@ -11,9 +11,10 @@ use super::{MaximumSearch, Weight};
 use crate::number::scalar::Float;
 use crate::oscillator::decay::Decay;
 
-/// Factor ρ of the first attempt to close the cells around a local maximum. The attempt requires that the sum is
-/// concave up to the distance of ρ Newton steps from the maximum. If the attempt fails, the code tries the smaller
-/// factor `REACH`. A larger ρ can close the cells around a flatter maximum.
+/// Factor ρ of the first attempt to close the cells around a local maximum. A closed cell is proven to contain no
+/// larger value. The attempt requires that the sum is concave up to the distance of ρ Newton steps from the maximum. If
+/// the attempt fails, the code tries the smaller factor `REACH`. A larger ρ can close the cells around a flatter
+/// maximum.
 const FAR: f64 = 97.0;
 
 /// Difference E between a modal sum and a level, near a local maximum. E is ±sum − level. In a search of sum/sin τ, E
@@ -25,8 +26,9 @@ struct Excess<S> {
     cubic: Cubic<S>,
     /// Upper bound on the fourth derivative of E = ±sum − level.
     fourth: S,
-    /// Negative bound 2E″/(ρ − 1) on the quadratic coefficient of the cubic between `tau` and a node. A coefficient
-    /// below this bound outweighs the slope at `tau` at all distances of more than ρ Newton steps.
+    /// Negative bound 2E″/(ρ − 1) on the quadratic coefficient of the cubic between `tau` and a node. E is ±sum −
+    /// level, and ρ is the factor `FAR` or `REACH`. A coefficient below this bound outweighs the slope at `tau` at all
+    /// distances of more than ρ Newton steps.
     curvature: S,
 }
 

@@ -1,5 +1,6 @@
-//! Tests of grids, summits and whole searches. The tests compare the results with dense scans of sums from independent
-//! formulas.
+//! Tests grids, summits and whole searches. A *summit* is a position from which one Newton step leads to a local
+//! maximum. The tests compare each result with values of the sum at many instants. The formulas of these values are
+//! independent of the search.
 
 use super::*;
 use crate::modal_sum::wave::Wave;

@@ -9,7 +9,7 @@ use crate::study::joined::{Joined, JoinedContactNow, JoinedStepper};
 /// A part of a scene with several contacts whose motion the table contains.
 #[derive(Clone, Debug)]
 pub enum JoinedPart {
-    /// A contact. The number is its index in the description, counted from 0.
+    /// A contact. The number is its index in the scene description, counted from 0.
     Contact(usize),
     /// The motion of a mass, or of a combination of masses and base.
     Mass(MovingPart),

@@ -9,7 +9,7 @@ use crate::study::columns::{Column, Columns, Head, Measure, PhysicalQuantity, Ta
 #[derive(Clone, Debug)]
 pub struct TransmissibilityTable<'a> {
     system: &'a System,
-    /// Indices of the recorded masses in the description, in ascending order.
+    /// Indices of the recorded masses in the scene description, in ascending order.
     masses: Vec<usize>,
 }
 

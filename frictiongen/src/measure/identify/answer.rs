@@ -28,9 +28,10 @@ impl Estimate {
 /// The conclusion that a measurement allows about the friction force.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum Verdict {
-    /// The description does not explain the measurement. If the description were right, noise of the given deviations
-    /// would cause residuals of this size in fewer than one of 1000 recordings. The force and its interval belong to
-    /// the best fit, and may be far from the force of the real contact.
+    /// The scene does not explain the measurement, because its description is wrong or incomplete. With a right
+    /// description, noise of the given deviations would cause residuals of this size in fewer than one of 1000
+    /// recordings. The force and its interval belong to the best fit, and may be far from the force of the real
+    /// contact.
     NotExplained,
     /// The measurement determines one friction force.
     Determined,
@@ -42,7 +43,8 @@ pub enum Verdict {
     /// frequency, as at an invariant point, or friction is too small to exceed the noise.
     NotDetermined,
     /// Amplitudes without phases allow two conclusions. Either the contact almost sticks, or a unit is wrong by a
-    /// factor of 1000 or a million. The description would also explain the motion if it were larger by this factor.
+    /// factor of 1000 or a million. The scene description would also explain the motion if it were larger by this
+    /// factor.
     AlmostStuck,
 }
 
@@ -105,8 +107,8 @@ pub struct Explained {
 pub struct Identified {
     /// Friction force F in the contact, in N, with its interval.
     pub friction: Estimate,
-    /// All friction forces that explain the measurements equally well, with their intervals, in ascending order. If the
-    /// verdict is [`Verdict::Determined`], the list has one force.
+    /// All friction forces in N that explain the measurements equally well, with their intervals, in ascending order.
+    /// If the verdict is [`Verdict::Determined`], the list has one force.
     pub levels: Vec<Estimate>,
     /// The conclusion about the friction force.
     pub verdict: Verdict,

@@ -243,8 +243,8 @@ impl<'a> IdentifyProblem<'a> {
         if left.1 <= right.1 { left } else { right }
     }
 
-    /// Returns the friction force at which the sum of squares reaches `most`, on one side of the force of the minimum.
-    /// The sign of `side` selects the side.
+    /// Returns the friction force at which the sum of squared residuals reaches `most`. The search runs from the force
+    /// of the minimum upwards if `side` is positive, and downwards otherwise.
     fn edge(&self, weighed: &[Weighed<'_>], force: f64, most: f64, side: f64) -> f64 {
         let end = if side < 0.0 {
             self.range.0

@@ -30,10 +30,10 @@ impl System {
     ///
     /// [`Quantity::ContactStiffness`]: crate::study::sensitivity::Quantity::ContactStiffness
     ///
-    /// If the contact slides all the time, the fundamental of one mass gives β directly: |X₁ − V| = 4β|H|/π. V is the
-    /// amplitude of the mass without friction, and H its amplitude under a unit force in the contact. The two-amplitude
-    /// method at resonance (Liang and Feeny, J. Vib. Acoust. 126 (2004) 118) corresponds to observations at two loads
-    /// with [`Unknown::Damping`].
+    /// If the contact slides all the time, the complex amplitude X₁ of one mass's fundamental gives β directly: |X₁ −
+    /// V| = 4β|H|/π. V is the amplitude of the mass without friction, and H its amplitude under a unit force in the
+    /// contact. The two-amplitude method at resonance (Liang and Feeny, J. Vib. Acoust. 126 (2004) 118) corresponds to
+    /// observations at two loads with [`Unknown::Damping`].
     ///
     /// ```
     /// use frictiongen::measure::{Datum, IdentifyRequest, Observation, Verdict};

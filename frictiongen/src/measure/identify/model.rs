@@ -164,7 +164,7 @@ pub(super) enum Direction {
     Friction,
     /// Derivative with respect to a common factor on all natural frequencies. The value of the factor is 1.
     Frequencies,
-    /// Derivative with respect to a number of the description.
+    /// Derivative with respect to one number of the scene, such as the stiffness of the contact.
     Quantity(Quantity),
 }
 

@@ -21,7 +21,7 @@ pub struct Observation {
 /// A measured harmonic of the motion of one mass.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Datum {
-    /// Index of the mass in the description.
+    /// Index of the mass in the scene description.
     pub mass: usize,
     /// Order n of the harmonic.
     pub harmonic: u32,

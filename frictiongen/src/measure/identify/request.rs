@@ -12,12 +12,12 @@ pub enum Unknown {
     Frequencies,
     /// The unknown is one damping ratio for all modes.
     Damping,
-    /// The unknown is a number of the description, such as a mass or a stiffness.
+    /// The unknown is a number of the scene description, such as a mass or a stiffness.
     Quantity(Quantity),
 }
 
 impl Unknown {
-    /// Returns the symbol of the unknown, with the names in the description.
+    /// Returns the symbol of the unknown, with the names in the scene description.
     #[must_use]
     pub fn symbol(&self, system: &System) -> String {
         match self {

@@ -38,7 +38,8 @@ fn is_contact_stiffness(unknown: Unknown) -> bool {
     matches!(unknown, Unknown::Quantity(Quantity::ContactStiffness))
 }
 
-/// Returns the variables whose derivatives add up to the derivative with respect to an unknown of the fit.
+/// Returns the variables that change with an unknown of the fit. The derivative of a result with respect to the unknown
+/// is the sum of its derivatives with respect to these variables.
 fn directions(unknown: Unknown, masses: usize) -> Vec<Direction> {
     match unknown {
         Unknown::Stiction => vec![Direction::Quantity(Quantity::Stiction)],

@@ -35,7 +35,7 @@ const PERFECT: f64 = 1e-6;
 pub struct MotionFit {
     /// Kinetic friction force F in N, or `None` if it was recorded.
     pub friction: Option<Estimate>,
-    /// The fitted numbers of the description, in the order of the request.
+    /// The fitted numbers of the scene description, in the order of the request.
     pub numbers: Vec<(Tunable, Estimate)>,
     /// Root mean square of the residuals. Each residual is divided by the root mean square of its channel.
     pub scatter: f64,
@@ -54,7 +54,8 @@ pub struct MotionFit {
 }
 
 impl System {
-    /// Fits the friction force and numbers of the description to the whole motion in a recording, by least squares.
+    /// Fits the friction force and numbers of the scene description to the whole motion in a recording, by least
+    /// squares.
     ///
     /// The recording has the channels of [`Inputs`](super::Inputs) and displacements or velocities of masses, which the
     /// fit compares with the motion of the stepper from rest. Displacements are relative to the first sample.

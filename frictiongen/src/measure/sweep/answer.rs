@@ -29,7 +29,7 @@ pub struct SweepFit {
     pub condition: f64,
     /// Measured minus computed amplitude of each point, in the order of the points.
     pub residuals: Vec<f64>,
-    /// The scene with the fitted parameters. The first mass keeps its value in the description.
+    /// The scene with the fitted parameters. The first mass keeps its value in the scene description.
     pub system: System,
 }
 

@@ -18,8 +18,9 @@ use model::Sweep;
 /// Returns √(k₁/m₁) in rad/s, the mass ratio γ and the stiffness ratio κ of two storeys from the frequencies ω₀, ω₁
 /// and ω₂ (6.17 to 6.20).
 ///
-/// ω₀ is the antiresonance of the lower mass. ω₁ and ω₂ are the resonances. They determine ω_z0, the antiresonance of
-/// the motion relative to the base: ω_z0² = ω₁² + ω₂² − (ω₁ω₂/ω₀)². At ω_z0 the transmissibility (6.15) equals 1.
+/// ω₀ is the antiresonance of the lower mass. ω₁ and ω₂ are the resonances. The three frequencies determine ω_z0, the
+/// antiresonance of the motion relative to the base: ω_z0² = ω₁² + ω₂² − (ω₁ω₂/ω₀)². At ω_z0 the transmissibility
+/// (6.15) equals 1.
 ///
 /// ```
 /// let [reference, gamma, kappa] = frictiongen::measure::two_storeys(2.0_f64.sqrt(), 1.0, 2.0);

@@ -90,8 +90,8 @@ impl<'a> Sweep<'a> {
         System::try_from(scene).ok()
     }
 
-    /// Returns the quantities of the description that a parameter of the fit changes, each with its factor. The list is
-    /// empty for the first parameter, because this parameter changes only r.
+    /// Returns the quantities of the scene description that a parameter of the fit changes, each with its factor. The
+    /// list is empty for the first parameter, because this parameter changes only r.
     pub(super) fn directions(&self, index: usize, system: &System) -> Vec<(Quantity, f64)> {
         let masses = self.masses();
         let scene = system.scene();

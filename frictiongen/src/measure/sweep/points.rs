@@ -9,7 +9,7 @@ use crate::study::System;
 pub struct SweepPoint {
     /// Driving frequency of the measured point, in Hz.
     pub hertz: f64,
-    /// Index of the measured mass in the description.
+    /// Index of the measured mass in the scene description.
     pub mass: usize,
     /// Measured amplitude: |X/Y| for base motion, or |X/P| in m/N for a force. X is the amplitude of the mass.
     pub amplitude: f64,

@@ -1,4 +1,4 @@
-//! Units of the results in tables: SI units under a load, otherwise non-dimensional groups.
+//! Units of the results in tables: SI units if the amplitude of the load is given, otherwise non-dimensional groups.
 
 use crate::Of;
 use crate::study::scene::Excitation;
@@ -35,7 +35,7 @@ pub enum PhysicalQuantity {
     Time,
 }
 
-/// Units of the results in tables: SI units under a load, otherwise non-dimensional groups.
+/// Units of the results in tables: SI units if the amplitude of the load is given, otherwise non-dimensional groups.
 #[derive(Clone, Copy, Debug)]
 pub struct Measure {
     scale: Option<LoadScale>,
@@ -100,13 +100,14 @@ impl Measure {
     }
 
     /// Returns the units of length and force, or `None` without a load. If the amplitude of the load depends on
-    /// frequency, these are the units at r = 1.
+    /// frequency, the result is for r = 1.
     #[must_use]
     pub fn scale(&self) -> Option<LoadScale> {
         self.scale
     }
 
-    /// Returns the load from which the units follow, or `None` without a load.
+    /// Returns the load, or `None` without a load. The amplitude of the load determines the units of length and force,
+    /// for example P/k₁ and P.
     #[must_use]
     pub fn load(&self) -> Option<Load> {
         self.load
@@ -119,7 +120,7 @@ impl Measure {
     }
 
     /// Returns true if these units reverse the sign of the contact's motion. The sign then follows the order of the two
-    /// sides of the contact in the description, for any order of the masses.
+    /// sides of the contact in the scene description, for any order of the masses.
     #[must_use]
     pub fn turns_contact(&self) -> bool {
         self.reversed && self.scale.is_some()

@@ -228,7 +228,7 @@ impl FrictionSetting {
 pub struct Setting<'a> {
     /// The system of the results.
     pub system: &'a System,
-    /// Units of the results: SI units under a load, otherwise non-dimensional groups.
+    /// Units of the results: SI units if the amplitude of the load is given, otherwise non-dimensional groups.
     pub measure: Measure,
     /// The unit in which the user gave the frequencies.
     pub frequency: FrequencyUnit,
@@ -335,8 +335,9 @@ impl<'a> Setting<'a> {
         columns.along(ColumnAxis::Row);
     }
 
-    /// Adds the columns of the friction to a table. If the amplitude of the load depends on frequency, β depends on the
-    /// friction and on the frequency.
+    /// Adds the columns of the friction force and of the friction ratio β to a table. β is the friction force divided
+    /// by the amplitude P of the load (by k₁Y for base motion). If this amplitude depends on frequency, β has a value
+    /// of its own in each row.
     pub fn friction<R: AtFriction + 'a>(&self, columns: &mut Columns<'a, R>) {
         let given = |forces: bool| -> &'a [f64] {
             if self.forces == forces {

@@ -1,5 +1,5 @@
-//! Functions of y = 1/r whose zeros are features. They consist of V (motion without friction), H (response to a
-//! harmonic force in the contact) and U (response to a square wave of friction).
+//! Functions of y = 1/r whose zeros are features. They consist of V (the contact's motion without friction), H (its
+//! response to a harmonic contact force) and U (its velocity at a reversal, in response to a square wave of friction).
 //!
 //! Every sum in this module is the thesis's sum divided by y² = 1/r², which is a factor of all its terms. Let x = √λ y
 //! and d = x² − 1 + 2iζx for a mode with the squared frequency ratio λ. Let w be the contact component of the mode, and
@@ -11,7 +11,8 @@ use frictiongen_kernel::number::dd::Dd;
 use frictiongen_model::interval::{Arithmetic, Interval};
 use frictiongen_model::modal::Modal;
 
-/// Data of one mode in the sums V, H and U.
+/// Data of one mode in the sums V, H and U over the modes. V, H and U are the responses of the contact to the load, to
+/// a harmonic contact force and to a square wave of friction.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct ModeNumbers<T> {
     pub resonance: T,
@@ -94,18 +95,20 @@ pub(super) enum Target<T> {
     FreeContact,
     /// The function is H_k, the response of mass k to a harmonic force in the contact.
     Receptance,
-    /// The function is U_k, the slope at the reversal of mass k's response to a square wave of friction (6.9).
+    /// The function is U_k, the velocity of mass k at a reversal, in response to a square wave of friction (6.9).
     Quadrature,
     /// The function is V U_k − 2 V_k U for mass k. The function is zero where friction does not change the monoharmonic
-    /// estimate of the amplitude (6.10). V is the motion without friction, and U the response to a square wave of
-    /// friction.
+    /// estimate of the amplitude (6.10). V is the contact's motion without friction, and U its velocity at a reversal,
+    /// in response to a square wave of friction. V_k and U_k belong to mass k.
     Estimate,
     /// The function is V_k U + (2/π) H_k V for mass k, or U + (2/π) H for the contact. The function is zero where
-    /// friction does not change the amplitude of the fundamental component. V, H and U are the responses to the load,
-    /// to a harmonic contact force and to a square wave of friction.
+    /// friction does not change the amplitude of the fundamental component. V and H are the responses of the contact to
+    /// the load and to a harmonic contact force. U is its velocity at a reversal, in response to a square wave of
+    /// friction. V_k and H_k belong to mass k.
     Fundamental,
     /// The function is V − βμH, or |V|² − (βμ)²|H|² with damping (6.13). V is the contact's motion without friction,
-    /// and H its receptance. For an elastic contact, H + ρ replaces H. The function is zero where β*_lim equals β.
+    /// and H its receptance. For an elastic contact, H + ρ replaces H, where ρ is the compliance of the contact. The
+    /// function is zero where β*_lim equals β.
     Sliding(T),
     /// The function is V² − β²(U² + (μm*/r²)²) for an undamped chain. V is the contact's motion without friction, U its
     /// response to a square wave of friction, and m* its inverse effective mass. The function is zero where the upper
@@ -130,7 +133,8 @@ pub(super) struct Near<T> {
     own: Vec<Option<[T; 2]>>,
 }
 
-/// Selects a sum over the modes: V, H, U, or a combination of them.
+/// Selects a sum over the modes: V, H, U, or a combination of these sums. V, H and U are the responses of the contact
+/// to the load, to a harmonic contact force and to a square wave of friction.
 #[derive(Clone, Copy)]
 enum ModalSum<T> {
     V,
@@ -139,8 +143,9 @@ enum ModalSum<T> {
     HOf,
     U,
     UOf,
-    /// V − level·H. The code takes the difference for each mode, and then adds the differences. If the difference of a
-    /// mode vanishes, the sum has no pole at this mode.
+    /// The sum V − level·H, where V is the response of the contact to the load and H its receptance. The code takes the
+    /// difference for each mode, and then adds the differences. If the difference of a mode vanishes, the sum has no
+    /// pole at this mode.
     Against(T),
 }
 
@@ -184,7 +189,8 @@ impl<T: Arithmetic> ChainNumbers<T> {
                 continue;
             }
             // For a contact on a moving base, the sum contains v − 1 = (1 − 2iζx)/d in place of v = x²/d, with d = x² −
-            // 1 + 2iζx. With v − 1 the sum has no cancellation for large r.
+            // 1 + 2iζx. Here v is the response of a mode, and x its natural frequency divided by the excitation
+            // frequency. With v − 1 the sum has no cancellation for large r.
             let [re, im] = match (which, self.on_base.is_some()) {
                 (ModalSum::V, true) => {
                     let turn = two * mode.zeta * x;

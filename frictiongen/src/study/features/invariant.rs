@@ -20,21 +20,25 @@ pub enum InvariantQuantity {
     Fundamental,
 }
 
-/// The equation that an invariant point satisfies. Its terms are V (motion without friction), H (response to a
-/// harmonic force in the contact) and U (response to a square wave of friction). Index k denotes a mass.
+/// The equation that holds at an invariant point, a frequency at which friction does not change a motion. V is the
+/// complex amplitude without friction. H is the response to a harmonic force in the contact. U is the velocity at a
+/// reversal, in response to a square wave of friction. V, H and U belong to the contact, and V_k, H_k and U_k to mass
+/// k.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum Condition {
-    /// The condition is U = 0 for the contact, or U_k = 0 for mass k. The response to a square wave of friction then
-    /// has no slope at the reversal (6.9).
+    /// The invariant point satisfies U = 0 for the contact, or U_k = 0 for mass k (6.9). U and U_k are the velocities
+    /// of the contact and of mass k at a reversal, in response to a square wave of friction.
     Quadrature,
-    /// The condition is V U_k = 2 V_k U for mass k, from the monoharmonic estimate of the amplitude (6.10). V is the
-    /// motion without friction, and U the response to a square wave of friction. V and U without an index belong to the
-    /// contact.
+    /// The invariant point of mass k satisfies V U_k = 2 V_k U, from the monoharmonic estimate of the amplitude (6.10).
+    /// V is the amplitude of the contact without friction. U is the velocity of the contact at a reversal, in response
+    /// to a square wave of friction. V_k and U_k are the same quantities of mass k.
     Estimate,
-    /// The condition is H_k = 0: mass k does not respond to a harmonic force in the contact.
+    /// The invariant point of mass k satisfies H_k = 0. Mass k then does not respond to a harmonic force in the
+    /// contact.
     Receptance,
-    /// The condition is V_k U = −(2/π) H_k V for mass k, or U = −(2/π) H for the contact. V, H and U are the responses
-    /// to the load, to a harmonic contact force and to a square wave of friction.
+    /// The invariant point satisfies V_k U = −(2/π) H_k V for mass k, or U = −(2/π) H for the contact. V and V_k are
+    /// the responses of the contact and of mass k to the load. H and H_k are their responses to a harmonic contact
+    /// force. U is the velocity of the contact at a reversal, in response to a square wave of friction.
     Balance,
 }
 
@@ -50,13 +54,13 @@ pub struct InvariantPoint {
     /// True if the phase of the motion does not depend on friction either. The phase of the contact's motion at U = 0
     /// is 0 or π.
     pub phase_too: bool,
-    /// Amplitude |V_k| of the motion at the invariant point. It is in m under a load, and otherwise divided by P/k₁ (by
-    /// Y for base motion).
+    /// Amplitude of the motion without friction, at the invariant point. It is in m under a load, and otherwise divided
+    /// by P/k₁ (by Y for base motion).
     pub amplitude: f64,
     /// β_lim at the invariant point, in N under a load. The motion does not depend on friction up to this value.
     pub continuous_limit: f64,
-    /// True if the function of the condition crosses 0. False if the function only touches 0, or if two of its zeros
-    /// are within a relative distance of 1e-9.
+    /// True if the function whose zero is the invariant point crosses 0. False if the function only touches 0, or if
+    /// two of its zeros are within a relative distance of 1e-9.
     pub simple: bool,
 }
 
@@ -69,7 +73,7 @@ pub enum Edge {
     Invariant,
     /// Pole of the response without friction, or of the response to a square wave of friction.
     Pole,
-    /// Zero of V: without friction the contact does not move, and with any friction it stops.
+    /// Frequency at which the contact does not move without friction. With any friction the contact stops.
     Still,
 }
 
@@ -98,7 +102,7 @@ pub struct Antiresonance {
 /// Largest β_lim at which the contact is treated as unable to slide. The contact's motion V without friction is then
 /// zero apart from rounding.
 const STILL: f64 = 1e-10;
-/// Largest relative distance at which two points of different conditions are treated as one point.
+/// Largest relative distance at which the code treats two invariant points with different [`Condition`]s as one point.
 const SAME: f64 = 1e-13;
 
 fn targets(measured: InvariantQuantity, is_contact: bool) -> &'static [(Condition, Target<Dd>)] {
@@ -175,8 +179,9 @@ impl Features<'_> {
             }
         }
         points.sort_by(|a, b| a.r.total_cmp(&b.r));
-        // Mass k in contact with the moving base responds to a square wave of friction as the contact does (U_k = U).
-        // Every point that satisfies (6.9) then also satisfies (6.10).
+        // If mass k slides on the moving base, it responds to a square wave of friction as the contact does. Then U_k =
+        // U, where U_k and U are the velocities of mass k and of the contact at a reversal in this response. Every
+        // point that satisfies (6.9) then also satisfies (6.10).
         points.dedup_by(|b, a| {
             let same = a.condition != b.condition && (b.r - a.r).abs() <= SAME * a.r;
             if same && b.condition == Condition::Quadrature {
@@ -228,7 +233,7 @@ impl Features<'_> {
         let [from, to] = range;
         edges.retain(|(r, _)| from < *r && *r < to);
         edges.extend([(from, Edge::Range), (to, Edge::Range)]);
-        // If two bounds of ranges coincide, the bound at which the motion is impossible takes precedence.
+        // If two bounds of ranges coincide, the code keeps the bound at which the contact cannot slide all the time.
         let rank = |edge: &Edge| match edge {
             Edge::Still => 0,
             Edge::Pole => 1,
@@ -251,15 +256,17 @@ impl Features<'_> {
                 .map_or(f64::NAN, |function| function.at(r));
             let second = functions.get(1).map(|function| function.at(r));
             match (measured, second) {
-                // The change of the contact's amplitude with friction has the sign of −U², where U is the response to a
-                // square wave of friction.
+                // The change of the contact's amplitude with friction has the sign of −U². U is the velocity of the
+                // contact at a reversal, in response to a square wave of friction.
                 (InvariantQuantity::Amplitude, None) => -1.0,
                 // The change of mass k's amplitude with friction has the sign of U_k (V U_k − 2 V_k U)/V. V is the
-                // motion without friction, and U the response to a square wave of friction.
+                // motion of the contact without friction, and U its velocity at a reversal, in response to a square
+                // wave of friction. V_k and U_k belong to mass k.
                 (InvariantQuantity::Amplitude, Some(second)) => first * second / own.at(r),
                 // The change of the fundamental component with friction has the sign of H_k (V_k U + (2/π) H_k V)/V for
-                // mass k. For the contact, the change has the sign of H (U + (2/π) H). V, H and U are the responses to
-                // the load, to a harmonic contact force and to a square wave of friction.
+                // mass k. For the contact, the change has the sign of H (U + (2/π) H). V and H are the responses of the
+                // contact to the load and to a harmonic contact force. U is its velocity at a reversal, in response to
+                // a square wave of friction. V_k and H_k belong to mass k.
                 (InvariantQuantity::Fundamental, Some(second)) if mass.is_some() => {
                     first * second / own.at(r)
                 }

@@ -65,7 +65,7 @@ impl FunctionZero {
     }
 }
 
-/// Converts the numbers in a target function to another number type.
+/// Converts the numbers in a [`Target`] to another number type.
 fn converted<T>(target: Target<Dd>, to: impl Fn(Dd) -> T) -> Target<T> {
     match target {
         Target::Free => Target::Free,
@@ -363,7 +363,8 @@ impl ZeroSearch<'_, '_> {
         }
     }
 
-    /// Returns the length scale of an interval: y, or the distance to the nearest pole if that is smaller.
+    /// Returns the length scale of an interval of y = 1/r: y, or the distance to the nearest pole if this distance is
+    /// smaller.
     fn room(&self, low: f64, high: f64) -> f64 {
         let next = self.poles.partition_point(|pole| pole.y < low);
         let above = self.poles.get(next).map_or(high, |pole| pole.y - high);

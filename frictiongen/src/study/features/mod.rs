@@ -1,5 +1,5 @@
 //! Features of a scene's response: thresholds, limits for r → 0 and r → ∞, invariant points, inversions, resonances of
-//! the stuck chain, sliding ranges, regimes over frequency, and peaks.
+//! the chain with its contact stuck, sliding ranges, regimes over frequency, and peaks.
 //!
 //! Interval arithmetic finds the zeros of functions in closed form ([`Certainty::Proven`]). Other features depend on a
 //! search over the half period, or on steady states with stops. The code samples these other features in steps of a

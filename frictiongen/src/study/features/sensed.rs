@@ -63,11 +63,11 @@ pub(super) struct Variation {
     pub parameter: Parameter,
     pub value: f64,
     pub varied: Varied,
-    /// Unit of force: P or k₁Y under a load, otherwise 1.
+    /// Unit of force: P (k₁Y for base motion) if the load is given, otherwise 1.
     pub force: Sensitive,
-    /// Unit of length: P/k₁ or Y under a load, otherwise 1.
+    /// Unit of length: P/k₁ (Y for base motion) if the load is given, otherwise 1.
     pub length: Sensitive,
-    /// Frequency in Hz at r = 1 under a load, otherwise 1.
+    /// Frequency in Hz at the frequency ratio r = 1 if the load is given, otherwise 1.
     pub frequency: Sensitive,
 }
 

@@ -46,7 +46,7 @@ impl<'a> Joined<'a> {
     }
 
     /// Evaluates the scene at a frequency ratio, as [`at`](Self::at) does. If the scene has no spring, the method uses
-    /// k₁ = 1 in the units of the description.
+    /// k₁ = 1 in the units of the scene description.
     ///
     /// # Errors
     /// [`OutOfDomain`] unless r is above 0 and finite. [`JoinedError::NoAmplitude`] for `friction: stribeck` without the
@@ -76,9 +76,9 @@ impl<'a> Joined<'a> {
         Ok(at)
     }
 
-    /// Evaluates the scene under a load in the units of the description. `omega` is the angular frequency ω in rad/s,
-    /// and `amplitude` is P in N, or Y in m for base motion. Frictions are forces F in N, and all results are in these
-    /// units.
+    /// Evaluates the scene under a load in the units of the scene description. `omega` is the angular frequency ω in
+    /// rad/s, and `amplitude` is P in N, or Y in m for base motion. Frictions are forces F in N, and all results are in
+    /// these units.
     ///
     /// # Errors
     /// [`JoinedError::Frequency`] unless ω is above 0 and finite. [`JoinedError::Amplitude`] unless the amplitude is

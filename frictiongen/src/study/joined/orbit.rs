@@ -152,7 +152,7 @@ impl<'a> JoinedOrbit<'a> {
         self.steady.cycle.regime()
     }
 
-    /// Returns the motions of all contacts, in the order of the description.
+    /// Returns the motions of all contacts, in the order of the scene description.
     pub fn contacts(&self) -> impl Iterator<Item = ContactOrbit<'_>> {
         let units = self.units;
         let contacts = self.steady.cycle.contacts.iter();

@@ -4,11 +4,11 @@ use crate::study::parameter::{Parameter, symbol};
 use crate::study::sensitivity::{OperatingPoint, Quantity};
 use frictiongen_model::scene::{Damping, Scene};
 
-/// A number on which a steady state of several contacts depends. Every index counts in the order of the description,
-/// from 0.
+/// A number on which a steady state of several contacts depends. Every index counts in the order of the scene
+/// description, from 0.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum JoinedParameter {
-    /// A mass, the stiffness of a spring, or a damping number of the description.
+    /// A mass, the stiffness of a spring, or a damping number of the scene description.
     Quantity(Quantity),
     /// The damping coefficient of a dashpot. The number is the index of the dashpot.
     Dashpot(usize),

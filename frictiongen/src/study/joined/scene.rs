@@ -99,23 +99,23 @@ impl<'a> Joined<'a> {
         self.length
     }
 
-    /// Replaces each contact's share of the common friction. `shares` has the order of the description.
+    /// Replaces each contact's share of the common friction. `shares` has the order of the scene description.
     pub(super) fn set_shares(&mut self, shares: &[f64]) {
         for (contact, share) in self.chain.contacts.iter_mut().zip(shares) {
             contact.level = Wave::constant(*share);
         }
     }
 
-    /// Returns the names of the contacts, in the order of the description.
+    /// Returns the names of the contacts, in the order of the scene description.
     #[must_use]
     pub fn contact_names(&self) -> Vec<String> {
         let contacts = self.scene.named_contacts().into_iter();
         contacts.map(|contact| contact.name).collect()
     }
 
-    /// Returns the sign of a contact in the description. It is −1 for a contact `b - a` whose first mass is the later
-    /// of its two masses, and otherwise 1. With this factor, the relative displacement of a contact `a - b` is x_b −
-    /// x_a. Results in N and m for a scene with a single contact have the same sign.
+    /// Returns the sign of a contact in the scene description. It is −1 for a contact `b - a` whose first mass is the
+    /// later of its two masses, and otherwise 1. With this factor, the relative displacement of a contact `a - b` is
+    /// x_b − x_a. Results in N and m for a scene with a single contact have the same sign.
     #[must_use]
     pub fn sign(&self, contact: usize) -> f64 {
         let contacts = self.scene.named_contacts();
@@ -125,7 +125,7 @@ impl<'a> Joined<'a> {
         }
     }
 
-    /// Returns the index of the contact called `name` in the description.
+    /// Returns the index of the contact called `name` in the scene description.
     pub(super) fn contact_index(&self, name: &str) -> Result<usize, UnknownContact> {
         let known = self.contact_names();
         let found = known.iter().position(|known| known == name);
@@ -135,7 +135,7 @@ impl<'a> Joined<'a> {
         })
     }
 
-    /// Returns the index of the mass called `name` in the description.
+    /// Returns the index of the mass called `name` in the scene description.
     pub(super) fn mass_index(&self, name: &str) -> Result<usize, UnknownMass> {
         let masses = || self.scene.masses.iter();
         let found = masses().position(|mass| mass.name == name);

@@ -17,7 +17,7 @@ const MOST: usize = 400;
 /// Interval in which the search may choose the share of one contact.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct ShareRange {
-    /// Index of the contact in the description.
+    /// Index of the contact in the scene description.
     pub contact: usize,
     /// Smallest share of the common friction that the contact may have. It is above 0.
     pub from: f64,
@@ -28,11 +28,11 @@ pub struct ShareRange {
 /// Result of a search for the best common friction and the best shares of the contacts.
 #[derive(Clone, Debug, PartialEq)]
 pub struct JoinedDistribution {
-    /// The best share of each contact, in the order of the description.
+    /// The best share of each contact, in the order of the scene description.
     pub shares: Vec<f64>,
     /// The best common friction with these shares.
     pub optimum: JoinedOptimum,
-    /// The best common friction with the shares of the description.
+    /// The best common friction with the shares of the scene description.
     pub before: JoinedOptimum,
 }
 
@@ -49,8 +49,8 @@ impl<'a> Joined<'a> {
     /// Finds the common friction and the shares with which the largest amplitude of a mass over a band of frequency
     /// ratios is smallest. The search calls `watch` before each steady state, and stops if `watch` returns false.
     ///
-    /// The search begins at the best common friction with the shares of the description. It changes one number at a
-    /// time, the friction or a share, by a factor. It reduces this factor from 1.6 to 1.02. In this first pass, it
+    /// The search begins at the best common friction with the shares of the scene description. It changes one number at
+    /// a time, the friction or a share, by a factor. It reduces this factor from 1.6 to 1.02. In this first pass, it
     /// compares the largest amplitudes at 25 equally spaced frequencies of the band. In the second pass, it begins with
     /// a factor of 1.25, and includes the peaks between these frequencies. Its result is a local minimum. Another
     /// distribution far from the description may be better.
@@ -112,7 +112,7 @@ impl<'a> Joined<'a> {
     }
 }
 
-/// Returns each contact's share of the common friction in the description.
+/// Returns each contact's share of the common friction in the scene description.
 fn shares(scene: &Scene) -> Vec<f64> {
     let contacts = scene.named_contacts().into_iter();
     contacts.map(|contact| contact.law.share).collect()
@@ -146,7 +146,8 @@ impl Descent<'_, '_> {
             }
         }
         start.peak = self.peak(&start)?;
-        // The shares of the description may be outside the permitted intervals. The search therefore begins at `start`.
+        // The shares of the scene description may be outside the permitted intervals. The search therefore begins at
+        // `start`.
         self.best = start;
         self.descend(FIRST)?;
         self.closely = BandAccuracy::Refined;

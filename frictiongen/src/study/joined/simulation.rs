@@ -15,9 +15,9 @@ use frictiongen_kernel::joints::STUCK;
 pub struct JoinedEvent {
     /// Phase τ = ωt of the load at the event.
     pub tau: f64,
-    /// Index of the contact in the description.
+    /// Index of the contact in the scene description.
     pub contact: usize,
-    /// Name of the contact in the description.
+    /// Name of the contact in the scene description.
     pub name: String,
     /// Type of the event: a stop, a break-away or a reversal.
     pub event: Event,
@@ -107,7 +107,7 @@ impl<'a> JoinedSimulation<'a> {
         Ok((of(&x), of(&v)))
     }
 
-    /// Returns the state of every contact at the present instant, in the order of the description.
+    /// Returns the state of every contact at the present instant, in the order of the scene description.
     #[must_use]
     pub fn contacts(&self) -> Vec<JoinedContactNow> {
         let forces = self.motion.forces().into_iter();

@@ -9,7 +9,7 @@ use crate::study::joints::{Chain, Heap, Wave};
 use frictiongen_kernel::joints::Stepper;
 use frictiongen_model::scene::{Excitation, StepInput};
 
-/// Input of one step of a stepper, in the units of the description.
+/// Input of one step of a stepper, in the units of the scene description.
 #[derive(Clone, Copy, Debug, Default)]
 pub struct JoinedInput<'i> {
     /// Displacement and velocity of the base at the end of the step, or 0 and 0 for a base that does not move.
@@ -22,7 +22,8 @@ pub struct JoinedInput<'i> {
     pub frictions: &'i [(&'i str, f64)],
 }
 
-/// Stepper of a scene with several contacts. All time steps have equal length. The units are those of the description.
+/// Stepper of a scene with several contacts. All time steps have equal length. The units are those of the scene
+/// description.
 #[derive(Clone, Debug)]
 pub struct JoinedStepper<'a> {
     joined: Joined<'a>,
@@ -34,7 +35,7 @@ pub struct JoinedStepper<'a> {
     slides: Slides,
 }
 
-/// Input of one step, in the order of the description.
+/// Input of one step, in the order of the scene description.
 struct Ordered {
     forces: Vec<f64>,
     frictions: Vec<f64>,
@@ -42,9 +43,10 @@ struct Ordered {
 
 impl<'a> Joined<'a> {
     /// Returns a stepper that starts from rest. A force can act on every mass. Every contact has its own friction
-    /// force, which is 0 until an input sets it. The field `input` of the description determines the input between two
-    /// samples: linear, or constant (`hold`). A base that drives the scene follows a cubic between two samples. With
-    /// `hold`, it instead starts from the displacement of the new sample and moves with the velocity of this sample.
+    /// force, which is 0 until an input sets it. The field `input` of the scene description determines the input
+    /// between two samples: linear, or constant (`hold`). A base that drives the scene follows a cubic between two
+    /// samples. With `hold`, it instead starts from the displacement of the new sample and moves with the velocity of
+    /// this sample.
     ///
     /// # Errors
     /// [`OutOfDomain`](crate::OutOfDomain) for a step that is 0, negative, infinite, NaN, or too long.
@@ -100,7 +102,7 @@ impl JoinedStepper<'_> {
         Ok(())
     }
 
-    /// Returns the forces on masses and the friction forces of an input in the order of the description.
+    /// Returns the forces on masses and the friction forces of an input in the order of the scene description.
     fn ordered(&self, input: &JoinedInput<'_>) -> Result<Ordered, JoinedError> {
         let on_base = self.joined.scene().excitation == Excitation::Base;
         if !on_base && input.base != [0.0; 2] {
@@ -169,7 +171,7 @@ impl JoinedStepper<'_> {
         })?)
     }
 
-    /// Returns the state of every contact at the end of the last step, in the order of the description.
+    /// Returns the state of every contact at the end of the last step, in the order of the scene description.
     #[must_use]
     pub fn contacts(&self) -> Vec<JoinedContactNow> {
         let slides = self.slides.contacts().iter().enumerate();
@@ -187,7 +189,8 @@ impl JoinedStepper<'_> {
         contacts.collect()
     }
 
-    /// Returns displacement and velocity of each mass at the end of the last step, in the order of the description.
+    /// Returns displacement and velocity of each mass at the end of the last step, in the order of the scene
+    /// description.
     #[must_use]
     pub fn masses(&self) -> Vec<[f64; 2]> {
         let masses = (0..self.joined.scene().masses.len()).map(|mass| self.stepper.mass(mass));

@@ -1,4 +1,4 @@
-//! Tests of scenes with several contacts, from the text of the description to the results.
+//! Tests of scenes with several contacts, from the text of the scene description to the results.
 
 mod balance;
 mod free;

@@ -1,6 +1,6 @@
 //! Units of the results of scenes with several contacts.
 
-/// Units of the results of a scene with several contacts, expressed in the units of the description.
+/// Units of the results of a scene with several contacts, expressed in the units of the scene description.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct AnswerUnits {
     /// Unit of the forces and frictions in the results.

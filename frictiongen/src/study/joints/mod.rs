@@ -1,10 +1,10 @@
 //! Chains with several contacts (rigid or elastic), with dashpots, or with masses that no path of springs connects to a
 //! support, at run time.
 //!
-//! All quantities are in the units of the description. A contact between the nodes `later - earlier` has the relative
-//! displacement z. Between two masses, z is the displacement of the later mass minus that of the earlier mass. On the
-//! base or the wall, z is the displacement of the mass minus that of the base or the wall. The force f of the contact
-//! acts against z on the later mass.
+//! All quantities are in the units of the scene description. A contact between the nodes `later - earlier` has the
+//! relative displacement z. Between two masses, z is the displacement of the later mass minus that of the earlier mass.
+//! On the base or the wall, z is the displacement of the mass minus that of the base or the wall. The force f of the
+//! contact acts against z on the later mass.
 //!
 //! [`frictiongen_kernel::joints`] contains the motion from event to event, the closed form of the stuck state, and the
 //! steady states. Emitted code uses the same functions. This module contains the check of a chain, and its damping
@@ -60,7 +60,7 @@ pub struct Joint {
     pub stiffness: Option<f64>,
 }
 
-/// A chain with its contacts and its loads, in the units of the description.
+/// A chain with its contacts and its loads, in the units of the scene description.
 #[derive(Clone, Debug, PartialEq, Default)]
 pub struct Chain {
     /// Masses of the chain.

@@ -58,7 +58,7 @@ impl Chain {
     }
 }
 
-/// Converts a contact of the description to a contact between numbered nodes.
+/// Converts a contact of the scene description to a contact between numbered nodes.
 fn numbered(masses: usize, joint: &Joint) -> Result<Contact<f64>, JointError> {
     let (plus, minus) = ends(masses, joint.ends, "a contact")?;
     Ok(Contact {

@@ -17,8 +17,8 @@ const DIFFERENCE: f64 = 1e-6;
 /// Amount of friction: a given friction ratio, or a friction so large that the contact never slides.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(in crate::study) enum FrictionAmount {
-    /// A given friction: the friction force divided by the unit of force that the load has at r = 1. For a load of
-    /// constant amplitude it is the friction ratio β.
+    /// A given friction: the friction force divided by the amplitude P that the load has at r = 1 (by k₁Y for base
+    /// motion). For a load of constant amplitude it is the friction ratio β.
     Ratio(f64),
     /// The friction is so large that the contact never slides.
     Locked,
@@ -52,7 +52,8 @@ pub(in crate::study) struct Amplitude<'s> {
     follows: Cell<bool>,
 }
 
-/// Returns the undamped resonances, each with its threshold β_n (6.2, 6.26).
+/// Returns the undamped resonances, each with its threshold β_n (6.2, 6.26). Below this friction ratio, the amplitude
+/// at the resonance is unbounded.
 fn thresholds(system: &System) -> Vec<[f64; 2]> {
     let resonances = system.resonances().iter();
     let all = resonances.zip(system.resonance_thresholds());
@@ -171,7 +172,8 @@ impl<'s> Amplitude<'s> {
             Err(Error::NoOrbit(NoOrbit::Unbounded)) if self.is_unbounded(r, friction) => {
                 f64::INFINITY
             }
-            // The contact is stuck, and r is a resonance of the chain with its contact stuck.
+            // These errors mean that the contact is stuck, and that r is a resonance of the chain with its contact
+            // stuck.
             Err(Error::NoOrbit(NoOrbit::Unbounded) | Error::StuckResonance(_)) => {
                 self.beside_resonance(r, friction)
             }

@@ -5,8 +5,8 @@ use super::creep::meeting;
 use super::scan::Scanned;
 use std::cmp::Ordering;
 
-/// Largest amplitude for which the search examines an interval of the scan over friction, divided by the best
-/// amplitude. The amplitude of an interval is estimated as that at which the tangents at its two bounds meet.
+/// Largest estimated amplitude for which the search examines an interval of the scan over friction, divided by the best
+/// amplitude. The estimate for an interval is the amplitude at which the tangents at the interval's two bounds meet.
 const WORTH: f64 = 1.05;
 /// Largest number of intervals of the scan over friction that the search examines, beginning with the smallest expected
 /// amplitude.
@@ -37,7 +37,7 @@ pub(super) fn of_scan(scan: &[Scanned]) -> Vec<FrictionCandidate> {
     complete.map(candidate).collect()
 }
 
-/// Returns the smallest scanned friction ratio above which the largest amplitude over the band is constant, and this
+/// Returns the smallest scanned friction ratio from which on the largest amplitude over the band is constant, and this
 /// amplitude.
 pub(super) fn stays(scan: &[Scanned]) -> Option<(f64, f64)> {
     let last = scan.last().filter(|last| last.complete)?;
@@ -45,8 +45,8 @@ pub(super) fn stays(scan: &[Scanned]) -> Option<(f64, f64)> {
         scanned.complete && (scanned.value - last.value).abs() <= HOLDS * last.value
     };
     let first = scan.iter().rev().take_while(same).last()?;
-    // At a last point with the flag `whole`, the friction keeps the contact stuck over the whole band. Otherwise the
-    // function returns the first of the points with equal amplitudes.
+    // If the flag `whole` of the last point is true, the friction of this point keeps the contact stuck over the whole
+    // band. Otherwise the function returns the first of the points with equal amplitudes.
     Some((if last.whole { last.beta } else { first.beta }, last.value))
 }
 

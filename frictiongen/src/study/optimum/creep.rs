@@ -1,5 +1,5 @@
-//! Finds the friction ratio between two given friction ratios with which the highest peak is smallest. The search
-//! tracks each peak while friction changes.
+//! Finds the friction ratio at which the highest peak of the amplitude is lowest, within a given interval of friction
+//! ratios. The search tracks each peak while friction changes.
 
 use super::amplitude::FrictionAmount;
 use super::look::{BandPeak, Look};
@@ -34,8 +34,8 @@ pub(super) struct Crept {
     pub done: bool,
 }
 
-/// Returns the friction ratio between two given friction ratios with which the highest tracked peak is smallest. The
-/// tracked peaks are the peaks at the two given friction ratios.
+/// Searches the interval from `below.beta` to `above.beta` for the friction ratio at which the highest peak of the
+/// amplitude is lowest. The search tracks the peaks that exist at the two ends of the interval.
 pub(super) fn crept(band: &AmplitudeBand<'_>, below: &Scanned, above: &Scanned) -> Option<Crept> {
     let (mut below, mut above) = (below.clone(), above.clone());
     let mut best: Option<Scanned> = None;
@@ -109,7 +109,7 @@ pub(super) fn crept(band: &AmplitudeBand<'_>, below: &Scanned, above: &Scanned) 
             }
         } else if one {
             // No suitable second peak is more than half as high as the highest peak. The next step therefore uses the
-            // zero of the slope.
+            // friction ratio at which the slope of the highest peak is zero.
             next = None;
         }
         let before = width;
@@ -140,8 +140,8 @@ pub(super) fn crept(band: &AmplitudeBand<'_>, below: &Scanned, above: &Scanned) 
     })
 }
 
-/// Removes each frequency ratio that is so close to another frequency ratio that the two probably lead to the same
-/// peak.
+/// Removes frequency ratios that are too close to another frequency ratio. A search from either of the two would
+/// probably lead to the same peak.
 fn distinct(mut places: Vec<f64>) -> Vec<f64> {
     places.sort_by(f64::total_cmp);
     places.dedup_by(|a, b| (*a - *b).abs() <= 1e-3 * a.abs());

@@ -63,7 +63,7 @@ impl AmplitudeBand<'_> {
         let intervals = (width / FINE).min(MOST_INTERVALS).ceil();
         let mut most = look.peaks.first().map_or(0.0, |peak| peak.value);
         let mut seen: Vec<BandPeak> = Vec::new();
-        // A coarse pass over the band comes first. It finds an amplitude above the cutoff early.
+        // The first pass over the band is coarse, so that it finds an amplitude above the cutoff early.
         let last = intervals as usize;
         for index in (0..PASSES).flat_map(|first| (first..=last).step_by(PASSES)) {
             if self.amplitude.is_spent() {

@@ -179,13 +179,14 @@ impl<'s> KeptProblem<'s> {
     }
 }
 
-/// Returns the result for a friction that a bound determines.
+/// Returns the result for a friction ratio that is not a minimum but the limit of a bound.
 pub(super) fn bounded(optimum: Optimum) -> Optimum {
     Optimum {
         kind: OptimumKind::Bounded,
         end: OptimumEnd::Converged,
         beyond_jump: None,
-        // Tolerances and sensitivities describe a minimum. A friction ratio that a bound determines is not a minimum.
+        // Tolerances and sensitivities describe a minimum. If a bound determines the friction ratio, this friction
+        // ratio is not a minimum.
         tolerances: Vec::new(),
         sensitivities: Vec::new(),
         ..optimum

@@ -8,9 +8,9 @@ use crate::study::system::System;
 
 /// A quantity of a motion under a load whose amplitude may depend on frequency.
 ///
-/// The values of the quantity at different frequencies are comparable. The unit of displacement is that of the load at
-/// r = 1, and the unit of time is that of the scene, √(m₁/k₁). A friction is the friction force divided by the unit of
-/// force that the load has at r = 1.
+/// The values of the quantity at different frequencies are comparable. The unit of displacement is P/k₁ (Y for base
+/// motion), with the amplitude P or Y that the load has at r = 1. The unit of time is √(m₁/k₁). A friction is the
+/// friction force divided by P (by k₁Y for base motion), again with the load at r = 1.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(in crate::study) struct Objective {
     pub of: Of,
@@ -42,7 +42,7 @@ impl Objective {
             MotionQuantity::Displacement => true,
             MotionQuantity::Velocity | MotionQuantity::Acceleration => !self.of.is_force(),
             MotionQuantity::Force | MotionQuantity::Energy => self.of == Of::Contact,
-            // The best damping ratio is the largest damping ratio. This search, however, seeks the smallest number.
+            // The best damping ratio is the largest. This search, however, seeks the smallest value of a quantity.
             MotionQuantity::Damping => false,
         }
     }
@@ -53,7 +53,8 @@ impl Objective {
         self.of.is_force()
     }
 
-    /// Returns the friction ratio at the frequency ratio r that belongs to a friction.
+    /// Returns the friction ratio β at the frequency ratio r. `friction` is the friction force divided by the amplitude
+    /// P that the load has at r = 1 (by k₁Y for base motion).
     pub fn beta(&self, friction: f64, r: f64) -> f64 {
         friction * r.powi(self.fall)
     }
@@ -78,7 +79,8 @@ impl Objective {
         response.largest(self.of, self.size)
     }
 
-    /// Returns the limits β_lim and β*_lim at the frequency ratio r, converted to frictions.
+    /// Returns the limits β_lim and β*_lim at the frequency ratio r, as friction forces divided by the amplitude P that
+    /// the load has at r = 1 (by k₁Y for base motion).
     pub fn limits(&self, system: &System, r: f64) -> [f64; 2] {
         let factor = r.powi(self.fall);
         resonance::limits(system, r).map(|limit| limit / factor)

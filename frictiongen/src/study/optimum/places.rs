@@ -19,9 +19,11 @@ const APART: f64 = 0.01;
 #[derive(Clone, Copy, Debug)]
 pub(super) struct BandPlace {
     pub r: f64,
-    /// The limits β_lim and β*_lim at this frequency ratio, as frictions.
+    /// The limits β_lim and β*_lim at this frequency ratio, as friction forces divided by the amplitude P that the load
+    /// has at r = 1 (by k₁Y for base motion).
     pub limits: [f64; 2],
-    /// True if the first evaluation of the band includes this frequency, even if it requires a motion in time.
+    /// True if the first evaluation of the band includes this frequency ratio even if the response has no closed form,
+    /// so that the code must compute a motion in time.
     pub first: bool,
 }
 

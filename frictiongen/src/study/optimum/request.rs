@@ -8,7 +8,7 @@ use crate::study::units::{Load, LoadError};
 /// A band of frequencies, given as frequency ratios or in Hz.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum FrequencyBand {
-    /// The band is given by its lowest and its highest frequency ratio r, with m₁ and k₁ of the description.
+    /// The band is given by its lowest and its highest frequency ratio r, with m₁ and k₁ of the scene description.
     Ratio(f64, f64),
     /// The band is given by its lowest and its highest frequency in Hz.
     Hertz(f64, f64),
@@ -67,7 +67,7 @@ pub enum OptimumError {
     /// negative, infinite or NaN.
     Weight,
     /// No friction satisfies this bound together with all earlier bounds in the request. If the request varies a number
-    /// of the description, this is true for every value of the number in its interval.
+    /// of the scene description, this is true for every value of the number in its interval.
     Unreachable {
         /// Index of the bound in the request.
         index: usize,

@@ -6,7 +6,8 @@ use crate::study::system::System;
 /// Smallest relative distance from a pole at which the code evaluates a function to detect the pole. At a pole, the
 /// value at this distance is ten times the value at ten times the distance.
 const BESIDE: f64 = 1e-9;
-/// Largest value at the distance `BESIDE` of a function without a pole. A value of this size is only a rounding error.
+/// Value up to which the code assumes that a function has no pole. The code evaluates the function at the relative
+/// distance `BESIDE` from the possible pole. A value of this size is only a rounding error.
 const DRIVEN: f64 = 1e-3;
 
 /// Returns β_lim and β*_lim at the frequency ratio r, or NaN if they are not defined.

@@ -30,12 +30,12 @@ const BOUNDED: [f64; 8] = [1e-3, 0.01, 0.03, 0.06, 0.1, 0.2, 0.35, 0.5];
 const STEEPEST: f64 = 50.0;
 /// Number of rounds in which the search halves those intervals of the scan that may hide a minimum.
 const CLOSER: usize = 5;
-/// Largest amplitude at which the search halves an interval of the scan, divided by the best amplitude. Of the
-/// amplitudes at the two bounds of the interval, the smaller amplitude counts.
+/// Largest amplitude at which the search halves an interval of the scan over friction, divided by the best amplitude.
+/// The smaller one of the amplitudes at the interval's two bounds counts.
 const NEARLY: f64 = 1.2;
 /// Largest number of intervals of the scan over friction that one round halves.
 const MOST_CLOSER: usize = 8;
-/// Largest amplitude with which a friction ratio is not rejected, divided by the best amplitude so far. This margin
+/// Largest amplitude at which the search keeps a friction ratio, divided by the best amplitude so far. This margin
 /// exceeds the largest excess of the amplitude (10 %) for which the result has a tolerance of friction.
 const MARGIN: f64 = 1.2;
 

@@ -107,8 +107,8 @@ pub(super) fn least(band: &AmplitudeBand<'_>, work: usize) -> Option<Least> {
     })
 }
 
-/// Finds the friction between two nearby friction ratios with which the largest amplitude is smallest. Returns `None`
-/// unless the amplitude falls at the first friction ratio and rises at the second.
+/// Finds the friction ratio at which the largest amplitude over the band is smallest, between two nearby bounds
+/// (`ends`). Returns `None` unless the amplitude falls at the first bound and rises at the second.
 pub(super) fn near(band: &AmplitudeBand<'_>, ends: [f64; 2]) -> Option<Least> {
     band.amplitude.allow(WORK_OF_ONE);
     let [below, above] = ends.map(|beta| scanned_at(band, beta, f64::INFINITY));
@@ -129,8 +129,8 @@ pub(super) fn near(band: &AmplitudeBand<'_>, ends: [f64; 2]) -> Option<Least> {
     })
 }
 
-/// Extends the bracket so that it contains β. If a minimum is flat, the two bounds may be closer to each other than the
-/// accuracy of β.
+/// Extends a bracket of friction ratios so that it contains β. If a minimum is flat, the two bounds of the bracket may
+/// be closer to each other than the accuracy of β.
 fn about([from, to]: [f64; 2], beta: f64) -> [f64; 2] {
     [from.min(beta), to.max(beta)]
 }

@@ -30,7 +30,7 @@ const PARTS: u32 = 4;
 /// A friction ratio with a lower bound on its largest amplitude.
 struct Bounded {
     at: Scanned,
-    /// Number of frequencies from earlier checks that the lower bound takes into account.
+    /// Number of frequencies, found by earlier checks, at which the lower bound includes the amplitude.
     known: usize,
     /// Interval of friction that contains the minimum of a search between two friction ratios.
     bracket: Option<[f64; 2]>,

@@ -20,13 +20,13 @@ use std::cell::Cell;
 const CHECKS: usize = 12;
 /// Bound on the work between two checks, for all quantities together, in units of about 10 µs.
 const WORK_OF_A_ROUND: usize = super::WORK / 2;
-/// Largest quotient of a friction ratio that the search examines, divided by the smallest quotient found so far. A
-/// quotient is a quantity divided by its given value.
+/// Largest quotient at a friction ratio that the search examines, divided by the smallest quotient found so far. A
+/// quotient is a quantity of a motion, such as a displacement, divided by its given value.
 const NEARLY: f64 = 1.5;
 /// Largest number of friction ratios around which the search examines intervals.
 const MOST_POINTS: usize = 6;
-/// Tolerance of the check over the whole band. The check confirms a quotient if the quotient over the whole band is
-/// larger by at most this fraction.
+/// Tolerance of the check over the whole band. The check confirms a result if the largest quotient over the whole band
+/// exceeds the earlier largest quotient by at most this fraction.
 const SAME: f64 = 1e-6;
 /// Largest relative difference at which the result treats two quotients as equal. A quotient is a quantity divided by
 /// its given value.
@@ -99,7 +99,8 @@ impl System {
     }
 }
 
-/// The quotients at one friction ratio. A quotient is a quantity divided by its given value.
+/// The quotients at one friction ratio. A quotient is a quantity of a motion, such as a displacement, divided by its
+/// given value.
 struct Quotients {
     /// The largest quotient. The quantity that has this quotient is the decisive one. The peaks are those of the
     /// decisive quantity, in the unit of this quantity.

@@ -137,8 +137,8 @@ fn size_of(sum: &TestSum<'_>) -> f64 {
     size(&search(*sum, asked(Weight::One, true, 0.0), 0.0))
 }
 
-/// Checks that the sum does not exceed an arbitrary level in any closed cell. In this test the search also refines
-/// local maxima.
+/// Checks that the sum does not exceed an arbitrary level in any closed cell (interval between two grid nodes). In this
+/// test the search also refines local maxima.
 #[test]
 fn nothing_is_above_the_level_in_a_closed_cell() {
     let mut random = Lcg(67);

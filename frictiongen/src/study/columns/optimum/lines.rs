@@ -32,10 +32,11 @@ pub struct OptimumLine {
 
 impl TableRow for OptimumLine {}
 
-/// A number of the description that the search has optimised together with the friction, and the result of this search.
+/// A number of the scene description that the search has optimised together with the friction, and the result of this
+/// search.
 #[derive(Clone, Debug)]
 pub struct Tuned<'a> {
-    /// Number of the description that the search has optimised together with the friction.
+    /// Number of the scene description that the search has optimised together with the friction.
     pub of: Tunable,
     /// The result of the search for the number and the friction.
     pub found: &'a TunedOptimum,

@@ -19,8 +19,8 @@ fn range(from: f64, to: f64) -> [ShareRange; 1] {
     }]
 }
 
-/// Checks that a search that stops early returns a distribution no worse than that of the description. The peak of the
-/// result must be the largest amplitude at the 25 frequencies of the search.
+/// Checks that a search that stops early returns a distribution no worse than that of the scene description. The peak
+/// of the result must be the largest amplitude at the 25 frequencies of the search.
 #[test]
 fn a_stopped_search_keeps_its_best_distribution() {
     let block = system(BLOCK);
@@ -49,7 +49,7 @@ fn a_stopped_search_keeps_its_best_distribution() {
     let peak = peak.fold(0.0, f64::max);
     println!("{:.5} for {:.5}, shares {:?}", peak, before, found.shares);
     assert!((peak - found.optimum.amplitude).abs() < 1e-9 * peak);
-    // The result must contain the frequency and the count of this distribution, not those of the description.
+    // The result must contain the frequency and the count of this distribution, not those of the scene description.
     assert!((amplitude(found.optimum.r) - peak).abs() < 1e-9 * peak);
     assert_eq!(found.optimum.evaluations, allowed);
 }

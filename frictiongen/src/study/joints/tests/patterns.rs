@@ -117,7 +117,7 @@ fn dense(chain: &Chain, model: &Model, forces: &[f64], pattern: &[i8]) -> (Vec<f
 }
 
 /// Returns all patterns in the order in which the decision prefers them. Patterns with more sticking contacts come
-/// first. Patterns with the same number of sticking contacts have the order of the description.
+/// first. Patterns with the same number of sticking contacts have the order of the scene description.
 fn all(count: usize) -> Vec<Vec<i8>> {
     let mut all: Vec<Vec<i8>> = (0..3_usize.pow(count as u32))
         .map(|code| {

@@ -1,13 +1,13 @@
-//! The request and the result of a search for the best friction together with one number of the description.
+//! The request and the result of a search for the best friction together with one number of the scene description.
 
 use super::number::Tunable;
 use crate::study::optimum::Optimum;
 use crate::study::system::System;
 
-/// A number of the description that the search varies together with the friction, and the interval of its values.
+/// A number of the scene description that the search varies together with the friction, and the interval of its values.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Tuning {
-    /// The varied number of the description.
+    /// The varied number of the scene description.
     pub of: Tunable,
     /// Lower bound of the interval, in the unit of the varied number.
     pub from: f64,
@@ -20,11 +20,11 @@ pub struct Tuning {
 pub struct TunedPoint {
     /// Value of the varied number at this point.
     pub value: f64,
-    /// The best friction ratio β, with m₁ and k₁ of the description. NaN if no best friction exists.
+    /// The best friction ratio β, with m₁ and k₁ of the scene description. NaN if no best friction exists.
     pub beta: f64,
     /// The largest amplitude over the band with this friction, divided by P/k₁ (by Y for base motion), with k₁ of the
-    /// description. The amplitude is infinite if no friction bounds it. The amplitude is NaN if the search reached its
-    /// bound on work or was stopped before it found any friction.
+    /// scene description. The amplitude is infinite if no friction bounds it. The amplitude is NaN if the search
+    /// reached its bound on work or was stopped before it found any friction.
     pub amplitude: f64,
 }
 
@@ -40,7 +40,7 @@ pub struct TunedOptimum {
     /// The scene with the best value of the varied number.
     pub system: System,
     /// The best friction at the best value of the varied number. Its groups r, β and x̄ refer to m₁ and k₁ of the
-    /// original description. Use the original description to convert them to Hz, N and m.
+    /// original scene description. Use the original description to convert them to Hz, N and m.
     pub optimum: Optimum,
     /// The best friction at all scanned values of the varied number, in ascending order of the values. The list shows
     /// the influence of the number.

@@ -1,5 +1,5 @@
-//! Finds the best value of one number of the description together with the best friction that keeps other quantities
-//! within bounds.
+//! Finds the best value of one number of the scene description together with the best friction that keeps other
+//! quantities within bounds.
 //!
 //! The best amplitude at a value of the number is the smallest amplitude within the bounds. The best amplitude is
 //! infinite if no friction satisfies all bounds. As a function of the value, the best amplitude has corners, because
@@ -36,7 +36,8 @@ pub(super) struct KeptTunedSearch<'s> {
     watch: KeepGoing<'s>,
 }
 
-/// The best friction within the bounds at one value of the number, in the groups of the description.
+/// The best friction within the bounds at one value of the number. Its groups β and x̄ refer to m₁ and k₁ of the
+/// original scene.
 #[derive(Clone, Copy, Debug)]
 struct Trial {
     value: f64,
@@ -46,7 +47,7 @@ struct Trial {
     beta: f64,
 }
 
-/// A scanned value with the two values between which the search looks for a minimum.
+/// A scanned value of the number, and the two values between which the search looks for a minimum.
 struct Valley {
     start: Trial,
     ends: [f64; 2],
@@ -112,8 +113,8 @@ impl<'s> KeptTunedSearch<'s> {
         Ok((groups.of(optimum), largest))
     }
 
-    /// Returns one factor for each quantity with a bound. The factor converts the quantity of a scene with another
-    /// value of the number to the groups of the description.
+    /// Returns one factor for each quantity with a bound. The factor converts the quantity from the groups of the
+    /// varied scene, with its m₁ and k₁, to the groups of the original scene.
     fn factors(&self, varied: &System) -> Vec<f64> {
         let (request, described) = (self.tuned.request, self.tuned.described);
         let factor = |kept: &KeptQuantity| {

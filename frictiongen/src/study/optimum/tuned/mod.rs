@@ -1,4 +1,4 @@
-//! The best friction together with the best value of one number of the description.
+//! The best friction together with the best value of one number of the scene description.
 
 mod answer;
 mod kept;
@@ -14,10 +14,10 @@ pub use number::{Tunable, UnknownTunable};
 use tried::TunedSearch;
 
 impl System {
-    /// Returns the best friction together with the best value of one number of the description. With this friction and
-    /// this value, the largest amplitude of a motion over a band of frequencies is smallest. The number is a stiffness,
-    /// a mass, a damping ratio, a damping factor or μ. Band, load and friction force keep their values in Hz, N and m,
-    /// even if m₁ or k₁ varies.
+    /// Returns the best friction together with the best value of one number of the scene description. With this
+    /// friction and this value, the largest amplitude of a motion over a band of frequencies is smallest. The number is
+    /// a stiffness, a mass, a damping ratio, a damping factor or μ. Band, load and friction force keep their values in
+    /// Hz, N and m, even if m₁ or k₁ varies.
     ///
     /// The search evaluates 17 values of the number, including both bounds of its interval. The values are in geometric
     /// steps, or in quadratic steps if the interval starts at 0 or below. For each value the search finds the best of
@@ -90,9 +90,9 @@ impl System {
         search.watched_by(watch).solved()
     }
 
-    /// Finds the best friction together with the best value of one number of the description, under bounds. With this
-    /// friction and this value, other quantities stay within their bounds over the whole band. The result also has the
-    /// largest value over the band of each quantity with a bound, in the order of the bounds.
+    /// Finds the best friction together with the best value of one number of the scene description, under bounds. With
+    /// this friction and this value, other quantities stay within their bounds over the whole band. The result also has
+    /// the largest value over the band of each quantity with a bound, in the order of the bounds.
     ///
     /// The search evaluates the same 17 values of the number as [`tuned_optimum`](Self::tuned_optimum). For each value
     /// the search finds the best friction within the bounds, as [`kept_optimum`](Self::kept_optimum) does. Around the

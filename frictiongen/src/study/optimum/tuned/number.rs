@@ -1,4 +1,4 @@
-//! The numbers of a description that a search for the best friction can vary together with the friction.
+//! The numbers of a scene description that a search for the best friction can vary together with the friction.
 
 use crate::study::error::InvalidScene;
 use crate::study::parameter::quantities;
@@ -7,7 +7,7 @@ use crate::study::system::System;
 use frictiongen_model::scene::{Damping, Scene, Spring};
 use frictiongen_model::sensitivity::Quantity;
 
-/// A number of a description that a search for the best friction can vary together with the friction.
+/// A number of a scene description that a search for the best friction can vary together with the friction.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum Tunable {
     /// A mass, the stiffness of a spring or of the contact, μ, the damping ratio of one mode, or a factor of C = aM +
@@ -17,10 +17,10 @@ pub enum Tunable {
     DampingRatios,
 }
 
-/// Error for a name that no variable number of the description has.
+/// Error for a name that no variable number of the scene description has.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct UnknownTunable {
-    /// The requested name, which no number of the description has.
+    /// The requested name, which no number of the scene description has.
     pub name: String,
     /// The names of all numbers that can vary.
     pub known: Vec<String>,
@@ -62,7 +62,7 @@ impl Tunable {
         }
     }
 
-    /// Returns all quantities of the description that change together with this number.
+    /// Returns all quantities of the scene description that change together with this number.
     pub(crate) fn quantities(self, scene: &Scene) -> Vec<Quantity> {
         match self {
             Self::Quantity(quantity) => vec![quantity],
@@ -72,7 +72,7 @@ impl Tunable {
         }
     }
 
-    /// Returns the scene with another value of this number. Returns `None` if the description does not have this
+    /// Returns the scene with another value of this number. Returns `None` if the scene description does not have this
     /// number.
     fn applied(self, scene: &Scene, value: f64) -> Option<Scene> {
         let mut scene = scene.clone();
@@ -129,7 +129,7 @@ fn ratios(scene: &Scene) -> Option<Vec<f64>> {
 }
 
 impl System {
-    /// Returns all numbers of the description that a search can vary: masses, springs, damping and μ. If the
+    /// Returns all numbers of the scene description that a search can vary: masses, springs, damping and μ. If the
     /// description has no damping, the numbers include damping ratios and the factors of C = aM + bK. Otherwise the
     /// numbers include only those of the damping in the description.
     #[must_use]
@@ -154,7 +154,7 @@ impl System {
 
     /// Returns the number with the symbol `name`. Symbols are `m upper`, `k base - lower`, `zeta` for all modes, `zeta
     /// 1`, `a`, `b`, `stiffness` for an elastic contact, and `mu`. The two nodes of a spring may be in either order.
-    /// `k2` means the second spring of the description, and `m1` its first mass.
+    /// `k2` means the second spring of the scene description, and `m1` its first mass.
     ///
     /// # Errors
     /// [`UnknownTunable`] if no number has this symbol.
@@ -207,7 +207,8 @@ impl System {
     /// ```
     ///
     /// # Errors
-    /// [`InvalidScene`] if the value makes no physical sense, and for a number that the description does not have.
+    /// [`InvalidScene`] if the value makes no physical sense, and for a number that the scene description does not
+    /// have.
     pub fn with_value(&self, tunable: Tunable, value: f64) -> Result<Self, InvalidScene> {
         let scene = self.scene();
         let varied = tunable.applied(scene, value).ok_or_else(|| InvalidScene {

@@ -1,4 +1,4 @@
-//! Finds the value of one number of the description with which the best friction gives the smallest amplitude.
+//! Finds the value of one number of the scene description with which the best friction gives the smallest amplitude.
 
 use super::answer::{TunedOptimum, TunedPoint, Tuning};
 use super::tried::{GroupRatios, Tried, TunedSearch, near};

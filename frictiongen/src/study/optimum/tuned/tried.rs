@@ -1,5 +1,5 @@
-//! The best friction at one value of a number of the description, and the derivative of the best amplitude with respect
-//! to that number.
+//! The best friction at one value of a number of the scene description, and the derivative of the best amplitude with
+//! respect to that number.
 
 use super::answer::Tuning;
 use crate::study::optimum::amplitude::{FrictionAmount, KeepGoing};
@@ -23,7 +23,7 @@ const DIFFERENCE: f64 = 1e-5;
 /// neighbouring values.
 const MARGIN: f64 = 1e-3;
 
-/// A checked request for the best friction together with one number of the description.
+/// A checked request for the best friction together with one number of the scene description.
 pub(super) struct TunedSearch<'s> {
     pub(super) described: &'s System,
     pub(super) request: &'s OptimumRequest,
@@ -37,18 +37,18 @@ pub(super) struct TunedSearch<'s> {
 pub(super) struct Tried {
     pub value: f64,
     pub amplitude: f64,
-    /// Derivative of the best amplitude with respect to the varied number of the description. It is NaN if the
+    /// Derivative of the best amplitude with respect to the varied number of the scene description. It is NaN if the
     /// derivative is not known.
     pub slope: f64,
-    /// Best friction ratio β, with m₁ and k₁ of the description.
+    /// Best friction ratio β, with m₁ and k₁ of the scene description.
     pub beta: f64,
-    /// Frequency ratios r of the peaks, with m₁ and k₁ of the description.
+    /// Frequency ratios r of the peaks, with m₁ and k₁ of the scene description.
     pub peaks: Vec<f64>,
     pub found: Option<Least>,
 }
 
-/// Factors that convert the non-dimensional groups of the scene with another value of the number to the groups of the
-/// description.
+/// Factors that convert the non-dimensional groups r, β and x̄ of the varied scene to those of the original scene. The
+/// two scenes may have different m₁ and k₁.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct GroupRatios {
     pub r: f64,
@@ -156,8 +156,7 @@ impl<'s> TunedSearch<'s> {
         varied.map_err(OptimumError::Scene)
     }
 
-    /// Returns the request with the same band of frequencies in Hz, in the groups of the scene with another value of
-    /// the number.
+    /// Returns the request with the same band of frequencies in Hz, but as frequency ratios r of the varied scene.
     pub(super) fn request_for(&self, varied: &System) -> OptimumRequest {
         let groups = GroupRatios::new(self.request, self.described, varied);
         let ratio = |r: f64| r / groups.r;
