@@ -246,13 +246,6 @@ fn continuous_motion() {
     assert!(worst < 1e-11, "{worst:e}");
 }
 
-/// Checks two scenes in time, as `stick_slip_in_time` checks more of them.
-#[test]
-fn stick_slip_of_two_scenes() {
-    let [compared, events, _] = stick_slip(17, 0);
-    assert!(compared >= 80 && events > 40, "{compared}, {events}");
-}
-
 /// Compares motion from rest with stops over forty cycles. For scenes of one and of two masses, also compares the
 /// steady state that the motion reaches. Every seventh scene is tested: successive ones differ in their number of
 /// masses.
