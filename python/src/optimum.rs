@@ -26,7 +26,7 @@ const LISTS: [&str; 2] = ["weighted", "kept"];
 struct ValuedArgument {
     /// Name of the argument.
     name: &'static str,
-    /// What each value is, for messages.
+    /// Words for the value of a quantity in messages, such as `the bound of a quantity`.
     value: &'static str,
 }
 

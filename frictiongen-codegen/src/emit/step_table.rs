@@ -34,22 +34,16 @@ impl Sizes {
 
     /// Returns a sentence about the sizes in the kernel's types.
     pub fn about(&self) -> String {
-        let Self {
-            coefficients,
-            modes,
-            held,
-            inputs,
-        } = self;
-        let counted = |number: &usize, of: &str| {
-            let plural = if *number == 1 { "" } else { "s" };
+        let counted = |number: usize, of: &str| {
+            let plural = if number == 1 { "" } else { "s" };
             format!("{number} {of}{plural}")
         };
         format!(
             "The numbers in its type: {} of an input over a part, {}, {} with the contact stuck, {}.",
-            counted(coefficients, "coefficient"),
-            counted(modes, "mode"),
-            counted(held, "mode"),
-            counted(inputs, "input"),
+            counted(self.coefficients, "coefficient"),
+            counted(self.modes, "mode"),
+            counted(self.held, "mode"),
+            counted(self.inputs, "input"),
         )
     }
 }
