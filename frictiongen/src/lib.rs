@@ -201,8 +201,6 @@ pub use frictiongen_kernel::errors::{
 };
 pub use frictiongen_kernel::modal_sum::search::{Effort, Neighbour};
 pub use frictiongen_kernel::response::motion::Largest;
-/// Turns the description of a scene into a solver of the scene. The [documentation of the crate](crate) lists the
-/// fields of a description and the emitted items.
 pub use frictiongen_macros::friction_system;
 pub use in_time::{OrbitAt, Periodic, SteadyState};
 pub use runs::{Run, Simulates, SimulatesUnder};
