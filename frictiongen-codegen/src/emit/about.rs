@@ -153,6 +153,10 @@ fn lines(emission: &Emission<'_>) -> Vec<String> {
     lines.extend(offers(emission).into_iter().map(|item| format!("* {item}")));
     lines.push(String::new());
     // A scene with a stepper alone has no formula of the thesis.
+    let non_dimensional = emission.scene.needs_frequency() || emission.wanted().simulation;
+    if non_dimensional {
+        lines.extend([units(&emission.scene.excitation).to_owned(), String::new()]);
+    }
     let thesis = if emission.scene.needs_frequency() {
         "Numbers in brackets are equations of L. Marino, *Dynamic analysis of mechanical systems with Coulomb friction*, Oxford 2021.  "
     } else {
@@ -162,6 +166,18 @@ fn lines(emission: &Emission<'_>) -> Vec<String> {
         "{thesis}Counts of operations do not include operations whose operands are all constants, because the compiler computes them.  An `if` counts as two operations, a comparison and a choice."
     ));
     lines
+}
+
+/// Returns a line about the units of the results at one frequency ratio and of the simulation.
+fn units(excitation: &Excitation) -> &'static str {
+    match excitation {
+        Excitation::Base => {
+            "Answers of `at(r)` and of the simulation are non-dimensional: displacements are over Y, the amplitude of the base motion, forces are over k₁Y, and the time is τ = ωt."
+        }
+        Excitation::Force(_) => {
+            "Answers of `at(r)` and of the simulation are non-dimensional: displacements are over P/k₁, with P the amplitude of the force, forces are over P, and the time is τ = ωt."
+        }
+    }
 }
 
 /// Returns a fence of backticks that is longer than every run of backticks in a text.
@@ -195,10 +211,10 @@ fn offers(emission: &Emission<'_>) -> Vec<String> {
             "for a NaN or negative r"
         };
         items.push(format!(
-            "`at(r)` returns [`{at}`], with `limits()`, `regime(beta)` and `margin(beta)`, or an error {refused}"
+            "`at(r)` returns [`{at}`], with `limits()` (β_lim and β*_lim), `regime(beta)` (continuous, stick-slip, stuck or bistable) and `margin(beta)` (β/min(β_lim, β*_lim) − 1, negative if continuous motion exists), or an error {refused}"
         ));
         items.push(
-            "`limits_without_search(r)`, `limits_into(rs, continuous, sliding)`: both limits alone"
+            "`limits_without_search(r)`: an upper bound on β_lim, and β*_lim; `limits_into(rs, continuous, sliding)`: both limits for a slice of frequency ratios"
                 .to_owned(),
         );
     }

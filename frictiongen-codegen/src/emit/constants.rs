@@ -204,7 +204,7 @@ fn at_frequency(emission: &Emission<'_>) -> EmittedCode {
     let items = code! {
         /// The functions `at`, `limits_without_search` and `limits_into`.
         #facade::kernel::scene_functions!(#name, #at, #scalar, #of);
-        /// The trait `FrictionSystem`, by which generic code calls any scene.
+        /// The trait `FrictionSystem`, by which generic code calls any scene.  The texts are the names of the masses.
         #facade::emitted_system!(#name, #at, #scalar, [#(#names),*]);
     };
     EmittedCode {
@@ -369,7 +369,7 @@ fn chain(emission: &Emission<'_>) -> TokenStream {
             (
                 "on_moving_base",
                 on_moving_base,
-                "relative motion for r → 0, over Y, if the contact rubs on a moving base",
+                "relative motion in the contact for r → 0, over the amplitude Y of the base motion, if the contact rubs on the moving base",
             ),
             (
                 "inverse_mass",

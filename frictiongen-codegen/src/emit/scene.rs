@@ -67,7 +67,8 @@ pub(super) fn emit(emission: &Emission<'_>, wanted: &Wanted<'_>) -> EmittedCode 
         #wraps
 
         impl Scene for #name {
-            /// The items that every scene has: types, constants and the calls of the frequency stage.
+            /// The items that every scene has: types, constants and the calls of the frequency stage.  The word says whether a
+            /// mode is damped, and the number is the number of modes that the load or the contact drives.
             #facade::kernel::scene_items!(#scalar, #damped, #modes #in_passes);
 
             #methods

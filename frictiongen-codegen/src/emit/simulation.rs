@@ -128,7 +128,7 @@ fn starts(emission: &Emission<'_>, parts: &Literal) -> [TokenStream; 2] {
                 Simulation::new(Self::DYNAMICS, r, beta, None, parts).map(From::from)
             }
 
-            /// Starts from a state at a maximum of the excitation: x̄ and dx̄/dτ of every mass.
+            /// Starts from a state at a maximum of the excitation: x̄ and dx̄/dτ of every mass, in the order of the description.
             ///
             /// # Errors
             /// `OutOfDomain` also for a state that is not finite.
@@ -198,7 +198,7 @@ fn starts_under(emission: &Emission<'_>, parts: &Literal) -> ([TokenStream; 2], 
                 Self::started(r, beta, amplitude, None)
             }
 
-            /// Starts from a state at a maximum of the excitation: x̄ and dx̄/dτ of every mass.
+            /// Starts from a state at a maximum of the excitation: x̄ and dx̄/dτ of every mass, in the order of the description.
             ///
             /// # Errors
             /// `OutOfDomain` also for a state that is not finite.

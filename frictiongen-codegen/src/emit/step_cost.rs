@@ -25,10 +25,10 @@ pub(super) fn parts(scene: &StepScene<'_, Dd, AnyContact<Dd>>, step: Option<f64>
         format!(" (the friction law adds up to {MAX_STRETCHES} changes of its line)")
     };
     vec![
-        parts + ".",
+        parts + ".  In a part, the phase of the fastest mode advances by at most 1 rad.",
         " A part in which the contact certainly keeps sliding, or keeps sticking, is a product of its state with tables.".to_owned(),
         format!(" In any other part the stepper searches the events, at most {MAX_EVENTS}{lines}."),
-        " Beyond them a rule that creates no energy ends the part, and `exceeded()` counts the step.".to_owned(),
+        " After these events, a contact at rest stays stuck to the end of the part, and in any other contact the friction force is constant there.  This rule creates no energy, and `exceeded()` counts the step.".to_owned(),
     ]
 }
 
@@ -89,7 +89,7 @@ pub(super) fn operations(
             " A {of} has at most {tables} floating-point operations if all parts are such products, about {one_event} with one event, never"
         ),
         format!(
-            " more than {most}.  `set_event_budget(n)` lowers this bound, and `cost().most` is then the bound.{processor}"
+            " more than {most}.  `set_event_budget(n)` limits the events of a step to n, and `cost().most` is then the bound.{processor}"
         ),
     ]
 }

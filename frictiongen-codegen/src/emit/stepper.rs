@@ -118,7 +118,8 @@ pub(super) fn emit(emission: &Emission<'_>, constants: &DynamicsConstants) -> Em
                 Stepper::new(Self::STEP_SCENE, tables, FixedStore::new(), None).map(From::from)
             }
 
-            /// Creates a stepper that starts from the displacement and velocity of every mass.
+            /// Creates a stepper that starts from a state: the absolute displacements of all masses, and their absolute velocities
+            /// per second, in the order of the description.
             ///
             /// # Errors
             /// `OutOfDomain` also for a state that is not finite.
@@ -140,6 +141,8 @@ pub(super) fn emit(emission: &Emission<'_>, constants: &DynamicsConstants) -> Em
 
         #of_stepper
 
+        /// The traits `Steps` and `Stepping`, and the functions `image` and `stepper_from_image`.  `true` stands for a
+        /// moving base.  The list contains the indices of the loaded masses.
         #facade::emitted_stepper!(#name, #stepper, #scalar, #on_base, [#(#loaded),*]);
     };
     cost.push(format!(" {}", sizes.about()));
@@ -156,6 +159,7 @@ pub(super) fn emit(emission: &Emission<'_>, constants: &DynamicsConstants) -> Em
 
             #of_declared
 
+            /// The trait `Stepping` and the function `image`, with the same two arguments.
             #facade::emitted_stepper!(declared #declared, #scalar, #on_base, [#(#loaded),*]);
         });
     }
@@ -177,7 +181,10 @@ fn calls(
 ) -> TokenStream {
     let Emission { scalar, names, .. } = emission;
     let input = &names.input;
-    let costs = format!(" [`{}`] has the number of operations.", names.stepper);
+    let costs = format!(
+        " Returns the state of the contact and the friction force at the end of the step, and the number of events in it.  [`{}`] has the number of operations.",
+        names.stepper
+    );
     let methods = methods(emission);
     code! {
         impl #stepper {
@@ -193,8 +200,8 @@ fn calls(
             #[doc = #costs]
             ///
             /// # Errors
-            /// `OutOfDomain` for NaN, infinite numbers, negative friction, numbers whose squares overflow, and if the work
-            /// would overflow.  The stepper then keeps its state.
+            /// `OutOfDomain` for NaN, infinite numbers, negative friction, numbers whose squares overflow, and if the energies
+            /// that `work()` returns would overflow.  The stepper then keeps its state.
             pub fn advance(&mut self, input: #input) -> Result<Stepped<#scalar>, OutOfDomain> {
                 self.0.advance(#sample)
             }
