@@ -250,14 +250,13 @@ fn continuous_motion() {
 /// steady state that the motion reaches. Every seventh scene is tested: successive ones differ in their number of
 /// masses.
 #[test]
-#[ignore = "minutes without optimisation"]
 fn stick_slip_in_time() {
     let [_, events, settled] = stick_slip(7, 2);
     assert!(events > 200 && settled > 1, "{events}, {settled}");
 }
 
 #[test]
-#[ignore = "minutes: all scenes, each followed for 400 more cycles"]
+#[ignore = "a minute: all scenes, each followed for 400 more cycles"]
 fn stick_slip_in_time_whole() {
     let [_, events, settled] = stick_slip(1, 5);
     assert!(events > 2000 && settled > 50, "{events}, {settled}");

@@ -79,13 +79,12 @@ impl<S: Float> ContactChain<S> for Chain<S> {
     fn steady_stuck_force(setting: &MotionSetting<'_, S>, place: S) -> (S, Complex<S>) {
         let inverse_mass = setting.dynamics.chain.inverse_mass;
         let base = setting.base;
-        (
-            -(place / setting.receptance),
-            Complex::new(
-                setting.load / inverse_mass - base / setting.receptance,
-                -(setting.r * setting.drag * base / inverse_mass),
-            ),
-        )
+        let mut sine = -(setting.r * setting.drag * base / inverse_mass);
+        if !setting.quadrature.vanishes() {
+            sine = sine + setting.quadrature / inverse_mass;
+        }
+        let cosine = setting.load / inverse_mass - base / setting.receptance;
+        (-(place / setting.receptance), Complex::new(cosine, sine))
     }
 
     fn halt(
