@@ -222,9 +222,13 @@ Ctrl-C keeps the frequencies that are already computed.
 pub const DIFFERENCES: &str = "\
 Comparison:
   parameters   every field that differs, with its relative change
-  answers      limits and amplitudes of both scenes at the same frequencies in Hz and the same friction
-               force. Each line has the largest difference, relative to the larger of both values.
-  code         lines, bytes and counted operations of the code that the macro emits
+  answers      limits and amplitudes of both scenes from the exact formulas, at the same frequencies
+               in Hz and the same friction force. Each line has the largest difference, relative to
+               the larger of the two values. The frequencies are logarithmically spaced from 0.2
+               times the lowest to 1.5 times the highest natural frequency of both scenes. A declared
+               `range` narrows this range.
+  code         lines, bytes and counted operations of the Rust code that the macro emits. Lines and
+               bytes include documentation comments, but not the header comment of `expand`.
 A description with errors cannot be compared as a scene. The command then prints the errors and the lines
 that differ.
 

@@ -1,6 +1,7 @@
 //! Largest differences between the results of two scenes at the same frequencies and friction forces.
 
 use super::relative;
+use crate::number::computed;
 use frictiongen::System;
 use frictiongen::study::scene::{Accuracy, Beyond, Excitation, FrictionLaw, Provide, Scene};
 use frictiongen::study::units::{Load, hertz};
@@ -9,15 +10,15 @@ use frictiongen::study::units::{Load, hertz};
 pub const FREQUENCIES: u32 = 400;
 /// Range of the compared frequencies. The range begins at 0.2 times the lowest natural frequency, and ends at 1.5 times
 /// the highest natural frequency.
-const BAND: (f64, f64) = (0.2, 1.5);
+pub const BAND: (f64, f64) = (0.2, 1.5);
 /// Largest value that the comparison treats as 0, divided by the largest value of the same result over the frequencies.
 /// Rounding errors of a result whose exact value is 0 have this size.
 const NOISE: f64 = 1e-12;
 /// Friction for the comparison of motions, divided by the smaller of the limits β_lim and β*_lim of the old scene.
-const FRICTION: f64 = 0.5;
+pub const FRICTION: f64 = 0.5;
 
 /// Words for a comparison only at frequencies at which both scenes have a finite limit.
-const FINITE: &str = "where both are finite";
+const FINITE: &str = "where both limits are finite";
 /// Words for a comparison only at frequencies at which both scenes have a continuous motion.
 const CONTINUOUS: &str = "where both motions are continuous";
 
@@ -41,7 +42,7 @@ pub struct Difference {
     /// Words for the scene or scenes (old, new) whose emitted code does not provide this result. The text is empty if
     /// the code of both scenes provides the result.
     pub left_out_by: &'static str,
-    /// Words for the compared frequencies, if the comparison leaves out some frequencies of the band.
+    /// Words for the compared frequencies, for a comparison that leaves out some frequencies of the band.
     pub where_both: &'static str,
 }
 
@@ -55,7 +56,9 @@ pub struct Answers {
     pub modes: NaturalFrequencies,
     /// Lowest and highest compared frequency, in Hz.
     pub band: Option<(f64, f64)>,
-    /// True if a declared `range` bounds the compared frequencies.
+    /// Lowest and highest compared frequency ratio r, in the old scene and in the new scene.
+    pub ratios: [(f64, f64); 2],
+    /// True if a declared `range` narrows the range that [`BAND`] gives.
     pub within_range: bool,
     /// Largest difference for each result that the command compares.
     pub differences: Vec<Difference>,
@@ -84,18 +87,17 @@ pub fn compare(old: &System, new: &System) -> Answers {
         .iter()
         .any(|scene| scene.friction != FrictionLaw::Coulomb)
     {
-        let reason = "limits and amplitudes: a scene has `friction: stribeck`, and these need a constant kinetic level";
+        let reason = "limits and amplitudes: they need a constant kinetic level, not `stribeck`";
         answers.left_out.push(reason.to_owned());
         return answers;
     }
     if scenes.iter().any(|scene| scene.stiffness.is_some()) {
-        let reason =
-            "limits and amplitudes: a scene has `stiffness`, and these need a rigid contact";
+        let reason = "limits and amplitudes: they need a rigid contact, not `stiffness`";
         answers.left_out.push(reason.to_owned());
         return answers;
     }
     if scenes.iter().any(|scene| scene.is_joined()) {
-        let reason = "limits and amplitudes: a scene has `contacts` or `dampers`, and these need a single contact without dashpots";
+        let reason = "limits and amplitudes: they need scenes without `contacts` and `dampers`";
         answers.left_out.push(reason.to_owned());
         return answers;
     }
@@ -123,13 +125,19 @@ pub fn compare(old: &System, new: &System) -> Answers {
             (band.0.max(range.0), band.1.min(range.1))
         });
     if from >= to {
-        let reason =
-            "limits and amplitudes: no frequency is in the declared `range` of both scenes";
-        answers.left_out.push(reason.to_owned());
+        answers.left_out.push(format!(
+            "limits and amplitudes: no frequency in {}..{} Hz is in each `range`",
+            computed(wide.0),
+            computed(wide.1)
+        ));
         return answers;
     }
     answers.within_range = (from, to) != wide;
     answers.band = Some((from, to));
+    answers.ratios = [old, new].map(|system| {
+        let ratio = |hertz| system.frequency_ratio_at_hertz(hertz);
+        (ratio(from), ratio(to))
+    });
     let ratio = (to / from).powf(1.0 / f64::from(FREQUENCIES - 1));
     let band: Vec<f64> = (0..FREQUENCIES)
         .map(|index| from * ratio.powf(f64::from(index)))
@@ -171,9 +179,9 @@ fn provides(scene: &Scene, mass: Option<&str>) -> bool {
 fn left_out_by(old: &Scene, new: &Scene, mass: Option<&str>) -> &'static str {
     match (provides(old, mass), provides(new, mass)) {
         (true, true) => "",
-        (false, true) => "the old emitted code leaves it out",
-        (true, false) => "the new emitted code leaves it out",
-        (false, false) => "the emitted code leaves it out",
+        (false, true) => "the old emitted code does not provide it",
+        (true, false) => "the new emitted code does not provide it",
+        (false, false) => "the emitted code does not provide it",
     }
 }
 
@@ -188,7 +196,13 @@ fn unshared(old: &System, new: &System) -> Option<String> {
     };
     let mut names = only(old, new);
     names.extend(only(new, old));
-    (!names.is_empty()).then(|| format!("motions of {}: only one scene has them", names.join(", ")))
+    let these = match names.len() {
+        0 => return None,
+        1 => "this mass",
+        _ => "each of these masses",
+    };
+    let names = names.join(", ");
+    Some(format!("amplitude of {names}: only one scene has {these}"))
 }
 
 /// Values of one result (such as β_lim or an amplitude) of a scene over the compared frequencies.

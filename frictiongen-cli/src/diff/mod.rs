@@ -9,7 +9,7 @@ use crate::args::{DiffArguments, FileArgument};
 use crate::failure::Failure;
 use crate::json::object;
 use crate::number::{Cell, Lossless as _, computed};
-use answers::{Answers, Difference, FREQUENCIES};
+use answers::{Answers, BAND, Difference, FREQUENCIES, FRICTION};
 use code::Code;
 use frictiongen::System;
 use frictiongen::study::scene::{Accuracy, Precision, Scene};
@@ -24,7 +24,7 @@ use steppers::Steppers;
 struct Differences {
     names: [String; 2],
     changes: Vec<FieldChange>,
-    /// Sentences about results of the emitted code that the comparison leaves out, such as results from tables.
+    /// Sentences about emitted code that does not use the exact formulas in double precision, without full stops.
     notes: Vec<String>,
     answers: Answers,
     /// Comparison of the steppers, unless no scene provides one.
@@ -98,15 +98,15 @@ fn compare(names: [String; 2], texts: &[String; 2]) -> Result<Differences, Failu
 /// comparison uses these formulas for every scene.
 fn note(which: &str, scene: &Scene) -> Option<String> {
     let tables = match (scene.declared.accuracy, scene.declared.budget) {
-        (Accuracy::Relative(accuracy), _) => Some(format!(
-            "answers from tables, to an accuracy of {accuracy:e}"
-        )),
-        (Accuracy::Exact, Some(bytes)) => Some(format!("answers from tables of {bytes} bytes")),
+        (Accuracy::Relative(accuracy), _) => {
+            Some(format!("uses tables of relative accuracy {accuracy:e}"))
+        }
+        (Accuracy::Exact, Some(bytes)) => Some(format!("uses tables of at most {bytes} bytes")),
         (Accuracy::Exact, None) => None,
     };
     let single = (scene.precision == Precision::F32).then(|| "computes in f32".to_owned());
     let said: Vec<String> = single.into_iter().chain(tables).collect();
-    (!said.is_empty()).then(|| format!("the {which} emitted code {}", said.join(" and ")))
+    (!said.is_empty()).then(|| format!("The {which} emitted code {}", said.join(" and ")))
 }
 
 /// Writes the differing lines of two texts.
@@ -221,29 +221,11 @@ impl Differences {
         if let Some((from, to)) = self.answers.band {
             writeln!(
                 out,
-                "\nanswers at {FREQUENCIES} frequencies from {} to {} Hz",
+                "\nanswers at {FREQUENCIES} frequencies, logarithmically spaced from {} to {} Hz",
                 computed(from),
                 computed(to)
             )?;
-            if self.answers.within_range {
-                writeln!(
-                    out,
-                    "  The declared `range` bounds these frequencies: outside it the emitted code refuses."
-                )?;
-            }
-            for line in [
-                "A difference is relative to the larger of both values.",
-                "Amplitudes are those under half the smaller limit of the old scene, with that friction force in both scenes.",
-            ] {
-                writeln!(out, "  {line}")?;
-            }
-            if !self.notes.is_empty() {
-                writeln!(
-                    out,
-                    "  Both are answers of the exact formulas in f64; {}.",
-                    self.notes.join(", ")
-                )?;
-            }
+            self.write_conditions(out)?;
         }
         for found in &self.answers.differences {
             let Difference {
@@ -257,11 +239,6 @@ impl Differences {
                 left_out_by,
                 where_both,
             } = found;
-            let over = if u32::try_from(*compared) == Ok(FREQUENCIES) {
-                String::new()
-            } else {
-                format!(" over {compared} frequencies {where_both}")
-            };
             let unit = if unit.is_empty() {
                 String::new()
             } else {
@@ -272,13 +249,19 @@ impl Differences {
             } else {
                 writeln!(out, "  {name} ({left_out_by})")?;
             }
+            if u32::try_from(*compared) != Ok(FREQUENCIES) {
+                writeln!(
+                    out,
+                    "    compared at {compared} of {FREQUENCIES} frequencies, {where_both}"
+                )?;
+            }
             if *relative <= ROUNDINGS {
-                writeln!(out, "    unchanged, to rounding{over}")?;
+                writeln!(out, "    unchanged, to rounding")?;
                 continue;
             }
             writeln!(
                 out,
-                "    differs by {} at most, at {} Hz: {} -> {}{unit}; median {}{over}",
+                "    differs by {} at most, at {} Hz: {} -> {}{unit}; median {}",
                 per_cent(*relative).trim_start_matches('+'),
                 computed(*hertz),
                 computed(values.0),
@@ -292,8 +275,52 @@ impl Differences {
         Ok(())
     }
 
+    /// Writes the compared range of frequencies, the formulas and the friction force of the compared answers.
+    fn write_conditions(&self, out: &mut dyn Write) -> Result<(), Failure> {
+        let range = |(from, to): (f64, f64)| format!("{} to {}", computed(from), computed(to));
+        let [old, new] = self.answers.ratios.map(range);
+        if old == new {
+            writeln!(out, "  Frequency ratio r: {old} in both scenes.")?;
+        } else {
+            writeln!(
+                out,
+                "  Frequency ratio r: {old} (old scene), {new} (new scene)."
+            )?;
+        }
+        let (low, high) = BAND;
+        writeln!(
+            out,
+            "  Default range: {low} times the lowest to \
+             {high} times the highest natural frequency of both scenes."
+        )?;
+        if self.answers.within_range {
+            writeln!(
+                out,
+                "  The declared `range` narrows it. \
+                 The emitted code returns an error outside `range`."
+            )?;
+        }
+        writeln!(
+            out,
+            "  The answers of both scenes come from the exact formulas in f64, not from tables."
+        )?;
+        for note in &self.notes {
+            writeln!(out, "  {note}.")?;
+        }
+        writeln!(
+            out,
+            "  A difference is relative to the larger of the two values."
+        )?;
+        writeln!(
+            out,
+            "  Friction force for amplitudes, in both scenes: \
+             {FRICTION} min(F_lim, F*_lim) of the old scene."
+        )?;
+        Ok(())
+    }
+
     fn write_code(&self, out: &mut dyn Write) -> Result<(), Failure> {
-        writeln!(out, "\nemitted code")?;
+        writeln!(out, "\nemitted code in Rust")?;
         let code = match &self.code {
             Err(reason) => {
                 writeln!(out, "  not compared: {reason}")?;
@@ -301,10 +328,23 @@ impl Differences {
             }
             Ok(code) => code,
         };
+        writeln!(
+            out,
+            "  Lines and bytes include documentation comments, \
+             but not the header comment of `expand`."
+        )?;
+        // `compile` refuses several contacts, dashpots and `stribeck`, for which there is no band.
+        if self.answers.band.is_some() {
+            writeln!(
+                out,
+                "  C is not compared. \
+                 `compile --format c -o NAME.c` writes its numbers to NAME_tables.h."
+            )?;
+        }
         let (removed, added) = code.differing;
         writeln!(
             out,
-            "  lines            {} -> {}; {removed} old lines are gone and {added} are new",
+            "  lines            {} -> {}; {removed} removed, {added} added",
             code.lines.0, code.lines.1
         )?;
         writeln!(
@@ -320,7 +360,7 @@ impl Differences {
             )?;
         }
         if code.functions.is_empty() {
-            writeln!(out, "  operations       the same number in every function")?;
+            writeln!(out, "  operations       unchanged in every function")?;
         }
         for (name, old, new) in &code.functions {
             writeln!(out, "  operations of `{name}`")?;

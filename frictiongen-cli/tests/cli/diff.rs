@@ -121,7 +121,17 @@ fn in_words() {
         "{text}"
     );
     assert!(text.contains(" N/m; median "), "{text}");
-    assert!(text.contains(" old lines are gone and "), "{text}");
+    for part in [
+        " removed, ",
+        " added\n",
+        "\nanswers at 400 frequencies, logarithmically spaced from ",
+        "\n  Default range: 0.2 times the lowest to 1.5 times the highest natural frequency ",
+        "\n  The answers of both scenes come from the exact formulas in f64, not from tables.\n",
+        "\n  Lines and bytes include documentation comments, but not the header comment of `expand`.\n",
+        " writes its numbers to NAME_tables.h.\n",
+    ] {
+        assert!(text.contains(part), "{part}: {text}");
+    }
 }
 
 /// A mass under another name is no other mass. Fields of one scene alone are called so.
@@ -153,7 +163,8 @@ fn renamed_and_added() {
         "  stiction    1.2 -> 1.0 (-16.67 %)\n",
         "  accuracy    added, 0.001\n",
         "  range of r  added, 0.2..2.5\n",
-        "  Both are answers of the exact formulas in f64; the new emitted code computes in f32 and answers from tables, to an accuracy of 1e-3.\n",
+        "  The answers of both scenes come from the exact formulas in f64, not from tables.\n",
+        "  The new emitted code computes in f32 and uses tables of relative accuracy 1e-3.\n",
         "  operations of `tabled_sliding_limit`\n    function added, has 1",
     ] {
         assert!(text.contains(part), "{part}: {text}");
@@ -179,13 +190,24 @@ fn within_the_declared_range() {
     // r = ω√(m₁/k₁): from 0.5 of the stiffer scene to 1.5 of the softer one.
     let hertz = |r: f64, k: f64| r * (k / 3.27_f64).sqrt() / std::f64::consts::TAU;
     let band = format!(
-        "answers at 400 frequencies from {:.6} to {:.6} Hz\n  The declared `range` bounds",
+        "answers at 400 frequencies, logarithmically spaced from {:.6} to {:.6} Hz\n",
         hertz(0.5, 1201.9),
         hertz(1.5, 1190.0)
     );
     assert!(text.contains(&band), "{band}: {text}");
+    let stiffer = (1201.9_f64 / 1190.0).sqrt();
+    let ratios = format!(
+        "\n  Frequency ratio r: {:.6} to 1.500000 (old scene), 0.500000 to {:.6} (new scene).\n",
+        0.5 * stiffer,
+        1.5 / stiffer
+    );
+    assert!(text.contains(&ratios), "{ratios}: {text}");
     assert!(
-        text.contains("  amplitude of lower over Y (the emitted code leaves it out)\n"),
+        text.contains("\n  The declared `range` narrows it. "),
+        "{text}"
+    );
+    assert!(
+        text.contains("  amplitude of lower over Y (the emitted code does not provide it)\n"),
         "{text}"
     );
     assert!(text.contains("  amplitude of upper over Y\n"), "{text}");
@@ -194,7 +216,7 @@ fn within_the_declared_range() {
     assert!(
         found["not_compared"]
             .to_string()
-            .contains("no frequency is in the declared `range` of both scenes")
+            .contains(" Hz is in each `range`")
     );
     assert!(found["answers"].as_array().unwrap().is_empty());
 }
@@ -238,7 +260,11 @@ fn scenes_of_different_kinds() {
     );
     let grown = grown.replace("modal[0.010, 0.012]", "modal(0.01)");
     let found = json("grown", &frame(), &grown);
-    assert!(found["not_compared"].to_string().contains("motions of top"));
+    assert!(
+        found["not_compared"]
+            .to_string()
+            .contains("amplitude of top: only one scene has this mass")
+    );
     assert_eq!(found["answers"].as_array().unwrap().len(), 5);
 }
 

@@ -188,7 +188,7 @@ fn steppers_that_cannot_be_compared() {
     let found = json("steps-longer", ONE, &longer);
     let reasons = found["stepper"]["not_compared"].to_string();
     assert!(
-        reasons.contains("because the modes or the inputs are others"),
+        reasons.contains("the modes or the inputs differ"),
         "{reasons}"
     );
     assert!(

@@ -8,10 +8,10 @@ use frictiongen::study::stepper::SystemStepper;
 use std::f64::consts::TAU;
 
 /// Number of sine waves in the load.
-const WAVES: u32 = 8;
+pub const WAVES: u32 = 8;
 /// Two factors for the range of the waves' frequencies. The range begins at the first factor times the lowest natural
 /// frequency, and ends at the second factor times the highest natural frequency.
-const BAND: (f64, f64) = (0.3, 1.2);
+pub const BAND: (f64, f64) = (0.3, 1.2);
 /// Seed of the pseudo-random phases of the waves.
 const SEED: u64 = 0x9E37_79B9_7F4A_7C15;
 

@@ -1,7 +1,8 @@
 //! Writes the comparison of two steppers, as text and as JSON.
 
 use super::super::{ROUNDINGS, per_cent, relative};
-use super::{Answers, Steppers};
+use super::run::{BAND, WAVES};
+use super::{Answers, FRICTION, Steppers};
 use crate::failure::Failure;
 use crate::number::{Cell, Lossless as _, computed};
 use frictiongen_codegen::StepFacts;
@@ -28,12 +29,12 @@ fn tables<'f>(old: &'f StepFacts, new: &'f StepFacts) -> Result<Option<Tables<'f
     if before.is_empty() || after.is_empty() {
         let only = if after.is_empty() { "old" } else { "new" };
         return Err(format!(
-            "step tables: only the {only} description declares a `step`, so that its tables are constants"
+            "step tables: only the {only} description declares a `step` and has constant tables"
         ));
     }
     if !places(before).eq(places(after)) {
         return Err(format!(
-            "step tables: the old tables have {} numbers, and the new tables have {}, because the modes or the inputs are others",
+            "step tables: the modes or the inputs differ ({} numbers -> {} numbers)",
             before.len(),
             after.len()
         ));
@@ -90,7 +91,7 @@ impl Steppers {
         let of = match self.declared {
             (Some(_), Some(_)) => "step",
             (None, None) => "part of a step",
-            _ => "step, or of a part of a step where no step is declared",
+            _ => "step, and of a part of a step in the scene that declares no `step`",
         };
         writeln!(out, "  operations of a {of}")?;
         let (one, other) = (&old.cost, &new.cost);
@@ -198,14 +199,28 @@ impl Answers {
         )?;
         writeln!(
             out,
-            "    The load is a sum of sine waves over the natural frequencies, each of amplitude {}, with seeded phases.",
+            "    Load: {WAVES} sine waves with amplitude {}, \
+             fixed random phases and logarithmic spacing in Hz.",
             computed(self.amplitude)
         )?;
-        writeln!(out, "    Friction force: {}.", frictions.join(", "))?;
+        let (low, high) = BAND;
         writeln!(
             out,
-            "    A difference is relative to the largest value of its answer over the steps."
+            "    Waves from {low} times the lowest to \
+             {high} times the highest natural frequency of both scenes."
         )?;
+        writeln!(
+            out,
+            "    Friction force, \
+             {FRICTION} times the largest force of the stuck contact in the old scene:"
+        )?;
+        writeln!(out, "      {}", frictions.join(", "))?;
+        for line in [
+            "Both steppers compute in f64.",
+            "A difference is relative to the largest absolute value of its answer over the steps.",
+        ] {
+            writeln!(out, "    {line}")?;
+        }
         for difference in &self.differences {
             let (name, relative) = (&difference.name, difference.relative());
             if relative <= ROUNDINGS {
