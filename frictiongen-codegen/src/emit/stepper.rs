@@ -118,8 +118,8 @@ pub(super) fn emit(emission: &Emission<'_>, constants: &DynamicsConstants) -> Em
                 Stepper::new(Self::STEP_SCENE, tables, FixedStore::new(), None).map(From::from)
             }
 
-            /// Creates a stepper that starts from a state: the absolute displacements of all masses, and their absolute velocities
-            /// per second, in the order of the description.
+            /// Creates a stepper that starts from a state: absolute displacements and velocities of all masses, in the order of the
+            /// description.  The unit of time is the second.
             ///
             /// # Errors
             /// `OutOfDomain` also for a state that is not finite.

@@ -5,7 +5,7 @@ pub(super) use frictiongen_kernel::emitted::check::{MULTIPLIER, TURN};
 use frictiongen_kernel::emitted::check::{mixed, with};
 
 /// Explanation of the checksum's form, for the emitted files.
-pub(super) const ABOUT: &str = "A step is a bijection of the sum, so one changed word always changes the result.  Several changed words go unseen in one of 2^32 cases.";
+pub(super) const ABOUT: &str = "A change of one word always changes the checksum.  A change of several words goes unnoticed in one of 2^32 cases.";
 
 /// Returns the checksum of numbers in the precision of a file. An `f32` enters as its 32 bits. An `f64` enters as two
 /// halves of 32 bits, the low half first.

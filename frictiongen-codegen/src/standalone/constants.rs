@@ -43,13 +43,25 @@ impl ConstantForm {
     pub fn about(self) -> &'static str {
         match self {
             Self::Number => "",
-            Self::Zero => "(r - y)(r + y), with y = at + rest",
+            Self::Zero => "Factor `(r - y)(r + y)` of the zeros or poles r = +-y",
             Self::Pair => {
-                "((r - y)(r + y) + off)^2 + least, with y = at + rest: factor of the four zeros s = +-x +- iy at s = ir; off = x^2, least = 4 x^2 y^2"
+                "Factor `((r - y)(r + y) + x^2)^2 + 4 x^2 y^2` of four zeros or poles s = +-x +- iy, at s = ir"
             }
             Self::RootPair => {
-                "(s - x)^2 + y^2 at s = ir, with y = at + rest: off = x^2, rate = -2x"
+                "Complex factor `(s - x)^2 + y^2` of two zeros or poles s = x +- iy, at s = ir"
             }
+        }
+    }
+
+    /// Returns the meaning of a field, for a comment in the file.
+    fn field_about(field: &str) -> &'static str {
+        match field {
+            "at" => "y, rounded",
+            "rest" => "rounding error of `at`: keeps the digits of r - y near r = y",
+            "off" => "x^2",
+            "least" => "4 x^2 y^2",
+            "rate" => "-2x",
+            _ => "",
         }
     }
 }
@@ -141,16 +153,19 @@ impl FileConstants {
         let forms = forms.into_iter().filter(|form| self.uses(*form));
         let forms = forms.map(|form| {
             let (name, about) = (form.type_name(language), form.about());
-            let fields = form.fields().iter().map(|field| match language {
-                Language::C => format!("    {real} {field};\n"),
-                Language::Rust => format!("    {field}: {real},\n"),
+            let fields = form.fields().iter().map(|field| {
+                let about = ConstantForm::field_about(field);
+                match language {
+                    Language::C => format!("    {real} {field}; /* {about} */\n"),
+                    Language::Rust => format!("    /// {about}.\n    {field}: {real},\n"),
+                }
             });
             let fields: String = fields.collect();
             match language {
                 Language::C => format!("/* {about}. */\nstruct {name} {{\n{fields}}};\n\n"),
                 Language::Rust => {
                     format!(
-                        "/// `{about}`.\n#[derive(Clone, Copy)]\nstruct {name} {{\n{fields}}}\n\n"
+                        "/// {about}.\n#[derive(Clone, Copy)]\nstruct {name} {{\n{fields}}}\n\n"
                     )
                 }
             }

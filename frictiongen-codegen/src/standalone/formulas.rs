@@ -41,7 +41,12 @@ impl Formulas {
         let sliding = if of.numerator.is_empty() && of.denominator.is_empty() {
             // If β*_lim is constant, it is the modulus of the gain.
             let limit = [of.gain.to_f64().abs()];
-            constants.add("SLIDING_LIMIT", ConstantForm::Number, &limit, "beta*_lim")
+            constants.add(
+                "SLIDING_LIMIT",
+                ConstantForm::Number,
+                &limit,
+                "beta*_lim, which does not depend on r",
+            )
         } else {
             let sliding = quotient(&mut constants, "SLIDING", of, &root);
             format!("{absolute}({sliding})")
@@ -54,12 +59,12 @@ impl Formulas {
             (
                 "INDEX_LOW",
                 tables.index.low,
-                "r at which the first bucket begins",
+                "smallest r of the first bucket",
             ),
             (
                 "INDEX_DENSITY",
                 tables.index.density,
-                "buckets per unit of r",
+                "number of buckets per unit of r",
             ),
         ];
         let index = index.map(|(name, value, about)| {

@@ -138,20 +138,26 @@ fn about<S: Float>(source: &Source<'_, S>) -> Vec<String> {
     let Source { scene, tables, .. } = *source;
     let (low, high) = tables.request.r;
     let report = &tables.report;
+    let piece = (2 + tables.functions * tables.terms) * core::mem::size_of::<S>();
     let mut about = vec![
+        THESIS.to_owned(),
         format!(
-            "r from {low} to {high}, relative accuracy {:e}; {} pieces of degree {}, {} bytes.",
+            "The tables cover r from {low} to {high}.  Their largest allowed relative error is {:e}.",
             tables.request.accuracy,
-            tables.pieces.len(),
-            tables.terms - 1,
-            tables.report.bytes,
         ),
         format!(
-            "Largest error {:.1e}, at r = {}: checked at {} points that the fit did not see.",
+            "All tables and products take {} bytes.  They contain {} pieces of {piece} bytes, with polynomials of degree {}.",
+            report.bytes,
+            tables.pieces.len(),
+            tables.terms - 1,
+        ),
+        format!(
+            "The check found a largest error of {:.1e}, at r = {}.  It used {} values of r that the fit did not use.",
             report.worst.error,
             report.worst.place::<S>(),
             report.points,
         ),
+        "The command above writes this file again.  It repeats the check and, with `--prove`, the proof.".to_owned(),
         format!("`beta_lim`: {}", told(tables, &tables.proof)),
     ];
     if tables.sliding.is_some() {
@@ -162,11 +168,12 @@ fn about<S: Float>(source: &Source<'_, S>) -> Vec<String> {
     }
     if tables.moves() {
         about.push(format!(
-            "Amplitude and phase of the contact, for beta up to {MOST_SHARE} beta_lim: {}",
+            "Amplitude and phase of the contact, for beta up to {MOST_SHARE} `beta_lim`: {}",
             told(tables, &tables.motion_proof)
         ));
         about.push(
-            "For a larger beta their error grows at most as 1/(1 - (beta/beta_lim)^2).".to_owned(),
+            "For a larger beta their error grows at most as `1/(1 - (beta/beta_lim)^2)`."
+                .to_owned(),
         );
     }
     if let Some(held) = &tables.held {
@@ -175,48 +182,63 @@ fn about<S: Float>(source: &Source<'_, S>) -> Vec<String> {
     let left_out = left_out(scene);
     if !left_out.is_empty() {
         about.push(format!(
-            "Left out of `provide`: {}.  Of `provide`, this format has limits, the motion of the contact and stuck responses.",
+            "This file lacks these items of `provide`: {}.  This format only supports limits, the motion of the contact and stuck responses.",
             left_out.join(", ")
         ));
     }
-    about.push("Errors are relative, but those of the phase are in rad.".to_owned());
+    about.push("Errors of the phase are in rad.  All other errors are relative.".to_owned());
+    if let Some(acts_on) = scene.damping_acts_on() {
+        about.push(format!("In this scene {acts_on}."));
+    }
     about.push(format!(
-        "Index, buckets and pieces are those of `TABLE` in the code that the macro emits:{}",
+        "`TABLE` in the code that the macro emits has the same index, buckets and pieces:{}",
         about_table(tables)
     ));
     about
 }
 
-/// Returns a sentence about the accuracy of the tables between the checked points. A command without `--prove` tries no
-/// proof. The sentence then names the commands that try a proof, because the macro may have proven the same numbers.
+/// Returns sentences about the accuracy of the tables between the checked points. A command without `--prove` tries no
+/// proof. The sentences then name this option, or state that frictiongen proves no accuracy as fine as this one.
 fn told<S: Float>(tables: &Tables<S>, proof: &Proof) -> String {
     if proof.evidence != Evidence::Checked || proof.work != ProofWork(0) {
         return proof.told_in::<S>();
     }
     let remedy = if FINEST_PROVEN <= tables.request.accuracy {
-        "  The macro and `frictiongen compile --prove` try to prove the same numbers."
+        "Add `--prove` to the command to try a proof.".to_owned()
     } else {
-        ""
+        format!("frictiongen proves no accuracy finer than {FINEST_PROVEN:e}.")
     };
     format!(
-        "Checked at points and not proven, as the command tried no proof: between the points an error may be larger.{remedy}"
+        "Checked at points and not proven, because the command had no `--prove`.  Between the points an error may be larger.  {remedy}"
     )
 }
 
 /// Names and meanings of the polynomials of a piece.
 const COLUMNS: [(&str, &str); 5] = [
-    ("beta_lim", "limit of continuous motion"),
+    ("beta_lim", "`beta_lim`, the limit of continuous motion"),
     (
         "a",
-        "beta_lim U/|V|, for an undamped chain times the sign of V",
+        "`a = beta_lim U/|V|`, in an undamped chain times the sign of V",
     ),
-    ("g", "beta_lim G/|V|"),
-    ("arg_v", "argument of V"),
-    ("abs_v", "|V|"),
+    ("g", "`g = beta_lim G/|V|`"),
+    ("arg_v", "argument of V in rad"),
+    ("abs_v", "`|V|`"),
 ];
 
-/// The meaning of U, G and V, for the comments of the file.
-const RESPONSES: &str = "V is the response of the contact to the load.  U is the velocity of the contact and G its displacement, from friction, at a reversal.";
+/// The meaning of U, G and V, as two lines for the comments of the file.
+const RESPONSES: [&str; 2] = [
+    "V is the response of the contact to the load, without friction.  At a reversal of the contact, friction",
+    "contributes beta U to its velocity and beta G to its displacement.",
+];
+
+/// The source of the equation numbers, for the comments of the file.
+const THESIS: &str = "Numbers in brackets are equations of L. Marino, Dynamic analysis of mechanical systems with Coulomb friction, Oxford 2021.";
+
+/// Equations of the thesis for β_lim.
+const CONTINUOUS_EQUATIONS: &str = "5.65, 5.80, 5.96, 7.49";
+
+/// Equations of the thesis for β*_lim and for the responses while the contact is stuck.
+const STUCK_EQUATIONS: &str = "6.11, 6.27, 6.33";
 
 /// Returns the names and meanings of the polynomials that the tables have.
 fn columns<S>(tables: &Tables<S>) -> &'static [(&'static str, &'static str)] {
@@ -239,24 +261,50 @@ fn first_step<S>(tables: &Tables<S>) -> usize {
 
 /// Status values of the functions: name, number in C, and meaning.
 const STATUSES: [(&str, i32, &str); 5] = [
-    ("OutOfDomain", -1, "r or beta is not in the domain"),
+    (
+        "OutOfDomain",
+        -1,
+        "r or beta is outside its range, or is not a number",
+    ),
     ("Ok", 0, "the values are written"),
     (
         "StickSlip",
         1,
-        "beta_lim <= beta < beta*_lim: the contact stops and slides in turn",
+        "`beta_lim <= beta < beta*_lim`: the contact alternately sticks and slides",
     ),
     (
         "Stuck",
         2,
-        "beta is at or above both limits: no motion slides all the time, and a stuck state exists",
+        "`beta >= beta_lim` and `beta >= beta*_lim`: the contact is stuck all the time",
     ),
     (
         "Unbounded",
         3,
-        "an undamped resonance of the chain; for a stuck response, of the chain with its contact stuck",
+        "no function of this file returns this value",
     ),
 ];
+
+/// Returns the meaning of a status. `Unbounded` refers only to those functions of the file that may return it.
+fn meaning<S: Float>(
+    tables: &Tables<S>,
+    (status, _, meaning): (&str, i32, &'static str),
+) -> &'static str {
+    let motion = tables.moves() && !tables.unbounded.is_empty();
+    let held = tables.held.as_ref();
+    let stuck = held.is_some_and(|held| !held.resonances.is_empty());
+    match (status, motion, stuck) {
+        ("Unbounded", true, true) => {
+            "r is an undamped resonance that the load drives; for stuck responses, one of the chain with its contact stuck"
+        }
+        ("Unbounded", true, false) => {
+            "r is an undamped resonance that the load drives, so that the amplitude has no bound"
+        }
+        ("Unbounded", false, true) => {
+            "r is an undamped resonance of the chain with its contact stuck"
+        }
+        _ => meaning,
+    }
+}
 
 /// Words of the documentation that depend on the kind of load.
 struct LoadWords {
@@ -281,12 +329,12 @@ impl LoadWords {
             amplitude: if moving { "x/Y" } else { "x k1/P" },
             load: if moving { "k1 Y" } else { "P" },
             load_means: if moving {
-                "with the amplitude Y of the motion of the base"
+                "where Y is the amplitude of the base motion"
             } else {
                 "the amplitude of the force"
             },
             stuck_beside: if scene.stiction > 1.0 {
-                "From beta*_lim on a stuck state exists beside it."
+                "For beta >= beta*_lim a stuck state also exists."
             } else {
                 ""
             },

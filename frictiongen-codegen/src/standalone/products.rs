@@ -11,6 +11,7 @@ pub(super) fn factors<S: Float>(
     name: &str,
     factors: &[Factor<S>],
 ) -> Option<String> {
+    let of = zeros_or_poles(name);
     let mut all = Vec::new();
     for (place, factor) in factors.iter().enumerate() {
         let name = format!("{name}_{}", place + 1);
@@ -36,7 +37,7 @@ pub(super) fn factors<S: Float>(
             }
             Factor::Real { off } => {
                 let values = [off.to_f64()];
-                let about = "x^2 in the factor r^2 + x^2 of the zeros s = x and s = -x at s = ir";
+                let about = format!("x^2 in the factor r^2 + x^2 of the {of} s = +-x, at s = ir");
                 let name = constants.add(name, ConstantForm::Number, &values, about);
                 format!("((r * r) + {name})")
             }
@@ -44,6 +45,19 @@ pub(super) fn factors<S: Float>(
     }
     (!all.is_empty()).then(|| all.join("\n        * "))
 }
+
+/// Returns the word for the roots to which the constants of a product belong, from the name of these constants.
+fn zeros_or_poles(name: &str) -> &'static str {
+    if name.contains("POLE") {
+        "poles"
+    } else {
+        "zeros"
+    }
+}
+
+/// Explanation of a gain, for a comment in the file.
+pub(super) const GAIN: &str =
+    "scale that makes the product exact at an r far from all zeros and poles";
 
 /// Writes a product, divided by its poles.
 pub(super) fn quotient<S: Float>(
@@ -74,7 +88,7 @@ pub(super) fn quotient_over<S: Float>(
     (poles, root): (Option<String>, &str),
 ) -> String {
     let gain = product.gain.to_f64();
-    let gain = constants.add(format!("{name}_GAIN"), ConstantForm::Number, &[gain], "");
+    let gain = constants.add(format!("{name}_GAIN"), ConstantForm::Number, &[gain], GAIN);
     let above = factors(constants, &format!("{name}_ZERO"), &product.numerator);
     let one = constants.numbers.write(1.0);
     let value = match (above, poles) {
@@ -95,6 +109,7 @@ pub(super) fn roots<S: Float>(
     name: &str,
     roots: &[Root<S>],
 ) -> Option<String> {
+    let of = zeros_or_poles(name);
     let mut all = Vec::new();
     for (place, root) in roots.iter().enumerate() {
         let name = format!("{name}_{}", place + 1);
@@ -110,7 +125,7 @@ pub(super) fn roots<S: Float>(
                 format!("pair_root(r, {name})")
             }
             Root::Real { rate } => {
-                let about = "-x of the root x";
+                let about = format!("-x in the factor s - x, one of the {of}");
                 let name = constants.add(name, ConstantForm::Number, &[rate.to_f64()], about);
                 format!("real_root(r, {name})")
             }

@@ -1,7 +1,7 @@
 //! Expressions for the responses while the contact is stuck. Each expression is valid in C and in Rust.
 
 use super::constants::{ConstantForm, FileConstants};
-use super::products::{factors, quotient_over, roots};
+use super::products::{GAIN, factors, quotient_over, roots};
 use frictiongen_kernel::Float;
 use frictiongen_model::scene::Scene;
 use frictiongen_model::table::{Held, HeldForm};
@@ -63,7 +63,7 @@ impl StuckExpressions {
         let force = response(constants, "HOLDING", &sets, &held.force);
         let resonances = held.resonances.iter().enumerate().map(|(place, own)| {
             let name = format!("HELD_RESONANCE_{}", place + 1);
-            let about = "r of an undamped resonance while the contact is stuck";
+            let about = "r of an undamped resonance of the chain with its contact stuck";
             constants.add(name, ConstantForm::Number, &[own.to_f64()], about)
         });
         Self {
@@ -119,7 +119,9 @@ fn response<S: Float>(
     let poles = format!("{}(r)", poles_name(place.unwrap_or_default()));
     match form {
         HeldForm::Fixed(amplitude) => {
-            Expression::Real(constants.add(key, ConstantForm::Number, &[amplitude.to_f64()], ""))
+            let about = "response, which does not depend on r";
+            let amplitude = [amplitude.to_f64()];
+            Expression::Real(constants.add(key, ConstantForm::Number, &amplitude, about))
         }
         HeldForm::Undamped(product) => {
             let poles = (!product.denominator.is_empty()).then_some(poles);
@@ -131,7 +133,7 @@ fn response<S: Float>(
             denominator,
         } => {
             let gain = [gain.to_f64()];
-            let gain = constants.add(format!("{key}_GAIN"), ConstantForm::Number, &gain, "");
+            let gain = constants.add(format!("{key}_GAIN"), ConstantForm::Number, &gain, GAIN);
             let above = match roots(constants, &format!("{key}_ZERO"), numerator) {
                 Some(product) => format!("scaled({product}, {gain})"),
                 None => format!("real_number({gain})"),

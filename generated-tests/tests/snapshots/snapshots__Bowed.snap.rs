@@ -36,13 +36,13 @@
 pub struct Bowed;
 /// Stepper: motion of [`Bowed`] in time, by steps of one length, under any input.  `advance` takes a step.
 ///
-/// A step of dt, in s, has ⌈73.54·dt⌉ parts, at most 1024: `STEP` has 1.
+/// A step of dt, in s, has ⌈73.54·dt⌉ parts, at most 1024: `STEP` has 1.  In a part, the phase of the fastest mode advances by at most 1 rad.
 /// A part in which the contact certainly keeps sliding, or keeps sticking, is a product of its state with tables.
 /// In any other part the stepper searches the events, at most 8 (the friction law adds up to 64 changes of its line).
-/// Beyond them a rule that creates no energy ends the part, and `exceeded()` counts the step.
+/// After these events, a contact at rest stays stuck to the end of the part, and in any other contact the friction force is constant there.  This rule creates no energy, and `exceeded()` counts the step.
 ///
 /// A step of `STEP` has at most 260 floating-point operations if all parts are such products, about 20148 with one event, never
-/// more than 3732728.  `set_event_budget(n)` lowers this bound, and `cost().most` is then the bound.
+/// more than 3732728.  `set_event_budget(n)` limits the events of a step to n, and `cost().most` is then the bound.
 /// The numbers in its type: 2 coefficients of an input over a part, 2 modes, 1 mode with the contact stuck, 2 inputs.
 #[allow(
     deprecated,
@@ -118,7 +118,8 @@ pub struct BowedDeclaredStepper(
 const _: () = {
     use ::frictiongen::kernel::emitted::*;
     impl Bowed {
-        /// Hash of all fields of the scene (FNV-1a).  Descriptions that differ only in layout have the same hash.
+        /// Hash of all fields of the scene (FNV-1a, 64 bits).  Descriptions that differ only in layout have the same hash.  To
+        /// verify it, emit the description again.
         pub const SCENE_HASH: ::core::primitive::u64 = 0xc81b_d2c9_1e74_e45a;
         /// k₁, the stiffness of the spring `base - string`: N/m, if springs are in N/m.
         pub const K1: f64 = 400.0;
@@ -141,7 +142,7 @@ const _: () = {
         const CHAIN: Chain<f64> = Chain {
             /// true if a mode is damped
             damped: true,
-            /// relative motion for r → 0, over Y, if the contact rubs on a moving base
+            /// relative motion in the contact for r → 0, over the amplitude Y of the base motion, if the contact rubs on the moving base
             on_moving_base: None,
             /// m* = m₁/(effective mass of the contact)
             inverse_mass: 1.25,
@@ -281,7 +282,8 @@ const _: () = {
             Stepper::new(Self::STEP_SCENE, tables, FixedStore::new(), None)
                 .map(From::from)
         }
-        /// Creates a stepper that starts from the displacement and velocity of every mass.
+        /// Creates a stepper that starts from a state: absolute displacements and velocities of all masses, in the order of the
+        /// description.  The unit of time is the second.
         ///
         /// # Errors
         /// `OutOfDomain` also for a state that is not finite.
@@ -332,11 +334,11 @@ const _: () = {
                 })
         }
         /// Takes a step, over which the input changes linearly from the last input to this one.
-        /// [`BowedStepper`] has the number of operations.
+        /// Returns the state of the contact and the friction force at the end of the step, and the number of events in it.  [`BowedStepper`] has the number of operations.
         ///
         /// # Errors
-        /// `OutOfDomain` for NaN, infinite numbers, negative friction, numbers whose squares overflow, and if the work
-        /// would overflow.  The stepper then keeps its state.
+        /// `OutOfDomain` for NaN, infinite numbers, negative friction, numbers whose squares overflow, and if the energies
+        /// that `work()` returns would overflow.  The stepper then keeps its state.
         pub fn advance(
             &mut self,
             input: BowedInput,
@@ -364,6 +366,8 @@ const _: () = {
             &mut self.0
         }
     }
+    /// The traits `Steps` and `Stepping`, and the functions `image` and `stepper_from_image`.  `true` stands for a
+    /// moving base.  The list contains the indices of the loaded masses.
     ::frictiongen::emitted_stepper!(Bowed, BowedStepper, f64, false, [1, 0]);
     /// `Clone`, `Debug`, `From` and `Deref`: the stepper has all methods of the wrapped type.
     ::frictiongen::kernel::wraps!(
@@ -383,11 +387,11 @@ const _: () = {
                 })
         }
         /// Takes a step, over which the input changes linearly from the last input to this one.
-        /// [`BowedStepper`] has the number of operations.
+        /// Returns the state of the contact and the friction force at the end of the step, and the number of events in it.  [`BowedStepper`] has the number of operations.
         ///
         /// # Errors
-        /// `OutOfDomain` for NaN, infinite numbers, negative friction, numbers whose squares overflow, and if the work
-        /// would overflow.  The stepper then keeps its state.
+        /// `OutOfDomain` for NaN, infinite numbers, negative friction, numbers whose squares overflow, and if the energies
+        /// that `work()` returns would overflow.  The stepper then keeps its state.
         pub fn advance(
             &mut self,
             input: BowedInput,
@@ -415,6 +419,7 @@ const _: () = {
             &mut self.0
         }
     }
+    /// The trait `Stepping` and the function `image`, with the same two arguments.
     ::frictiongen::emitted_stepper!(declared BowedDeclaredStepper, f64, false, [1, 0]);
     /// Tables: numbers alone, apart from the code that reads them.
     impl Bowed {

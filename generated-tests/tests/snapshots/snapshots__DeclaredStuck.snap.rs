@@ -27,9 +27,11 @@
 ///
 /// * `K1`, `M1`, `NATURAL_FREQUENCIES_HZ`, `NATURAL_FREQUENCIES`, `RESONANCES`, `MODE_SHAPES`, `SCENE_HASH`: constants of the chain
 /// * `frequency_ratio(omega)`, `friction_ratio(friction, load)`: r and β from units
-/// * `at(r)` returns [`DeclaredStuckAt`], with `limits()`, `regime(beta)` and `margin(beta)`, or an error outside the declared range of r
-/// * `limits_without_search(r)`, `limits_into(rs, continuous, sliding)`: both limits alone
+/// * `at(r)` returns [`DeclaredStuckAt`], with `limits()` (β_lim and β*_lim), `regime(beta)` (continuous, stick-slip, stuck or bistable) and `margin(beta)` (β/min(β_lim, β*_lim) − 1, negative if continuous motion exists), or an error outside the declared range of r
+/// * `limits_without_search(r)`: an upper bound on β_lim, and β*_lim; `limits_into(rs, continuous, sliding)`: both limits for a slice of frequency ratios
 /// * `at(r)?.stuck()` returns [`DeclaredStuckStuck`], the response while the contact is stuck, with `contact_force()`, `lower()` and `upper()`
+///
+/// Answers of `at(r)` and of the simulation are non-dimensional: displacements are over Y, the amplitude of the base motion, forces are over k₁Y, and the time is τ = ωt.
 ///
 /// Numbers in brackets are equations of L. Marino, *Dynamic analysis of mechanical systems with Coulomb friction*, Oxford 2021.  Counts of operations do not include operations whose operands are all constants, because the compiler computes them.  An `if` counts as two operations, a comparison and a choice.
 #[::core::prelude::v1::derive(
@@ -96,7 +98,8 @@ const _: () = {
     use ::frictiongen::kernel::emitted::*;
     use ::core::f32::consts::PI;
     impl DeclaredStuck {
-        /// Hash of all fields of the scene (FNV-1a).  Descriptions that differ only in layout have the same hash.
+        /// Hash of all fields of the scene (FNV-1a, 64 bits).  Descriptions that differ only in layout have the same hash.  To
+        /// verify it, emit the description again.
         pub const SCENE_HASH: ::core::primitive::u64 = 0x3a27_ff1f_8022_4919;
         /// k₁, the stiffness of the spring `base - lower`: N/m, if springs are in N/m.
         pub const K1: f32 = 1.0;
@@ -117,7 +120,7 @@ const _: () = {
         const CHAIN: Chain<f32> = Chain {
             /// true if a mode is damped
             damped: true,
-            /// relative motion for r → 0, over Y, if the contact rubs on a moving base
+            /// relative motion in the contact for r → 0, over the amplitude Y of the base motion, if the contact rubs on the moving base
             on_moving_base: None,
             /// m* = m₁/(effective mass of the contact)
             inverse_mass: 2.0,
@@ -348,7 +351,7 @@ const _: () = {
     ::frictiongen::kernel::scene_functions!(
         DeclaredStuck, DeclaredStuckAt, f32, Compiled
     );
-    /// The trait `FrictionSystem`, by which generic code calls any scene.
+    /// The trait `FrictionSystem`, by which generic code calls any scene.  The texts are the names of the masses.
     ::frictiongen::emitted_system!(
         DeclaredStuck, DeclaredStuckAt, f32, ["lower", "upper"]
     );
@@ -357,7 +360,8 @@ const _: () = {
         DeclaredStuckAt, Compiled of tabled DeclaredStuck, Copy
     );
     impl Scene for DeclaredStuck {
-        /// The items that every scene has: types, constants and the calls of the frequency stage.
+        /// The items that every scene has: types, constants and the calls of the frequency stage.  The word says whether a
+        /// mode is damped, and the number is the number of modes that the load or the contact drives.
         ::frictiongen::kernel::scene_items!(f32, damped, 2);
         /// Components of a mass in the mode shapes.
         #[inline]

@@ -31,13 +31,13 @@
 pub struct Pushed;
 /// Stepper: motion of [`Pushed`] in time, by steps of one length, under any input.  `advance` takes a step.
 ///
-/// A step of dt, in s, has ⌈20.00·dt⌉ parts, at most 1024.
+/// A step of dt, in s, has ⌈20.00·dt⌉ parts, at most 1024.  In a part, the phase of the fastest mode advances by at most 1 rad.
 /// A part in which the contact certainly keeps sliding, or keeps sticking, is a product of its state with tables.
 /// In any other part the stepper searches the events, at most 8.
-/// Beyond them a rule that creates no energy ends the part, and `exceeded()` counts the step.
+/// After these events, a contact at rest stays stuck to the end of the part, and in any other contact the friction force is constant there.  This rule creates no energy, and `exceeded()` counts the step.
 ///
 /// A part has at most 132 floating-point operations if all parts are such products, about 7896 with one event, never
-/// more than 1559192.  `set_event_budget(n)` lowers this bound, and `cost().most` is then the bound.  A Cortex-M4F takes up to 4 instructions for each operation, and 400 more for a part.
+/// more than 1559192.  `set_event_budget(n)` limits the events of a step to n, and `cost().most` is then the bound.  A Cortex-M4F takes up to 4 instructions for each operation, and 400 more for a part.
 /// The numbers in its type: 1 coefficient of an input over a part, 1 mode, 0 modes with the contact stuck, 1 input.
 #[allow(
     deprecated,
@@ -106,7 +106,8 @@ pub struct PushedInput {
 const _: () = {
     use ::frictiongen::kernel::emitted::*;
     impl Pushed {
-        /// Hash of all fields of the scene (FNV-1a).  Descriptions that differ only in layout have the same hash.
+        /// Hash of all fields of the scene (FNV-1a, 64 bits).  Descriptions that differ only in layout have the same hash.  To
+        /// verify it, emit the description again.
         pub const SCENE_HASH: ::core::primitive::u64 = 0x4122_0f0e_b63f_241c;
         /// k₁, the stiffness of the spring `base - block`: N/m, if springs are in N/m.
         pub const K1: f32 = 200.0;
@@ -126,7 +127,7 @@ const _: () = {
         const CHAIN: Chain<f32> = Chain {
             /// true if a mode is damped
             damped: false,
-            /// relative motion for r → 0, over Y, if the contact rubs on a moving base
+            /// relative motion in the contact for r → 0, over the amplitude Y of the base motion, if the contact rubs on the moving base
             on_moving_base: None,
             /// m* = m₁/(effective mass of the contact)
             inverse_mass: 1.0,
@@ -226,7 +227,8 @@ const _: () = {
             Stepper::new(Self::STEP_SCENE, tables, FixedStore::new(), None)
                 .map(From::from)
         }
-        /// Creates a stepper that starts from the displacement and velocity of every mass.
+        /// Creates a stepper that starts from a state: absolute displacements and velocities of all masses, in the order of the
+        /// description.  The unit of time is the second.
         ///
         /// # Errors
         /// `OutOfDomain` also for a state that is not finite.
@@ -259,11 +261,11 @@ const _: () = {
                 })
         }
         /// Takes a step, over which the input is constant.
-        /// [`PushedStepper`] has the number of operations.
+        /// Returns the state of the contact and the friction force at the end of the step, and the number of events in it.  [`PushedStepper`] has the number of operations.
         ///
         /// # Errors
-        /// `OutOfDomain` for NaN, infinite numbers, negative friction, numbers whose squares overflow, and if the work
-        /// would overflow.  The stepper then keeps its state.
+        /// `OutOfDomain` for NaN, infinite numbers, negative friction, numbers whose squares overflow, and if the energies
+        /// that `work()` returns would overflow.  The stepper then keeps its state.
         pub fn advance(
             &mut self,
             input: PushedInput,
@@ -286,5 +288,7 @@ const _: () = {
             &mut self.0
         }
     }
+    /// The traits `Steps` and `Stepping`, and the functions `image` and `stepper_from_image`.  `true` stands for a
+    /// moving base.  The list contains the indices of the loaded masses.
     ::frictiongen::emitted_stepper!(Pushed, PushedStepper, f32, false, [0]);
 };

@@ -19,6 +19,8 @@
 /// * `frequency_ratio(omega)`, `friction_ratio(friction, load)`: r and β from units
 /// * `simulation_under(r, beta, amplitude)` returns [`RubbedSimulation`], the motion in time from event to event, with `next()` and `block()`
 ///
+/// Answers of `at(r)` and of the simulation are non-dimensional: displacements are over P/k₁, with P the amplitude of the force, forces are over P, and the time is τ = ωt.
+///
 /// Counts of operations do not include operations whose operands are all constants, because the compiler computes them.  An `if` counts as two operations, a comparison and a choice.
 #[::core::prelude::v1::derive(
     ::core::clone::Clone,
@@ -78,7 +80,8 @@ pub struct RubbedSimulation(
 const _: () = {
     use ::frictiongen::kernel::emitted::*;
     impl Rubbed {
-        /// Hash of all fields of the scene (FNV-1a).  Descriptions that differ only in layout have the same hash.
+        /// Hash of all fields of the scene (FNV-1a, 64 bits).  Descriptions that differ only in layout have the same hash.  To
+        /// verify it, emit the description again.
         pub const SCENE_HASH: ::core::primitive::u64 = 0x0c93_a0f5_0ccc_50b4;
         /// k₁, the stiffness of the spring `base - block`: N/m, if springs are in N/m.
         pub const K1: f64 = 800.0;
@@ -98,7 +101,7 @@ const _: () = {
         const CHAIN: Chain<f64> = Chain {
             /// true if a mode is damped
             damped: false,
-            /// relative motion for r → 0, over Y, if the contact rubs on a moving base
+            /// relative motion in the contact for r → 0, over the amplitude Y of the base motion, if the contact rubs on the moving base
             on_moving_base: None,
             /// m* = m₁/(effective mass of the contact)
             inverse_mass: 1.0,
@@ -178,7 +181,7 @@ const _: () = {
         ) -> Result<RubbedSimulation, OutOfDomain> {
             Self::started(r, beta, amplitude, None)
         }
-        /// Starts from a state at a maximum of the excitation: x̄ and dx̄/dτ of every mass.
+        /// Starts from a state at a maximum of the excitation: x̄ and dx̄/dτ of every mass, in the order of the description.
         ///
         /// # Errors
         /// `OutOfDomain` also for a state that is not finite.

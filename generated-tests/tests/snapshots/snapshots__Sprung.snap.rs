@@ -21,12 +21,14 @@
 ///
 /// * `K1`, `M1`, `NATURAL_FREQUENCIES_HZ`, `NATURAL_FREQUENCIES`, `RESONANCES`, `MODE_SHAPES`, `SCENE_HASH`: constants of the chain
 /// * `frequency_ratio(omega)`, `friction_ratio(friction, load)`: r and β from units
-/// * `at(r)` returns [`SprungAt`], with `limits()`, `regime(beta)` and `margin(beta)`, or an error for a NaN or negative r
-/// * `limits_without_search(r)`, `limits_into(rs, continuous, sliding)`: both limits alone
+/// * `at(r)` returns [`SprungAt`], with `limits()` (β_lim and β*_lim), `regime(beta)` (continuous, stick-slip, stuck or bistable) and `margin(beta)` (β/min(β_lim, β*_lim) − 1, negative if continuous motion exists), or an error for a NaN or negative r
+/// * `limits_without_search(r)`: an upper bound on β_lim, and β*_lim; `limits_into(rs, continuous, sliding)`: both limits for a slice of frequency ratios
 /// * `at(r)?.stuck()` returns [`SprungStuck`], the response while the contact is stuck, with `contact_force()`, `lower()` and `upper()`
 /// * `at(r)?.orbit(beta)` returns [`SprungOrbit`], the steady state in any regime, with `contact()`, `lower()` and `upper()`
 /// * `simulation(r, beta)` returns [`SprungSimulation`], the motion in time from event to event, with `next()`, `lower()` and `upper()`
 /// * `stepper(dt)` returns [`SprungStepper`], the motion by steps under any [`SprungInput`], with `advance(input)`, `contact()`, `lower()` and `upper()`
+///
+/// Answers of `at(r)` and of the simulation are non-dimensional: displacements are over Y, the amplitude of the base motion, forces are over k₁Y, and the time is τ = ωt.
 ///
 /// Numbers in brackets are equations of L. Marino, *Dynamic analysis of mechanical systems with Coulomb friction*, Oxford 2021.  Counts of operations do not include operations whose operands are all constants, because the compiler computes them.  An `if` counts as two operations, a comparison and a choice.
 #[::core::prelude::v1::derive(
@@ -91,13 +93,13 @@ pub struct SprungOrbit(
 );
 /// Stepper: motion of [`Sprung`] in time, by steps of one length, under any input.  `advance` takes a step.
 ///
-/// A step of dt, in s, has ⌈46.07·dt⌉ parts, at most 1024: `STEP` has 1.
+/// A step of dt, in s, has ⌈46.07·dt⌉ parts, at most 1024: `STEP` has 1.  In a part, the phase of the fastest mode advances by at most 1 rad.
 /// A part in which the contact certainly keeps sliding, or keeps sticking, is a product of its state with tables.
 /// In any other part the stepper searches the events, at most 8.
-/// Beyond them a rule that creates no energy ends the part, and `exceeded()` counts the step.
+/// After these events, a contact at rest stays stuck to the end of the part, and in any other contact the friction force is constant there.  This rule creates no energy, and `exceeded()` counts the step.
 ///
 /// A step of `STEP` has at most 640 floating-point operations if all parts are such products, about 10888 with one event, never
-/// more than 1639058.  `set_event_budget(n)` lowers this bound, and `cost().most` is then the bound.
+/// more than 1639058.  `set_event_budget(n)` limits the events of a step to n, and `cost().most` is then the bound.
 /// The numbers in its type: 4 coefficients of an input over a part, 2 modes, 2 modes with the contact stuck, 1 input.
 #[allow(
     deprecated,
@@ -191,7 +193,8 @@ const _: () = {
     #[allow(dead_code)]
     fn compliance() {}
     impl Sprung {
-        /// Hash of all fields of the scene (FNV-1a).  Descriptions that differ only in layout have the same hash.
+        /// Hash of all fields of the scene (FNV-1a, 64 bits).  Descriptions that differ only in layout have the same hash.  To
+        /// verify it, emit the description again.
         pub const SCENE_HASH: ::core::primitive::u64 = 0x5f75_8146_e4b6_252c;
         /// k₁, the stiffness of the spring `base - lower`: N/m, if springs are in N/m.
         pub const K1: f64 = 1190.0;
@@ -220,7 +223,7 @@ const _: () = {
         const CHAIN: Chain<f64> = Chain {
             /// true if a mode is damped
             damped: true,
-            /// relative motion for r → 0, over Y, if the contact rubs on a moving base
+            /// relative motion in the contact for r → 0, over the amplitude Y of the base motion, if the contact rubs on the moving base
             on_moving_base: None,
             /// m* = m₁/(effective mass of the contact)
             inverse_mass: 1.0061538461538462,
@@ -518,7 +521,7 @@ const _: () = {
             let parts = [Part::empty(); 4];
             Simulation::new(Self::DYNAMICS, r, beta, None, parts).map(From::from)
         }
-        /// Starts from a state at a maximum of the excitation: x̄ and dx̄/dτ of every mass.
+        /// Starts from a state at a maximum of the excitation: x̄ and dx̄/dτ of every mass, in the order of the description.
         ///
         /// # Errors
         /// `OutOfDomain` also for a state that is not finite.
@@ -573,7 +576,8 @@ const _: () = {
             Stepper::new(Self::STEP_SCENE, tables, FixedStore::new(), None)
                 .map(From::from)
         }
-        /// Creates a stepper that starts from the displacement and velocity of every mass.
+        /// Creates a stepper that starts from a state: absolute displacements and velocities of all masses, in the order of the
+        /// description.  The unit of time is the second.
         ///
         /// # Errors
         /// `OutOfDomain` also for a state that is not finite.
@@ -608,12 +612,13 @@ const _: () = {
     }
     /// The functions `at`, `limits_without_search` and `limits_into`.
     ::frictiongen::kernel::scene_functions!(Sprung, SprungAt, f64, At);
-    /// The trait `FrictionSystem`, by which generic code calls any scene.
+    /// The trait `FrictionSystem`, by which generic code calls any scene.  The texts are the names of the masses.
     ::frictiongen::emitted_system!(Sprung, SprungAt, f64, ["lower", "upper"]);
     /// `Clone`, `Copy`, `Debug`, `From` and `Deref`: the answers at one frequency have all methods of the wrapped type.
     ::frictiongen::kernel::wraps!(SprungAt, At of Sprung, Copy);
     impl Scene for Sprung {
-        /// The items that every scene has: types, constants and the calls of the frequency stage.
+        /// The items that every scene has: types, constants and the calls of the frequency stage.  The word says whether a
+        /// mode is damped, and the number is the number of modes that the load or the contact drives.
         ::frictiongen::kernel::scene_items!(f64, damped, 2);
         /// Components of a mass in the mode shapes.
         #[inline]
@@ -746,11 +751,11 @@ const _: () = {
                 })
         }
         /// Takes a step.  Forces and friction change linearly over it.  The base follows the cubic through the displacements and velocities of the last input and of this one.
-        /// [`SprungStepper`] has the number of operations.
+        /// Returns the state of the contact and the friction force at the end of the step, and the number of events in it.  [`SprungStepper`] has the number of operations.
         ///
         /// # Errors
-        /// `OutOfDomain` for NaN, infinite numbers, negative friction, numbers whose squares overflow, and if the work
-        /// would overflow.  The stepper then keeps its state.
+        /// `OutOfDomain` for NaN, infinite numbers, negative friction, numbers whose squares overflow, and if the energies
+        /// that `work()` returns would overflow.  The stepper then keeps its state.
         pub fn advance(
             &mut self,
             input: SprungInput,
@@ -778,6 +783,8 @@ const _: () = {
             &mut self.0
         }
     }
+    /// The traits `Steps` and `Stepping`, and the functions `image` and `stepper_from_image`.  `true` stands for a
+    /// moving base.  The list contains the indices of the loaded masses.
     ::frictiongen::emitted_stepper!(Sprung, SprungStepper, f64, true, []);
     /// `Clone`, `Debug`, `From` and `Deref`: the stepper has all methods of the wrapped type.
     ::frictiongen::kernel::wraps!(
@@ -797,11 +804,11 @@ const _: () = {
                 })
         }
         /// Takes a step.  Forces and friction change linearly over it.  The base follows the cubic through the displacements and velocities of the last input and of this one.
-        /// [`SprungStepper`] has the number of operations.
+        /// Returns the state of the contact and the friction force at the end of the step, and the number of events in it.  [`SprungStepper`] has the number of operations.
         ///
         /// # Errors
-        /// `OutOfDomain` for NaN, infinite numbers, negative friction, numbers whose squares overflow, and if the work
-        /// would overflow.  The stepper then keeps its state.
+        /// `OutOfDomain` for NaN, infinite numbers, negative friction, numbers whose squares overflow, and if the energies
+        /// that `work()` returns would overflow.  The stepper then keeps its state.
         pub fn advance(
             &mut self,
             input: SprungInput,
@@ -829,6 +836,7 @@ const _: () = {
             &mut self.0
         }
     }
+    /// The trait `Stepping` and the function `image`, with the same two arguments.
     ::frictiongen::emitted_stepper!(declared SprungDeclaredStepper, f64, true, []);
     /// Tables: numbers alone, apart from the code that reads them.
     impl Sprung {

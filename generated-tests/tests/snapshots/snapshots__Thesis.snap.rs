@@ -17,9 +17,11 @@
 ///
 /// * `K1`, `M1`, `NATURAL_FREQUENCIES_HZ`, `NATURAL_FREQUENCIES`, `RESONANCES`, `MODE_SHAPES`, `SCENE_HASH`: constants of the chain
 /// * `frequency_ratio(omega)`, `friction_ratio(friction, load)`: r and β from units
-/// * `at(r)` returns [`ThesisAt`], with `limits()`, `regime(beta)` and `margin(beta)`, or an error for a NaN or negative r
-/// * `limits_without_search(r)`, `limits_into(rs, continuous, sliding)`: both limits alone
+/// * `at(r)` returns [`ThesisAt`], with `limits()` (β_lim and β*_lim), `regime(beta)` (continuous, stick-slip, stuck or bistable) and `margin(beta)` (β/min(β_lim, β*_lim) − 1, negative if continuous motion exists), or an error for a NaN or negative r
+/// * `limits_without_search(r)`: an upper bound on β_lim, and β*_lim; `limits_into(rs, continuous, sliding)`: both limits for a slice of frequency ratios
 /// * `at(r)?.motion(beta)` returns [`ThesisMotion`], the continuous motion, with `contact()`, `first()`, `second()` and `third()`
+///
+/// Answers of `at(r)` and of the simulation are non-dimensional: displacements are over P/k₁, with P the amplitude of the force, forces are over P, and the time is τ = ωt.
 ///
 /// Numbers in brackets are equations of L. Marino, *Dynamic analysis of mechanical systems with Coulomb friction*, Oxford 2021.  Counts of operations do not include operations whose operands are all constants, because the compiler computes them.  An `if` counts as two operations, a comparison and a choice.
 #[::core::prelude::v1::derive(
@@ -85,7 +87,8 @@ pub struct ThesisMotion(::frictiongen::kernel::response::Continuous<Thesis>);
 const _: () = {
     use ::frictiongen::kernel::emitted::*;
     impl Thesis {
-        /// Hash of all fields of the scene (FNV-1a).  Descriptions that differ only in layout have the same hash.
+        /// Hash of all fields of the scene (FNV-1a, 64 bits).  Descriptions that differ only in layout have the same hash.  To
+        /// verify it, emit the description again.
         pub const SCENE_HASH: ::core::primitive::u64 = 0xa809_9811_33b0_8615;
         /// k₁, the stiffness of the spring `base - first`: N/m, if springs are in N/m.
         pub const K1: f64 = 1.0;
@@ -119,7 +122,7 @@ const _: () = {
         const CHAIN: Chain<f64> = Chain {
             /// true if a mode is damped
             damped: false,
-            /// relative motion for r → 0, over Y, if the contact rubs on a moving base
+            /// relative motion in the contact for r → 0, over the amplitude Y of the base motion, if the contact rubs on the moving base
             on_moving_base: None,
             /// m* = m₁/(effective mass of the contact)
             inverse_mass: 1.0,
@@ -285,12 +288,13 @@ const _: () = {
     }
     /// The functions `at`, `limits_without_search` and `limits_into`.
     ::frictiongen::kernel::scene_functions!(Thesis, ThesisAt, f64, At);
-    /// The trait `FrictionSystem`, by which generic code calls any scene.
+    /// The trait `FrictionSystem`, by which generic code calls any scene.  The texts are the names of the masses.
     ::frictiongen::emitted_system!(Thesis, ThesisAt, f64, ["first", "second", "third"]);
     /// `Clone`, `Copy`, `Debug`, `From` and `Deref`: the answers at one frequency have all methods of the wrapped type.
     ::frictiongen::kernel::wraps!(ThesisAt, At of Thesis, Copy);
     impl Scene for Thesis {
-        /// The items that every scene has: types, constants and the calls of the frequency stage.
+        /// The items that every scene has: types, constants and the calls of the frequency stage.  The word says whether a
+        /// mode is damped, and the number is the number of modes that the load or the contact drives.
         ::frictiongen::kernel::scene_items!(f64, undamped, 3);
         /// Components of a mass in the mode shapes.
         #[inline]

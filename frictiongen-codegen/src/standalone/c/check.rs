@@ -10,30 +10,33 @@ use frictiongen_kernel::Float;
 /// Returns the values of the enumeration of faults, each with its name and meaning.
 fn faults<S: Float>(source: &Source<'_, S>) -> Vec<(String, String)> {
     let mut faults = [
-        ("NONE", "nothing is wrong"),
-        ("BUCKETS", "the checksum of the buckets"),
-        ("PIECES", "the checksum of the pieces"),
-        ("CONSTANTS", "the checksum of the constants of the formulas"),
-        ("UNITS", "the checksum of the constants in the header"),
-        ("KNOWN", "the checksum of the known answers"),
-        ("FREQUENCY_RATIO", "an answer of frequency_ratio"),
-        ("LIMITS", "an answer of limits"),
+        ("NONE", "no fault"),
+        ("BUCKETS", "wrong checksum of the buckets"),
+        ("PIECES", "wrong checksum of the pieces"),
+        (
+            "CONSTANTS",
+            "wrong checksum of the constants of the formulas",
+        ),
+        ("UNITS", "wrong checksum of the constants in the header"),
+        ("KNOWN", "wrong checksum of the known answers"),
+        ("FREQUENCY_RATIO", "wrong answer of frequency_ratio"),
+        ("LIMITS", "wrong answer of limits"),
     ]
     .map(|(name, about)| (name.to_owned(), about.to_owned()))
     .to_vec();
     if source.tables.moves() {
-        faults.push(("CONTACT".to_owned(), "an answer of contact".to_owned()));
+        faults.push(("CONTACT".to_owned(), "wrong answer of contact".to_owned()));
     }
     if source.tables.held.is_some() {
         let masses = source.scene.masses.iter().enumerate();
         // Names with the mass's name could collide, because two masses may have names that differ only in their case.
         faults.extend(masses.map(|(place, mass)| {
-            let about = format!("an answer of stuck_{}", mass.name);
+            let about = format!("wrong answer of stuck_{}", mass.name);
             (format!("STUCK_{}", place + 1), about)
         }));
         faults.push((
             "HOLDING_FORCE".to_owned(),
-            "an answer of holding_force".to_owned(),
+            "wrong answer of holding_force".to_owned(),
         ));
     }
     faults
@@ -55,9 +58,9 @@ pub(super) fn declared<S: Float>(source: &Source<'_, S>, name: &str) -> String {
     });
     let values: String = values.collect();
     format!(
-        "\n/* What the self-check finds wrong first. */\nenum {name}_fault {{\n{values}}};\n\n\
-         /* Compares the checksums of tables and known answers, and then the answers at some frequencies with the known ones.\n \
-         * For power-up: it needs no memory but the stack.  {none} if everything is right. */\n\
+        "\n/* First fault that the self-check finds. */\nenum {name}_fault {{\n{values}}};\n\n\
+         /* Compares the checksums of all numbers with the expected ones, then the answers at some r with known answers.\n \
+         * It needs only the stack, so that it can run at power-up.  Returns {none} if it finds no fault. */\n\
          enum {name}_fault {name}_self_check(void);\n",
         none = fault(name, "NONE"),
     )
@@ -76,8 +79,8 @@ pub(super) fn source<S: Float>(source: &Source<'_, S>, formulas: &Formulas, name
     };
     let NumberFormat { real, .. } = formulas.numbers;
     text.push_str(&format!(
-        "/* The compiler may write constants and units into the instructions, so that their checksums guard this text.  The\n \
-         * known answers guard what the compiler made of it. */\n\
+        "/* The compiler may compute the checksums of constants and units at compile time.  These two then protect only the\n \
+         * source text.  The known answers test the compiled code. */\n\
          enum {name}_fault {name}_self_check(void)\n{{\n    \
          const {real} constants[] = {{\n{}    }};\n    const {real} units[] = {{\n{}    }};\n",
         formulas.constants.expressions(),
@@ -119,7 +122,7 @@ fn ratios<S: Float>(source: &Source<'_, S>, numbers: NumberFormat, name: &str) -
         )
     });
     format!(
-        "    /* Roundings of the frequency, of 2 pi, of their product and of the ratio. */\n    \
+        "    /* The roundings of constants, product and quotient add up to at most 4 rounding units.  16 leaves a margin. */\n    \
          const {real} roundings = {roundings};\n{}",
         compared.collect::<String>()
     )
@@ -233,13 +236,13 @@ fn sums<S: Float>(source: &Source<'_, S>, formulas: &Formulas) -> String {
         );
     }
     format!(
-        "\n/* A checksum.  {about} */\n\
+        "\n/* Makes one step of a checksum.\n * {about} */\n\
          static uint32_t mixed(uint32_t sum, uint32_t word)\n{{\n    \
          return (((sum << {left}u) | (sum >> {right}u)) ^ word) * {multiplier:#010x}u;\n}}\n\n\
          static uint32_t with(uint32_t sum, {real} number)\n{{\n{words}}}\n\n\
          static uint32_t sum_of(const {real} numbers[], size_t count)\n{{\n    uint32_t sum = 0u;\n    \
          for (size_t i = 0u; i < count; ++i) {{\n        sum = with(sum, numbers[i]);\n    }}\n    return sum;\n}}\n\n\
-         /* Volatile, so that the compiler reads the memory and does not compute the sum itself. */\n\
+         /* `volatile` makes the compiler read the memory.  It could otherwise compute the sum at compile time. */\n\
          static uint32_t sum_of_buckets(void)\n{{\n    \
          const volatile {narrow} *const entries = buckets;\n    uint32_t sum = 0u;\n    \
          for (size_t i = 0u; i < BUCKETS; ++i) {{\n        sum = mixed(sum, entries[i]);\n    }}\n    return sum;\n}}\n\n\
@@ -259,7 +262,7 @@ fn sums<S: Float>(source: &Source<'_, S>, formulas: &Formulas) -> String {
 fn near(numbers: NumberFormat) -> String {
     let (NumberFormat { real, .. }, letter) = (numbers, numbers.letter());
     format!(
-        "/* False for a value that is not a number. */\n\
+        "/* True if value and expected differ by at most error.  False if one of them is not a number. */\n\
          static bool is_near({real} value, {real} expected, {real} error)\n{{\n    \
          return fabs{letter}(value - expected) <= error;\n}}\n\n"
     )

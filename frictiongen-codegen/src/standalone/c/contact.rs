@@ -48,10 +48,12 @@ pub(super) fn source<S: Float>(source: &Source<'_, S>, formulas: &Formulas, name
     let unbounded = unbounded.map_or_else(String::new, |on| refusal(&on, &status("Unbounded")));
     format!(
         "\n#define HALF_TURN {pi}\n#define TURN {turn}\n\n\
-         /* An angle moved by a turn into (-pi, pi]. */\n\
+         /* Moves an angle outside (-pi, pi] by one turn towards this interval. */\n\
          static {real} wrapped({real} angle)\n{{\n    \
          const {real} below = (HALF_TURN < angle) ? (angle - TURN) : angle;\n    \
          return (-HALF_TURN < below) ? below : (below + TURN);\n}}\n\n\
+         /* With rho = beta/beta_lim the amplitude is |V| (sqrt(1 - rho^2 a^2) - rho g), by (2.21, 5.35, 7.20).  The phase is\n \
+         * atan2(-rho a, sqrt(1 - rho^2 a^2)) - arg V, by (5.38, 7.21).  Without damping g is 0. */\n\
          enum {name}_status {name}_contact({real} r, {real} beta, {real} *amplitude, {real} *phase)\n{{\n\
          {outside}    \
          const struct piece *const piece = found(r);\n    \
@@ -63,10 +65,10 @@ pub(super) fn source<S: Float>(source: &Source<'_, S>, formulas: &Formulas, name
          const {real} share = beta / continuous;\n    \
          const {real} turned = share * quadrature;\n    \
          const {real} product = ({one} - turned) * ({one} + turned);\n    \
-         /* The product is negative only if beta exceeds the exact beta_lim, within the accuracy of the table. */\n    \
+         /* The product is negative only if beta exceeds the exact beta_lim by less than the accuracy of the table. */\n    \
          const {real} in_phase = sqrt{letter}(fabs{letter}(product));\n    \
          *amplitude = fabs{letter}(excitation) * {in_motion};\n    \
-         /* Not -turned: the angle of a zero has no sign.  The difference may need two moves by a turn. */\n    \
+         /* 0 - turned avoids -0 and thus the angle -0.  One turn may not suffice, so the code wraps the lag twice. */\n    \
          *phase = wrapped(wrapped(atan2{letter}({zero} - turned, in_phase) - {direction}));\n    \
          return {ok};\n}}\n",
         outside = refusal(&outside, &status("OutOfDomain")),

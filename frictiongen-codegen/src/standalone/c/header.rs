@@ -2,7 +2,8 @@
 
 use super::super::units::UnitConstants;
 use super::super::{
-    Language, LoadWords, NumberFormat, STATUSES, Source, about, domain, piece_numbers,
+    CONTINUOUS_EQUATIONS, Language, LoadWords, NumberFormat, STATUSES, STUCK_EQUATIONS, Source,
+    about, domain, meaning, piece_numbers,
 };
 use super::{check, constant, status};
 use crate::standalone::origin::c_text;
@@ -21,8 +22,9 @@ pub fn c_header<S: Float>(source: &Source<'_, S>, name: &str) -> String {
     let lines: Vec<String> = lines.iter().map(|line| c_text(line)).collect();
     let about = lines.join("\n * ");
     let statuses: String = STATUSES
-        .iter()
-        .map(|(of, number, meaning)| {
+        .into_iter()
+        .map(|own| {
+            let ((of, number, _), meaning) = (own, meaning(source.tables, own));
             format!("    {} = {number}, /* {meaning} */\n", status(name, of))
         })
         .collect();
@@ -35,10 +37,11 @@ pub fn c_header<S: Float>(source: &Source<'_, S>, name: &str) -> String {
         origin = origin.c_comment(scene),
     );
     let functions = format!(
-        "/* What every function returns.  Unless it is {ok} no value is written. */\n\
+        "/* Status that every function returns.  A function writes values only with {ok}. */\n\
          enum {name}_status {{\n{statuses}}};\n\n\
-         /* Both limits of beta = {beta} at the frequency ratio r = omega sqrt(m1/k1).  Below `continuous` (beta_lim) a motion\n \
-         * exists in which the contact slides all the time; from `sliding` (beta*_lim) on a stuck state exists. */\n\
+         /* Limits of beta = {beta} at the frequency ratio r = omega sqrt(m1/k1).\n \
+         * For beta < continuous (beta_lim: {CONTINUOUS_EQUATIONS}) a motion exists in which the contact slides all the time.\n \
+         * For beta >= sliding (beta*_lim: {STUCK_EQUATIONS}) a stuck state exists. */\n\
          enum {name}_status {name}_limits({real} r, {real} *continuous, {real} *sliding);\n",
         ok = status(name, "Ok"),
         beta = words.beta,
@@ -81,21 +84,22 @@ fn units<S: Float>(source: &Source<'_, S>, name: &str, words: &LoadWords) -> Str
     };
     let write = |value: f64| numbers.write(value);
     let about = format!(
-        "k1, the stiffness of the spring {}: N/m, if springs are in N/m.",
+        "Stiffness k1 of the spring {}, in N/m if the description uses N/m.",
         c_text(&units.spring)
     );
     define(Some(&about), "K1", write(units.k1));
     let about = format!(
-        "m1, the mass {}: kg, if masses are in kg.",
+        "Mass m1 of {}, in kg if the description uses kg.",
         c_text(&units.mass)
     );
     define(Some(&about), "M1", write(units.m1));
-    let about = "Natural frequencies in Hz, ascending, if masses are in kg and springs in N/m.";
+    let about = "Natural frequencies in ascending order.  They are in Hz if masses are in kg and springs in N/m.";
     for (mode, hertz) in units.hertz.iter().enumerate() {
         let of = format!("NATURAL_FREQUENCY_{}_HZ", mode + 1);
         define((mode == 0).then_some(about), &of, write(*hertz));
     }
-    let about = "Frequency ratios r of the undamped resonances, omega_i sqrt(m1/k1).";
+    let about =
+        "Frequency ratios omega_i sqrt(m1/k1) of the undamped resonances, in ascending order.";
     for (mode, own) in units.resonances.iter().enumerate() {
         define(
             (mode == 0).then_some(about),
@@ -104,14 +108,16 @@ fn units<S: Float>(source: &Source<'_, S>, name: &str, words: &LoadWords) -> Str
         );
     }
     define(
-        Some("The range of r in which the functions answer."),
+        Some("Smallest and largest r that the functions accept."),
         "R_MIN",
         write(r.0),
     );
     define(None, "R_MAX", write(r.1));
     if source.tables.moves() {
         define(
-            Some("The range of beta in which the functions answer."),
+            Some(
+                "Smallest and largest beta that the functions accept.  The largest finite number means no upper bound.",
+            ),
             "BETA_MIN",
             write(beta.0),
         );
@@ -119,9 +125,9 @@ fn units<S: Float>(source: &Source<'_, S>, name: &str, words: &LoadWords) -> Str
     }
     let NumberFormat { real, .. } = numbers;
     text.push_str(&format!(
-        "\n/* An angular frequency, rad/s, as the frequency ratio r = omega sqrt(m1/k1). */\n\
+        "\n/* Converts an angular frequency omega in rad/s to the frequency ratio r = omega sqrt(m1/k1). */\n\
          {real} {name}_frequency_ratio({real} omega);\n\n\
-         /* The friction ratio beta = {beta} of a kinetic friction force F.  `load` is {load}, {what}. */\n\
+         /* Returns the friction ratio beta = {beta} of a kinetic friction force F.  `load` is {load}, {what}. */\n\
          {real} {name}_friction_ratio({real} friction, {real} load);\n\n",
         beta = words.beta,
         load = words.load,
@@ -147,8 +153,9 @@ fn contact<S: Float>(source: &Source<'_, S>, name: &str, words: &LoadWords) -> S
         format!("\n * {stuck_beside}")
     };
     format!(
-        "\n/* Amplitude ({amplitude}) and phase (lag of the maximum behind the excitation's, rad) of the contact's relative motion\n \
-         * that slides all the time, at the friction ratio beta = {beta}.  It exists for beta < beta_lim.{beside} */\n\
+        "\n/* Amplitude ({amplitude}) and phase of the relative motion in the contact, if the contact slides all the time.\n \
+         * The phase is the lag of its maximum behind the maximum of the excitation, in rad.\n \
+         * This motion exists for beta = {beta} below beta_lim.{beside} */\n\
          enum {name}_status {name}_contact({real} r, {real} beta, {real} *amplitude, {real} *phase);\n"
     )
 }
@@ -170,10 +177,10 @@ fn stuck<S: Float>(source: &Source<'_, S>, name: &str, words: &LoadWords) -> Str
         amplitude, load, ..
     } = words;
     format!(
-        "\n/* While the contact is stuck: the complex amplitude of a mass, so that its displacement ({amplitude}) is\n \
-         * Re((re + i im) e^(i tau)). */\n{masses}\n\
-         /* The force over {load} that holds the contact, in the same way, positive against positive sliding.  Its modulus is mu\n \
-         * beta*_lim. */\n\
+        "\n/* Complex amplitude of a mass while the contact is stuck ({STUCK_EQUATIONS}).\n \
+         * Its displacement ({amplitude}) is Re((re + i im) e^(i tau)), with tau = omega t. */\n{masses}\n\
+         /* Complex amplitude of the force that keeps the contact stuck, divided by {load} ({STUCK_EQUATIONS}).\n \
+         * It is positive against positive sliding.  Its modulus is mu beta*_lim. */\n\
          enum {name}_status {name}_holding_force({real} r, {real} *re, {real} *im);\n"
     )
 }

@@ -83,8 +83,8 @@ pub fn c_source<S: Float>(
     };
     text.push_str(
         "#include <math.h>\n#include <stdbool.h>\n#include <stddef.h>\n#include <stdint.h>\n#include <string.h>\n\n\
-         /* The digits are those of separate multiplications and additions: compile without contraction (-std=c99 or\n \
-         * -ffp-contract=off) where they must agree with the Rust to the last one. */\n\n",
+         /* Results have the same bits as those of the Rust file only without fused multiply-add: compile with -std=c99 or\n \
+         * -ffp-contract=off. */\n\n",
     );
     text.push_str(&lookup(source, &formulas));
     text.push_str(&factors(&formulas));
@@ -110,17 +110,19 @@ fn lookup<S: Float>(source: &Source<'_, S>, formulas: &Formulas) -> String {
     } else {
         format!(
             "    size_t index = buckets[bucket & (BUCKETS - 1u)];\n    \
-             /* Halves the step: one comparison each. */\n    \
+             /* Binary search: at most {most} pieces begin in a bucket. */\n    \
              for (size_t step = {step}u; step > 0u; step >>= 1u) {{\n        \
              const size_t further = index + step;\n        \
-             if ((further < PIECES) && (pieces[further].from <= r)) {{\n            index = further;\n        }}\n    }}\n"
+             if ((further < PIECES) && (pieces[further].from <= r)) {{\n            index = further;\n        }}\n    }}\n",
+            most = 2 * step - 1,
         )
     };
     format!(
-        "/* The piece that contains r. */\n\
+        "/* Returns the piece that contains r.  The range of r has buckets of equal width, and r gives the bucket.  Their number\n \
+         * is a power of two, so that the mask BUCKETS - 1 keeps the index valid without a comparison. */\n\
          static const struct piece *found({real} r)\n{{\n    \
          const size_t bucket = (size_t)((r - {low}) * {density});\n{search}    return &pieces[index];\n}}\n\n\
-         /* The sum of c[j] t^j, with t = r - origin. */\n\
+         /* Returns the sum of c[j] t^j with t = r - origin, by Horner's rule in t^2 over pairs of terms. */\n\
          static {real} polynomial(const {real} c[{terms}], {real} t)\n{{\n{sum}}}\n\n",
         terms = source.tables.terms,
         sum = polynomial(real, source.tables.terms),
@@ -152,7 +154,7 @@ fn factors(formulas: &Formulas) -> String {
         (
             "zero",
             format!(
-                "/* (r - y)(r + y), y in two parts. */\n\
+                "/* Returns the factor (r - y)(r + y). */\n\
                  static inline {real} zero({real} r, struct zero y)\n{{\n    \
                  return ((r - y.at) - y.rest) * (r + y.at);\n}}\n\n"
             ),
@@ -160,7 +162,7 @@ fn factors(formulas: &Formulas) -> String {
         (
             "pair",
             format!(
-                "/* The factor of four zeros s = +-x +- iy at s = ir; `rest` matters in the first difference alone. */\n\
+                "/* Returns the factor of four zeros or poles.  r + y does not need `rest`, because its digits do not cancel. */\n\
                  static inline {real} pair({real} r, struct pair y)\n{{\n    \
                  const {real} beside = (((r - y.at) - y.rest) * (r + y.at)) + y.off;\n    \
                  return (beside * beside) + y.least;\n}}\n\n"
@@ -174,7 +176,7 @@ fn factors(formulas: &Formulas) -> String {
         .collect();
     if formulas.compares() {
         text.push_str(&format!(
-            "/* Exactly on a resonance. */\nstatic inline bool is_at({real} r, {real} own)\n{{\n    \
+            "/* True if r equals the resonance.  Two comparisons replace ==, against which compilers warn. */\nstatic inline bool is_at({real} r, {real} own)\n{{\n    \
              return (r <= own) && (own <= r);\n}}\n\n"
         ));
     }
@@ -195,7 +197,8 @@ fn limits<S: Float>(source: &Source<'_, S>, formulas: &Formulas, name: &str) -> 
         "    (void)r;\n"
     };
     format!(
-        "/* beta*_lim at an r in the range. */\nstatic {real} sliding_limit({real} r)\n{{\n{ignored}    return {sliding};\n}}\n\n\
+        "/* Returns beta*_lim = |V|/(mu |H|) for an r in the range.  V is the response of the contact to the load, and H its\n \
+         * response to a force in the contact.  mu is the ratio of static to kinetic friction. */\nstatic {real} sliding_limit({real} r)\n{{\n{ignored}    return {sliding};\n}}\n\n\
          enum {name}_status {name}_limits({real} r, {real} *continuous, {real} *sliding)\n{{\n{refusal}    \
          const struct piece *const piece = found(r);\n    \
          *continuous = polynomial(piece->{column}, r - piece->origin);\n    \

@@ -17,7 +17,7 @@ pub fn c_tables<S: Float>(source: &Source<'_, S>, name: &str) -> Option<String> 
     let lines: Vec<String> = lines.iter().map(|line| c_text(line)).collect();
     let origin = source.origin.c_comment(source.scene);
     let about = format!(
-        "/* The numbers of {name}, which only its code includes.\n * {} */\n",
+        "/* Numbers of {name}.  Only its source file includes this file.\n * {} */\n",
         lines.join("\n * ")
     );
     Some(format!("{origin}{about}{}", without_head(source, name)?))
@@ -32,8 +32,8 @@ pub(super) fn without_head<S: Float>(source: &Source<'_, S>, name: &str) -> Opti
     text.push_str(&formulas.constants.types());
     let reference = UnitConstants::of::<S>(source.scene).reference;
     text.push_str(&format!(
-        "/* sqrt(k1/m1), by which angular frequencies are divided: rad/s. */\n\
-         static const {} REFERENCE = {};\n\n/* The constants of the formulas. */\n",
+        "/* Divisor sqrt(k1/m1) of angular frequencies, in rad/s. */\n\
+         static const {} REFERENCE = {};\n\n/* Constants of the formulas. */\n",
         formulas.numbers.real,
         formulas.numbers.write(reference),
     ));
@@ -68,15 +68,17 @@ fn pieces<S: Float>(source: &Source<'_, S>, numbers: NumberFormat) -> String {
         ));
     }
     let responses = if tables.moves() {
-        format!("  {RESPONSES}")
+        RESPONSES.map(|line| format!("\n * {line}")).concat()
     } else {
         String::new()
     };
     format!(
         "#define PIECES {count}u\n#define BUCKETS {buckets_count}u\n\n\
-         /* A piece of the table.  Each function is the sum of c[j] t^j, with t = r - origin.{responses} */\n\
-         struct piece {{\n    {real} from;   /* the smallest r of the piece */\n    {real} origin; /* from where r is counted */\n{fields}}};\n\n\
-         /* The piece in which each bucket begins. */\n\
+         /* An interval of r with its polynomials.  A polynomial is the sum of c[j] t^j, with t = r - origin.{responses}\n \
+         * The generator chooses 4, 6, 8 or 10 coefficients by the accuracy, so that the table is small. */\n\
+         struct piece {{\n    {real} from;   /* smallest r of the interval, which ends where the next piece begins */\n    \
+         {real} origin; /* origin of t: near a zero of a function it is the zero, to keep the relative accuracy */\n{fields}}};\n\n\
+         /* Index of the piece that contains the start of each bucket. */\n\
          static const {narrow} buckets[BUCKETS] = {{\n    {buckets}\n}};\n\n\
          static const struct piece pieces[PIECES] = {{\n{rows}}};\n\n",
         count = tables.pieces.len(),
@@ -101,14 +103,14 @@ fn known<S: Float>(source: &Source<'_, S>, numbers: NumberFormat, name: &str) ->
         format!("    {real} r;\n    {real} beta_lim;\n    {real} sliding; /* beta*_lim */\n");
     if source.tables.moves() {
         fields.push_str(&format!(
-            "    {real} beta;\n    {real} amplitude; /* of the contact, where its motion is continuous */\n    {real} phase;\n    \
+            "    {real} beta;\n    {real} amplitude; /* of the contact, or 0 if its motion is not continuous */\n    {real} phase;     /* of the contact, in the same way */\n    \
              enum {name}_status status;\n"
         ));
     }
     let forces = all.first().map_or(0, |known| known.stuck.len());
     if forces > 0 {
         fields.push_str(&format!(
-            "    {real} stuck[{forces}][2]; /* re and im of each mass, then of the holding force */\n"
+            "    {real} stuck[{forces}][2]; /* re and im for each mass, then for the holding force */\n"
         ));
     }
     let lines = rows(numbers, &all).into_iter().zip(&all);
@@ -126,9 +128,11 @@ fn known<S: Float>(source: &Source<'_, S>, numbers: NumberFormat, name: &str) ->
         line + "},\n"
     });
     format!(
-        "\n#define KNOWN {count}u\n/* Largest error of an answer: the accuracy of the table, and 64 roundings of the arithmetic, of r and of beta. */\n\
+        "\n#define KNOWN {count}u\n/* Largest allowed error of an answer: the accuracy of the table plus 64 rounding units.  The 64 units are a margin for\n \
+         * the roundings of the arithmetic, of r and of beta. */\n\
          static const {real} TOLERANCE = {tolerance};\n\n\
-         /* Answers of the exact formulas, computed in arithmetic of 32 digits. */\n\
+         /* Answers of the exact formulas, computed with 32 digits.  At each r, a change of r by 32 rounding units changes an\n \
+         * answer by at most 1/8 of the tolerance. */\n\
          struct known {{\n{fields}}};\n\nstatic const struct known known[KNOWN] = {{\n{lines}}};\n",
         count = all.len(),
         tolerance = numbers.write(tolerance),
@@ -162,7 +166,7 @@ fn checksums<S: Float>(source: &Source<'_, S>, formulas: &Formulas) -> String {
     let sums = sums.into_iter();
     let sums = sums.map(|(of, sum)| format!("#define SUM_OF_{of} {sum:#010x}u\n"));
     format!(
-        "\n/* Checksums of the numbers above and of the header's. */\n{}",
+        "\n/* Checksums of the numbers above and of those in the header. */\n{}",
         sums.collect::<String>()
     )
 }

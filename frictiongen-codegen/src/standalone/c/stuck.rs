@@ -19,7 +19,7 @@ pub(super) fn source(formulas: &Formulas, stuck: &StuckExpressions, name: &str) 
             Expression::Complex(value) => ("struct number", value),
         };
         functions.push_str(&format!(
-            "\n/* The poles of responses. */\nstatic {of} {name}({real} r)\n{{\n    return {value};\n}}\n"
+            "\n/* Returns the product over the poles, which several responses share. */\nstatic {of} {name}({real} r)\n{{\n    return {value};\n}}\n"
         ));
     }
     let resonant = Formulas::on(&stuck.resonances);
@@ -82,7 +82,7 @@ fn operations(formulas: &Formulas, stuck: &StuckExpressions) -> String {
             "inverse",
             "struct number a".to_owned(),
             format!(
-                "    /* Over the size of both parts, so that no square overflows. */\n    \
+                "    /* Divides by |re| + |im| first, so that no square overflows. */\n    \
                  const {real} over = {one} / (fabs{letter}(a.re) + fabs{letter}(a.im));\n    \
                  const {real} re = a.re * over;\n    const {real} im = a.im * over;\n    \
                  const {real} k = over / ((re * re) + (im * im));\n{}",

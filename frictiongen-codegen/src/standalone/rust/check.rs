@@ -59,9 +59,11 @@ pub(super) fn numbers<S: Float>(source: &Source<'_, S>, formulas: &Formulas) -> 
             line + "        },\n"
         });
         text.push_str(&format!(
-            "\n    /// Largest error of an answer: the accuracy of the table, and 64 roundings of the arithmetic, of r and of β.\n    \
+            "\n    /// Largest allowed error of an answer: the accuracy of the table plus 64 rounding units (`EPSILON`).  The 64 units\n    \
+             /// are a margin for the roundings of the arithmetic, of r and of β.\n    \
              pub(super) const TOLERANCE: {real} = {tolerance};\n    \
-             /// Answers of the exact formulas, computed in arithmetic of 32 digits.\n    \
+             /// Answers of the exact formulas, computed with 32 digits.  At each r, a change of r by 32 rounding units changes\n    \
+             /// an answer by at most 1/8 of the tolerance.\n    \
              pub(super) static KNOWN: [Known; {count}] = [\n{lines}    ];\n",
             tolerance = numbers.write(tolerance),
             count = known.len(),
@@ -72,7 +74,7 @@ pub(super) fn numbers<S: Float>(source: &Source<'_, S>, formulas: &Formulas) -> 
     let sums =
         sums.map(|(of, sum)| format!("    pub(super) const SUM_OF_{of}: u32 = {sum:#010x};\n"));
     format!(
-        "{text}\n    // Checksums of the numbers.\n{}",
+        "{text}\n    // Checksums that the self-check expects.\n{}",
         sums.collect::<String>()
     )
 }
@@ -108,9 +110,10 @@ pub(super) fn source<S: Float>(source: &Source<'_, S>, formulas: &Formulas) -> S
     let last = calls.pop().unwrap_or_default();
     calls.push(last.trim_end_matches("?;"));
     text.push_str(&format!(
-        "/// Compares the checksums of tables, constants and known answers, and then the answers at some frequencies with the known\n\
-         /// ones.  For power-up: it needs no memory but the stack.  The sums read the constants of the program; a function may\n\
-         /// have copies of small constants in its code, which only the answers test.\n///\n/// # Errors\n/// What is wrong first.\n\
+        "/// Compares the checksums of all numbers with the expected ones, then the answers at some r with known answers.\n\
+         /// It needs only the stack, so that it can run at power-up.  The checksums cover the constants in memory.  The\n\
+         /// compiler may also copy small constants into the code.  Only the known answers test these copies.\n///\n\
+         /// # Errors\n/// The first fault.\n\
          pub fn self_check() -> Result<(), Fault> {{\n    {}\n}}\n\n{functions}",
         calls.join("\n    ")
     ));
@@ -122,29 +125,29 @@ fn faults<S: Float>(source: &Source<'_, S>, knows: bool) -> String {
     let NumberFormat { real, .. } = NumberFormat::of::<S>(Language::Rust);
     let moves = source.tables.moves();
     let stuck = source.tables.held.is_some();
-    let mut text = "/// What the self-check finds wrong.\n\
+    let mut text = "/// First fault that the self-check finds.\n\
          #[derive(Clone, Copy, Debug, PartialEq, Eq)]\npub enum Fault {\n    \
-         /// The checksum of these numbers.\n    Numbers(&'static str),\n    \
-         /// An answer of this function.\n    Answer(&'static str),\n}\n\n"
+         /// The checksum of the named numbers is wrong.\n    Numbers(&'static str),\n    \
+         /// An answer of the named function is wrong.\n    Answer(&'static str),\n}\n\n"
         .to_owned();
     if !knows {
         return text;
     }
-    let mut fields = format!("    /// r, `β_lim`, `β*_lim`.\n    head: [{real}; 3],\n");
+    let mut fields = format!("    /// r, `β_lim` and `β*_lim`.\n    head: [{real}; 3],\n");
     if moves {
         fields.push_str(&format!(
-            "    /// β, and amplitude and phase of the contact, where its motion is continuous.\n    motion: [{real}; 3],\n    \
-             /// Why there is no such motion.\n    error: Option<Error>,\n"
+            "    /// β, amplitude and phase of the contact.  Amplitude and phase are 0 if its motion is not continuous.\n    motion: [{real}; 3],\n    \
+             /// Expected error if the motion is not continuous.\n    error: Option<Error>,\n"
         ));
     }
     if stuck {
         let count = source.scene.masses.len() + 1;
         fields.push_str(&format!(
-            "    /// Real and imaginary part of each mass, then of the holding force.\n    stuck: [[{real}; 2]; {count}],\n"
+            "    /// Real and imaginary part for each mass, then for the holding force.\n    stuck: [[{real}; 2]; {count}],\n"
         ));
     }
     text.push_str(&format!(
-        "/// Known answers.\nstruct Known {{\n{fields}}}\n\n"
+        "/// Known answers at one r.\nstruct Known {{\n{fields}}}\n\n"
     ));
     text
 }
@@ -166,7 +169,7 @@ fn sums(numbers: NumberFormat) -> String {
         "#[allow(clippy::many_single_char_names, reason = \"the bytes of a number\")]\n"
     };
     format!(
-        "/// A step of a checksum.  {about}\n\
+        "/// Makes one step of a checksum.\n/// {about}\n\
          const fn mixed(sum: u32, word: u32) -> u32 {{\n    (sum.rotate_left({turn}) ^ word).wrapping_mul({multiplier})\n}}\n\n\
          {names}const fn with(sum: u32, number: {real}) -> u32 {{\n{words}}}\n\n\
          fn sum_of<'n>(numbers: impl IntoIterator<Item = &'n {real}>) -> u32 {{\n    \
@@ -205,7 +208,8 @@ fn checked_numbers<S: Float>(source: &Source<'_, S>, formulas: &Formulas, knows:
         String::new()
     };
     format!(
-        "/// Compares the checksums.  The compiler must not know the numbers, or it would compute the sums itself.\n\
+        "/// Compares the checksums.  `black_box` hides the numbers from the compiler, which could otherwise compute the sums at\n\
+         /// compile time.\n\
          fn checked_numbers() -> Result<(), Fault> {{\n    \
          let buckets = core::hint::black_box(&numbers::BUCKETS).iter();\n    \
          let sum = buckets.fold(0, |sum, index| mixed(sum, u32::from(*index)));\n    \
@@ -232,7 +236,7 @@ fn ratios(numbers: NumberFormat) -> String {
     let NumberFormat { real, .. } = numbers;
     format!(
         "fn checked_ratios() -> Result<(), Fault> {{\n    \
-         // Roundings of the frequency, of 2π, of their product and of the ratio.\n    \
+         // The roundings of constants, product and quotient add up to at most 4 rounding units.  16 leaves a margin.\n    \
          let roundings = 16.0 * {real}::EPSILON;\n    \
          let both = NATURAL_FREQUENCIES_HZ.iter().zip(&RESONANCES);\n    \
          for (hertz, own) in both {{\n        \

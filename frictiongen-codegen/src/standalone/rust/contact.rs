@@ -42,8 +42,12 @@ pub(super) fn source<S: Float>(
         words => format!("\n/// {}", words.replace("beta*_lim", "`β*_lim`")),
     };
     format!(
-        "\n/// Amplitude ({amplitude}) and phase (lag of the maximum behind the excitation's, rad) of the contact's relative motion\n\
-         /// that slides all the time, at the friction ratio β = {beta}.  It exists for β < `β_lim`.{beside}\n///\n/// # Errors\n/// [`Error`] says what there is instead.\n\
+        "\n/// Returns the amplitude ({amplitude}) and the phase of the relative motion in the contact, if the contact slides all\n\
+         /// the time.  The phase is the lag of its maximum behind the maximum of the excitation, in rad.\n\
+         /// This motion exists for β = {beta} below `β_lim`.{beside}\n///\n\
+         /// With ρ = β/`β_lim` the amplitude is |V| (√(1 − ρ²a²) − ρg), by (2.21, 5.35, 7.20).  The phase is\n\
+         /// atan2(−ρa, √(1 − ρ²a²)) − arg V, by (5.38, 7.21).  Without damping g is 0.\n///\n\
+         /// # Errors\n/// [`Error`] is the reason why this motion does not exist.\n\
          pub fn contact(r: {real}, beta: {real}) -> Result<({real}, {real}), Error> {{\n    \
          if !((R_MIN..=R_MAX).contains(&r) && (BETA_MIN..=BETA_MAX).contains(&beta)) {{\n        return Err(Error::OutOfDomain);\n    }}\n    \
          let piece = found(r);\n    let t = r - piece.origin;\n    \
@@ -55,14 +59,14 @@ pub(super) fn source<S: Float>(
          let excitation = {excitation};\n{shares}    \
          let share = beta / continuous;\n    let turned = share * quadrature;\n    \
          let product = (1.0 - turned) * (1.0 + turned);\n    \
-         // The product is negative only if β exceeds the exact β_lim, within the accuracy of the table.\n    \
+         // The product is negative only if β exceeds the exact β_lim by less than the accuracy of the table.\n    \
          let in_phase = {real}::sqrt(product.abs());\n    \
          let amplitude = {real}::abs(excitation) * {in_motion};\n    \
-         // Not -turned: the angle of a zero has no sign.  The difference may need two moves by a turn.\n    \
+         // 0 - turned avoids -0 and thus the angle -0.  One turn may not suffice, so the code wraps the lag twice.\n    \
          let lag = {real}::atan2(0.0 - turned, in_phase) - direction;\n    \
          Ok((amplitude, wrapped(wrapped(lag))))\n}}\n\n\
          const HALF_TURN: {real} = core::{real}::consts::PI;\n\n\
-         /// An angle moved by a turn into (−π, π].\n\
+         /// Moves an angle outside (−π, π] by one turn towards this interval.\n\
          fn wrapped(angle: {real}) -> {real} {{\n    \
          let below = if HALF_TURN < angle {{ angle - 2.0 * HALF_TURN }} else {{ angle }};\n    \
          if -HALF_TURN < below {{ below }} else {{ below + 2.0 * HALF_TURN }}\n}}\n"

@@ -31,14 +31,15 @@ pub(super) fn source(numbers: NumberFormat) -> String {
     let parts = numbers.write(f64::from(PARTS));
     let one_more = PARTS + 1;
     format!(
-        "/// What `core` lacks.  Where std is linked its own methods of these names are taken.\n\
+        "/// Square root and arc tangent, which `core` lacks.  If std is linked, its methods of these names take precedence.\n\
          trait Lacking {{\n    fn sqrt(self) -> Self;\n    fn atan2(self, x: Self) -> Self;\n}}\n\n\
          #[allow(\n    clippy::cast_possible_truncation,\n    clippy::cast_possible_wrap,\n    clippy::cast_precision_loss,\n    \
-         clippy::cast_sign_loss,\n    reason = \"bits of a number, and an index of at most {PARTS}\"\n)]\n\
+         clippy::cast_sign_loss,\n    reason = \"the casts convert bits of a number, and an index of at most {PARTS}\"\n)]\n\
          #[allow(\n    clippy::approx_constant,\n    clippy::excessive_precision,\n    clippy::unreadable_literal,\n    \
-         reason = \"arcs to all digits, as they are printed\"\n)]\n\
+         reason = \"the generator writes all digits of the arc tangents\"\n)]\n\
          impl Lacking for {real} {{\n    \
-         /// Rounded correctly: an integer root of one more digit, rounded to the nearest.  Of a number that is not negative.\n    \
+         /// Returns the correctly rounded square root of a number that is not negative.  The integer root has one binary\n    \
+         /// digit more than the result, and is rounded to the nearest.  `isqrt` needs Rust 1.84 or newer.\n    \
          fn sqrt(self) -> {real} {{\n        \
          if !(0.0 < self && self < {real}::INFINITY) {{\n            return self;\n        }}\n        \
          let subnormal = self < {real}::MIN_POSITIVE;\n        \
@@ -52,6 +53,7 @@ pub(super) fn source(numbers: NumberFormat) -> String {
          root as {real} * {real}::from_bits((exponent as {bits}) << {fraction})\n    }}\n\n    \
          /// Returns the angle of a point with x ≥ 0.  With s the smaller and l the larger coordinate,\n    \
          /// atan(s/l) = atan(k/{PARTS}) + atan((s − l·k/{PARTS})/(l + s·k/{PARTS})).\n    \
+         /// With k nearest to {PARTS}·s/l, the last argument t is at most 1/16.  Then {terms} terms of its series suffice.\n    \
          fn atan2(self, x: {real}) -> {real} {{\n        \
          const ARCS: [{real}; {one_more}] = [{arcs}];\n        \
          let y = {real}::abs(self);\n        \

@@ -8,8 +8,8 @@ mod stuck;
 use super::formulas::Formulas;
 use super::units::UnitConstants;
 use super::{
-    COLUMNS, Language, LoadWords, NumberFormat, RESPONSES, STATUSES, Source, about, columns,
-    domain, first_step, wrapped,
+    COLUMNS, CONTINUOUS_EQUATIONS, Language, LoadWords, NumberFormat, RESPONSES, STATUSES,
+    STUCK_EQUATIONS, Source, about, columns, domain, first_step, meaning, wrapped,
 };
 use frictiongen_kernel::Float;
 use frictiongen_model::table::Tables;
@@ -24,13 +24,15 @@ pub fn rust_source<S: Float>(source: &Source<'_, S>) -> Option<String> {
     let mut text = source.origin.rust_comment(source.scene);
     text.push_str(&format!(
         "\n//! Limits of the scene `{name}`.\n//!\n//! {about}\n//!\n\
-         //! It builds with `core` alone.  Where std is linked its square root and arc tangent are taken.\n\
-         #![allow(dead_code, reason = \"a program may call some of the functions\")]\n\
-         #![allow(non_snake_case, reason = \"masses have the names of the description\")]\n\n",
+         //! The file needs only `core`.  If std is linked, the file uses the square root and the arc tangent of std.\n\
+         //! Like frictiongen, it needs Rust {version} or newer.\n\
+         #![allow(dead_code, reason = \"a program may call only some of the functions\")]\n\
+         #![allow(non_snake_case, reason = \"functions contain the names of masses from the description\")]\n\n",
+        version = env!("CARGO_PKG_RUST_VERSION"),
         name = source.scene.name,
         about = about(source).join("\n//! "),
     ));
-    text.push_str(&errors());
+    text.push_str(&errors(tables));
     text.push_str(&units(source, &words));
     text.push_str(&limits(&formulas, &words));
     if tables.moves() {
@@ -52,18 +54,15 @@ pub fn rust_source<S: Float>(source: &Source<'_, S>) -> Option<String> {
 }
 
 /// Writes the error type. Its values have the numbers of the C status.
-fn errors() -> String {
-    let refused = STATUSES.iter().filter(|(of, ..)| *of != "Ok");
-    let of = refused.map(|(of, number, meaning)| {
-        let meaning = meaning.replace(
-            "beta_lim <= beta < beta*_lim",
-            "`beta_lim <= beta < beta*_lim`",
-        );
+fn errors<S: Float>(tables: &Tables<S>) -> String {
+    let refused = STATUSES.into_iter().filter(|(of, ..)| *of != "Ok");
+    let of = refused.map(|status| {
+        let ((of, number, _), meaning) = (status, meaning(tables, status));
         format!("    /// {meaning}.\n    {of} = {number},\n")
     });
     let of: String = of.collect();
     format!(
-        "/// Why a function does not answer.\n#[derive(Clone, Copy, Debug, PartialEq, Eq)]\n#[repr(i8)]\npub enum Error {{\n{of}}}\n\n"
+        "/// Reason why a function returns no value.\n#[derive(Clone, Copy, Debug, PartialEq, Eq)]\n#[repr(i8)]\npub enum Error {{\n{of}}}\n\n"
     )
 }
 
@@ -77,14 +76,14 @@ fn units<S: Float>(source: &Source<'_, S>, words: &LoadWords) -> String {
     let modes = units.hertz.len();
     let digits = DIGITS;
     let mut text = format!(
-        "/// k₁, the stiffness of the spring `{spring}`: N/m, if springs are in N/m.\n{digits}pub const K1: {real} = {};\n\
-         /// m₁, the mass `{mass}`: kg, if masses are in kg.\n{digits}pub const M1: {real} = {};\n\
-         /// Natural frequencies in Hz, ascending, if masses are in kg and springs in N/m.\n{digits}\
+        "/// Stiffness k₁ of the spring `{spring}`, in N/m if the description uses N/m.\n{digits}pub const K1: {real} = {};\n\
+         /// Mass m₁ of `{mass}`, in kg if the description uses kg.\n{digits}pub const M1: {real} = {};\n\
+         /// Natural frequencies in ascending order.  They are in Hz if masses are in kg and springs in N/m.\n{digits}\
          pub const NATURAL_FREQUENCIES_HZ: [{real}; {modes}] = [{}];\n\
-         /// Frequency ratios r of the undamped resonances, `ω_i √(m₁/k₁)`.\n{digits}\
+         /// Frequency ratios `ω_i √(m₁/k₁)` of the undamped resonances, in ascending order.\n{digits}\
          pub const RESONANCES: [{real}; {modes}] = [{}];\n\
-         /// The smallest r at which the functions answer.\n{digits}pub const R_MIN: {real} = {};\n\
-         /// The largest r at which the functions answer.\n{digits}pub const R_MAX: {real} = {};\n",
+         /// Smallest r that the functions accept.\n{digits}pub const R_MIN: {real} = {};\n\
+         /// Largest r that the functions accept.\n{digits}pub const R_MAX: {real} = {};\n",
         write(units.k1),
         write(units.m1),
         numbers.list(units.hertz.iter().copied()),
@@ -96,16 +95,16 @@ fn units<S: Float>(source: &Source<'_, S>, words: &LoadWords) -> String {
     );
     if source.tables.moves() {
         text.push_str(&format!(
-            "/// The smallest β at which the functions answer.\n{digits}pub const BETA_MIN: {real} = {};\n\
-             /// The largest β at which the functions answer.\n{digits}pub const BETA_MAX: {real} = {};\n",
+            "/// Smallest β that the functions accept.\n{digits}pub const BETA_MIN: {real} = {};\n\
+             /// Largest β that the functions accept.  The largest finite number means no upper bound in the description.\n{digits}pub const BETA_MAX: {real} = {};\n",
             write(beta.0),
             write(beta.1),
         ));
     }
     text.push_str(&format!(
-        "\n/// An angular frequency, rad/s, as the frequency ratio r = ω√(m₁/k₁).\n\
+        "\n/// Converts an angular frequency ω in rad/s to the frequency ratio r = ω√(m₁/k₁).\n\
          #[must_use]\npub const fn frequency_ratio(omega: {real}) -> {real} {{\n    omega / numbers::REFERENCE\n}}\n\n\
-         /// The friction ratio β = {beta} of a kinetic friction force F; `load` is {load}, {what}.\n\
+         /// Returns the friction ratio β = {beta} of a kinetic friction force F.  `load` is {load}, {what}.\n\
          #[must_use]\npub const fn friction_ratio(friction: {real}, load: {real}) -> {real} {{\n    friction / load\n}}\n\n",
         beta = words.beta,
         load = words.load,
@@ -115,7 +114,7 @@ fn units<S: Float>(source: &Source<'_, S>, words: &LoadWords) -> String {
 }
 
 /// The attribute of an emitted constant that is written with all its digits.
-const DIGITS: &str = "#[allow(clippy::approx_constant, clippy::unreadable_literal, clippy::excessive_precision, reason = \"all digits, as they are printed\")]\n";
+const DIGITS: &str = "#[allow(clippy::approx_constant, clippy::unreadable_literal, clippy::excessive_precision, reason = \"the generator writes all digits\")]\n";
 
 /// Writes the functions for β_lim and β*_lim.
 fn limits(formulas: &Formulas, words: &LoadWords) -> String {
@@ -124,14 +123,16 @@ fn limits(formulas: &Formulas, words: &LoadWords) -> String {
     // If β*_lim is constant, its expression does not contain r.
     let r = if sliding.contains("(r") { "r" } else { "_" };
     format!(
-        "/// Both limits (`β_lim`, `β*_lim`) of β = {beta} at the frequency ratio r = ω√(m₁/k₁).  Below the first a motion exists in\n\
-         /// which the contact slides all the time; from the second on a stuck state exists.\n///\n\
-         /// # Errors\n/// [`Error::OutOfDomain`].\n\
+        "/// Returns the limits `β_lim` and `β*_lim` of β = {beta} at the frequency ratio r = ω√(m₁/k₁).\n///\n\
+         /// For β < `β_lim` ({CONTINUOUS_EQUATIONS}) a motion exists in which the contact slides all the time.\n\
+         /// For β ≥ `β*_lim` ({STUCK_EQUATIONS}) a stuck state exists.\n///\n\
+         /// # Errors\n/// [`Error::OutOfDomain`] if r is outside its range or not a number.\n\
          pub fn limits(r: {real}) -> Result<({real}, {real}), Error> {{\n    \
          if !(R_MIN..=R_MAX).contains(&r) {{\n        return Err(Error::OutOfDomain);\n    }}\n    \
          let piece = found(r);\n    let continuous = polynomial(&piece.{column}, r - piece.origin);\n    \
          Ok((continuous, sliding_limit(r)))\n}}\n\n\
-         /// `β*_lim` at an r in the range.\n\
+         /// Returns `β*_lim = |V|/(μ|H|)` for an r in the range.  V is the response of the contact to the load, and H its\n\
+         /// response to a force in the contact.  μ is the ratio of static to kinetic friction.\n\
          fn sliding_limit({r}: {real}) -> {real} {{\n    {sliding}\n}}\n",
         beta = words.beta,
         column = COLUMNS.first().map_or("beta_lim", |(name, _)| *name),
@@ -145,14 +146,14 @@ fn factors(formulas: &Formulas) -> String {
         (
             "zero",
             format!(
-                "\n/// (r − y)(r + y), y in two parts.\nfn zero(r: {real}, y: Zero) -> {real} {{\n    \
+                "\n/// Returns the factor (r − y)(r + y).\nfn zero(r: {real}, y: Zero) -> {real} {{\n    \
                  ((r - y.at) - y.rest) * (r + y.at)\n}}\n"
             ),
         ),
         (
             "pair",
             format!(
-                "\n/// The factor of four zeros s = +-x +- iy at s = ir; `rest` matters in the first difference alone.\nfn pair(r: {real}, y: Pair) -> {real} {{\n    \
+                "\n/// Returns the factor of four zeros or poles.  r + y does not need `rest`, because its digits do not cancel.\nfn pair(r: {real}, y: Pair) -> {real} {{\n    \
                  let beside = ((r - y.at) - y.rest) * (r + y.at) + y.off;\n    beside * beside + y.least\n}}\n"
             ),
         ),
@@ -164,7 +165,7 @@ fn factors(formulas: &Formulas) -> String {
         .collect();
     if formulas.compares() {
         text.push_str(&format!(
-            "\n/// Exactly on a resonance.\nfn is_at(r: {real}, own: {real}) -> bool {{\n    r <= own && own <= r\n}}\n"
+            "\n/// Returns true if r equals the resonance.  Two comparisons replace `==`, against which Clippy warns.\nfn is_at(r: {real}, own: {real}) -> bool {{\n    r <= own && own <= r\n}}\n"
         ));
     }
     text.push('\n');
@@ -181,7 +182,7 @@ fn lookup<S: Float>(formulas: &Formulas, tables: &Tables<S>) -> String {
         let about = about
             .replace("beta_lim U", "β_lim·U")
             .replace("beta_lim G", "β_lim·G");
-        format!("    /// `{about}`\n    {name}: [{real}; {terms}],\n")
+        format!("    /// {about}.\n    {name}: [{real}; {terms}],\n")
     });
     let fields: String = fields.collect();
     let step = first_step(tables);
@@ -191,28 +192,33 @@ fn lookup<S: Float>(formulas: &Formulas, tables: &Tables<S>) -> String {
         (
             "let mut index",
             format!(
-                "    // Halves the step: one comparison each.\n    let mut step = {step};\n    while step > 0 {{\n        \
+                "    // Binary search: at most {most} pieces begin in a bucket.\n    let mut step = {step};\n    while step > 0 {{\n        \
                  let further = index + step;\n        \
                  if further < pieces.len() && pieces[further].from <= r {{\n            index = further;\n        }}\n        \
-                 step >>= 1;\n    }}\n"
+                 step >>= 1;\n    }}\n",
+                most = 2 * step - 1,
             ),
         )
     };
     let responses = if tables.moves() {
-        format!("  {RESPONSES}")
+        RESPONSES.map(|line| format!("\n/// {line}")).concat()
     } else {
         String::new()
     };
     format!(
-        "/// A piece of the table.  Each function is the sum of `c[j] t^j`, with t = r − origin.{responses}\n\
-         struct Piece {{\n    /// The smallest r of the piece.\n    from: {real},\n    /// From where r is counted.\n    origin: {real},\n{fields}}}\n\n\
-         /// The piece that contains r.\n\
+        "/// An interval of r with its polynomials.  A polynomial is the sum of `c[j] t^j`, with t = r − origin.{responses}\n\
+         /// The generator chooses 4, 6, 8 or 10 coefficients by the accuracy, so that the table is small.\n\
+         struct Piece {{\n    /// Smallest r of the interval, which ends where the next piece begins.\n    from: {real},\n    \
+         /// Origin of t.  Near a zero of a function the origin is the zero, so that the relative accuracy remains.\n    \
+         origin: {real},\n{fields}}}\n\n\
+         /// Returns the piece that contains r.  The range of r has buckets of equal width, and r gives the bucket.  Their\n\
+         /// number is a power of two, so that the mask `buckets.len() - 1` keeps the index valid without a comparison.\n\
          #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = \"r is in the range\")]\n\
          fn found(r: {real}) -> &'static Piece {{\n    \
          let (pieces, buckets) = (&numbers::PIECES, &numbers::BUCKETS);\n    \
          let bucket = ((r - {low}) * {density}) as usize;\n    \
          {index} = usize::from(buckets[bucket & (buckets.len() - 1)]);\n{search}    &pieces[index]\n}}\n\n\
-         /// The sum of `c[j] t^j`.\n\
+         /// Returns the sum of `c[j] t^j`, by Horner's rule in t² over pairs of terms.\n\
          fn polynomial(c: &[{real}; {terms}], t: {real}) -> {real} {{\n{sum}}}\n\n",
         sum = polynomial(terms),
     )
@@ -267,13 +273,14 @@ fn numbers<S: Float>(source: &Source<'_, S>, formulas: &Formulas) -> String {
     let used: String = used.map(|name| format!(", {name}")).collect();
     let reference = UnitConstants::of::<S>(source.scene).reference;
     format!(
-        "/// All numbers.\n\
-         #[allow(clippy::approx_constant, clippy::unreadable_literal, clippy::excessive_precision, reason = \"all digits, as they are printed\")]\n\
+        "/// All numbers of the tables, of the formulas and of the self-check.\n\
+         #[allow(clippy::approx_constant, clippy::unreadable_literal, clippy::excessive_precision, reason = \"the generator writes all digits\")]\n\
          mod numbers {{\n    use super::{{{known}Piece{used}}};\n\n    \
-         /// √(k₁/m₁), by which angular frequencies are divided: rad/s.\n    \
+         /// Divisor √(k₁/m₁) of angular frequencies, in rad/s.\n    \
          pub(super) const REFERENCE: {real} = {reference};\n{constants}{checked}\n    \
-         /// The piece in which each bucket begins.\n    \
+         /// Index of the piece that contains the start of each bucket.\n    \
          pub(super) static BUCKETS: [{narrow}; {count}] = [\n    {buckets}\n    ];\n\n    \
+         /// Pieces in ascending order of r.\n    \
          pub(super) static PIECES: [Piece; {pieces_count}] = [\n{pieces}    ];\n}}\n",
         known = check::imported(source),
         constants = formulas.constants.written(),

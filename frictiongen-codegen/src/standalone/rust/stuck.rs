@@ -2,7 +2,7 @@
 
 use super::super::formulas::Formulas;
 use super::super::stuck::{Expression, FunctionOfR, StuckExpressions};
-use super::super::{LoadWords, NumberFormat};
+use super::super::{LoadWords, NumberFormat, STUCK_EQUATIONS};
 
 /// Writes the functions for the responses while the contact is stuck, and the complex operations that they call.
 pub(super) fn source(formulas: &Formulas, stuck: &StuckExpressions, words: &LoadWords) -> String {
@@ -12,19 +12,24 @@ pub(super) fn source(formulas: &Formulas, stuck: &StuckExpressions, words: &Load
     let resonant = Formulas::on(&stuck.resonances).map_or_else(String::new, |on| {
         format!("    if {on} {{\n        return Err(Error::Unbounded);\n    }}\n")
     });
+    let errors = if stuck.resonances.is_empty() {
+        "/// # Errors\n/// [`Error::OutOfDomain`] if r is outside its range or not a number.\n"
+    } else {
+        "/// # Errors\n/// [`Error::OutOfDomain`] if r is outside its range or not a number.\n\
+         /// [`Error::Unbounded`] if r is an undamped resonance of the chain with its contact stuck.\n"
+    };
     let masses = stuck.masses.iter().map(|mass| {
         let about = format!(
-            "/// While the contact is stuck: the complex amplitude of `{}`, whose displacement ({amplitude}) is\n\
-             /// `Re((re + i im) e^(iτ))`.\n///\n/// # Errors\n\
-             /// [`Error::OutOfDomain`]; [`Error::Unbounded`] on an undamped resonance of the chain with its contact stuck.\n",
+            "/// Returns the complex amplitude (re, im) of `{}` while the contact is stuck ({STUCK_EQUATIONS}).\n\
+             /// The displacement ({amplitude}) is `Re((re + i im) e^(iτ))`, with τ = ωt.\n///\n{errors}",
             mass.name
         );
         (about, format!("stuck_{}", mass.name), &mass.value)
     });
     let force = (
         format!(
-            "/// The force over {load} that holds the contact, in the same way, positive against positive sliding.  Its modulus is\n\
-             /// `μ β*_lim`.\n///\n/// # Errors\n/// The same.\n"
+            "/// Returns the complex amplitude (re, im) of the force that keeps the contact stuck, divided by {load}\n\
+             /// ({STUCK_EQUATIONS}).  It is positive against positive sliding.  Its modulus is `μ β*_lim`.\n///\n{errors}"
         ),
         "holding_force".to_owned(),
         &stuck.force,
@@ -45,7 +50,7 @@ pub(super) fn source(formulas: &Formulas, stuck: &StuckExpressions, words: &Load
             Expression::Complex(value) => (format!("({real}, {real})"), value),
         };
         source.push_str(&format!(
-            "\n/// The poles of responses.\nfn {name}(r: {real}) -> {of} {{\n    {value}\n}}\n"
+            "\n/// Returns the product over the poles, which several responses share.\nfn {name}(r: {real}) -> {of} {{\n    {value}\n}}\n"
         ));
     }
     source + &operations(formulas)
@@ -59,14 +64,14 @@ fn operations(formulas: &Formulas) -> String {
         (
             "pair_root",
             format!(
-                "\n/// (s − x)² + y² at s = ir.\nfn pair_root(r: {real}, y: RootPair) -> {number} {{\n    \
+                "\n/// Returns the factor (s − x)² + y² at s = ir.\nfn pair_root(r: {real}, y: RootPair) -> {number} {{\n    \
                  (y.off - ((r - y.at) - y.rest) * (r + y.at), y.rate * r)\n}}\n"
             ),
         ),
         (
             "real_root",
             format!(
-                "\n/// s − x at s = ir: rate = −x.\nconst fn real_root(r: {real}, rate: {real}) -> {number} {{\n    (rate, r)\n}}\n"
+                "\n/// Returns the factor s − x at s = ir, with rate = −x.\nconst fn real_root(r: {real}, rate: {real}) -> {number} {{\n    (rate, r)\n}}\n"
             ),
         ),
         (
@@ -89,7 +94,7 @@ fn operations(formulas: &Formulas) -> String {
             "inverse",
             format!(
                 "\nfn inverse(a: {number}) -> {number} {{\n    \
-                 // Over the size of both parts, so that no square overflows.\n    \
+                 // Divides by |re| + |im| first, so that no square overflows.\n    \
                  let over = 1.0 / (a.0.abs() + a.1.abs());\n    \
                  let (re, im) = (a.0 * over, a.1 * over);\n    let k = over / (re * re + im * im);\n    (re * k, -(im * k))\n}}\n"
             ),
