@@ -289,6 +289,7 @@ fn stick_slip(step: usize, masses: usize) -> [u64; 3] {
             }
         }
         counts[1] += run.plain.events;
+        assert!(worst < 1e-10, "{worst:e}: {}", scene.name);
         let relative = scene.is_damped_from_base() && scene.masses.len() <= masses;
         let Some(orbit) = at.orbit(beta).ok().filter(|_| relative) else {
             return;
@@ -308,7 +309,6 @@ fn stick_slip(step: usize, masses: usize) -> [u64; 3] {
     println!(
         "{compared} displacements, {events} events, largest error {worst:.1e}; {settled} amplitudes, {steady:.1e}"
     );
-    assert!(worst < 1e-10, "{worst:e}");
     // A cubic between two of 400 instants gives a maximum with an error of the fourth power of their distance.
     assert!(steady < 1e-8, "{steady:e}");
     counts
