@@ -114,20 +114,18 @@ fn outcome(frame: &Frame, work: Option<usize>) -> Option<Outcome> {
     Some(outcome)
 }
 
-/// Checks a few frames in every run of the tests.
+/// Checks one frame in every run of the tests.
 #[test]
-fn optima_of_some_frames() {
-    for (masses, index) in [(2, 4), (3, 5)] {
-        let frame = frame(masses, index);
-        let outcome = outcome(&frame, Some(WORK)).expect("an optimum and a map");
-        let most = if outcome.end == OptimumEnd::WorkSpent {
-            ABOVE_IF_SPENT
-        } else {
-            ABOVE
-        };
-        assert!(outcome.above < most, "{}: {}", frame.text, outcome.above);
-        assert!(outcome.higher < most, "{}: {}", frame.text, outcome.higher);
-    }
+fn optimum_of_one_frame() {
+    let frame = frame(2, 4);
+    let outcome = outcome(&frame, Some(WORK)).expect("an optimum and a map");
+    let most = if outcome.end == OptimumEnd::WorkSpent {
+        ABOVE_IF_SPENT
+    } else {
+        ABOVE
+    };
+    assert!(outcome.above < most, "{}: {}", frame.text, outcome.above);
+    assert!(outcome.higher < most, "{}: {}", frame.text, outcome.higher);
 }
 
 /// Checks a frame at a resonance of its stuck chain that the load does not drive and that nothing damps. If the contact
