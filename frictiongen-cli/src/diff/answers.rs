@@ -37,6 +37,10 @@ pub struct Difference {
     pub relative: f64,
     /// Median of the relative differences over the compared frequencies.
     pub median: f64,
+    /// Smallest of the relative differences.
+    pub smallest: f64,
+    /// Ranges of frequencies in Hz at which a scene has no result. The ends are compared frequencies.
+    pub gaps: Vec<(f64, f64)>,
     /// Number of frequencies at which both scenes have a result.
     pub compared: usize,
     /// Words for the scene or scenes (old, new) whose emitted code does not provide this result. The text is empty if
@@ -231,7 +235,24 @@ impl ResultSeries {
         }
     }
 
-    fn difference(mut self) -> Option<Difference> {
+    /// Returns the ranges of frequencies of the band at which the series has no values.
+    fn gaps(&self, band: &[f64]) -> Vec<(f64, f64)> {
+        let has = |hertz: &f64| self.values.iter().any(|(own, ..)| own == hertz);
+        let mut gaps: Vec<(f64, f64)> = Vec::new();
+        let mut open = false;
+        for hertz in band {
+            let missing = !has(hertz);
+            match gaps.last_mut() {
+                Some(last) if missing && open => last.1 = *hertz,
+                _ if missing => gaps.push((*hertz, *hertz)),
+                _ => {}
+            }
+            open = missing;
+        }
+        gaps
+    }
+
+    fn difference(mut self, band: &[f64]) -> Option<Difference> {
         let sizes = self.values.iter().flat_map(|(_, old, new)| [old, new]);
         let least = NOISE * sizes.fold(0.0, |size: f64, value| size.max(value.abs()));
         for (_, old, new) in &mut self.values {
@@ -249,17 +270,31 @@ impl ResultSeries {
             .map(|(_, old, new)| relative(*old, *new))
             .collect();
         all.sort_by(f64::total_cmp);
+        let gaps = self.gaps(band);
         Some(Difference {
             name: self.name,
             unit: self.unit,
             hertz: largest.0,
             values: (largest.1, largest.2),
             relative: relative(largest.1, largest.2),
-            median: all.get(all.len() / 2).copied().unwrap_or(0.0),
+            median: median(&all),
+            smallest: all.first().copied().unwrap_or(0.0),
+            gaps,
             compared: all.len(),
             left_out_by: self.left_out_by,
             where_both: self.where_both,
         })
+    }
+}
+
+/// Returns the median of sorted numbers, or 0 without numbers.
+fn median(sorted: &[f64]) -> f64 {
+    let at = |place: usize| sorted.get(place).copied().unwrap_or(0.0);
+    let half = sorted.len() / 2;
+    if sorted.len() % 2 == 1 {
+        at(half)
+    } else {
+        0.5 * (at(half.saturating_sub(1)) + at(half))
     }
 }
 
@@ -331,5 +366,5 @@ fn differences(old: &System, new: &System, band: &[f64]) -> Vec<Difference> {
         }
     }
     let all = [continuous, sliding].into_iter().chain(motions);
-    all.filter_map(ResultSeries::difference).collect()
+    all.filter_map(|series| series.difference(band)).collect()
 }

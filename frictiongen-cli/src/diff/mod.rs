@@ -130,6 +130,9 @@ fn unified(
     Ok(out.flush()?)
 }
 
+/// Largest number of ranges of frequencies that a line of the comparison lists.
+const SHOWN_RANGES: usize = 6;
+
 /// Largest relative difference at which the command treats two results as equal. Rounding in the two scenes can cause
 /// differences of this size.
 const ROUNDINGS: f64 = 1e-12;
@@ -142,6 +145,21 @@ fn relative(old: f64, new: f64) -> f64 {
         return 0.0;
     }
     (new - old).abs() / size
+}
+
+/// Formats the first ranges of a list.
+fn ranges(all: &[(f64, f64)]) -> String {
+    let shown = all.iter().take(SHOWN_RANGES).map(|(from, to)| {
+        if from == to {
+            return computed(*from);
+        }
+        format!("{} to {}", computed(*from), computed(*to))
+    });
+    let mut text = shown.collect::<Vec<_>>().join(", ");
+    if all.len() > SHOWN_RANGES {
+        text += &format!(", and {} more", all.len() - SHOWN_RANGES);
+    }
+    text
 }
 
 /// Formats a relative change in per cent, with its sign.
@@ -235,6 +253,8 @@ impl Differences {
                 values,
                 relative,
                 median,
+                smallest,
+                gaps,
                 compared,
                 left_out_by,
                 where_both,
@@ -252,16 +272,25 @@ impl Differences {
             if u32::try_from(*compared) != Ok(FREQUENCIES) {
                 writeln!(
                     out,
-                    "    compared at {compared} of {FREQUENCIES} frequencies, {where_both}"
+                    "    compared at {compared} of {FREQUENCIES} frequencies, {where_both}: not at {} Hz",
+                    ranges(gaps)
                 )?;
             }
             if *relative <= ROUNDINGS {
                 writeln!(out, "    unchanged, to rounding")?;
                 continue;
             }
+            if relative - smallest <= ROUNDINGS {
+                writeln!(
+                    out,
+                    "    differs by {} at every compared frequency",
+                    per_cent(*relative).trim_start_matches('+')
+                )?;
+                continue;
+            }
             writeln!(
                 out,
-                "    differs by {} at most, at {} Hz: {} -> {}{unit}; median {}",
+                "    largest difference {}, at {} Hz: {} -> {}{unit}; median {}",
                 per_cent(*relative).trim_start_matches('+'),
                 computed(*hertz),
                 computed(values.0),
@@ -297,7 +326,7 @@ impl Differences {
             writeln!(
                 out,
                 "  The declared `range` narrows it. \
-                 The emitted code returns an error outside `range`."
+                 Code with tables returns an error outside its `range`."
             )?;
         }
         writeln!(
@@ -309,12 +338,16 @@ impl Differences {
         }
         writeln!(
             out,
-            "  A difference is relative to the larger of the two values."
+            "  A difference is relative to the larger of both values, a change in brackets to the old value."
         )?;
         writeln!(
             out,
             "  Friction force for amplitudes, in both scenes: \
-             {FRICTION} min(F_lim, F*_lim) of the old scene."
+             {FRICTION} min(F_lim, F*_lim) of the old scene at each frequency."
+        )?;
+        writeln!(
+            out,
+            "  Phases, stuck responses and stick-slip motions are not compared."
         )?;
         Ok(())
     }
@@ -355,7 +388,7 @@ impl Differences {
         if code.tables != (0, 0) {
             writeln!(
                 out,
-                "  bytes of tables  {} -> {}",
+                "  bytes of tables  {} -> {}, without those of a step",
                 code.tables.0, code.tables.1
             )?;
         }

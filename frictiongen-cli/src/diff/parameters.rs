@@ -200,7 +200,11 @@ fn damping(damping: &Damping, fields: &mut Vec<DescriptionField>) {
 fn tables(scene: &Scene, fields: &mut Vec<DescriptionField>) {
     let declared = &scene.declared;
     if let Accuracy::Relative(accuracy) = declared.accuracy {
-        fields.push(number("accuracy".to_owned(), accuracy));
+        fields.push(DescriptionField {
+            name: "accuracy".to_owned(),
+            text: format!("{accuracy:e}"),
+            number: Some(accuracy),
+        });
     }
     if let Some(bytes) = declared.budget {
         fields.push(number("budget".to_owned(), bytes));
