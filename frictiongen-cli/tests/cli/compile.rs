@@ -220,7 +220,7 @@ fn stuck_responses() {
         .find(|line| line.starts_with("stuck  "))
         .unwrap();
     assert!(
-        told.contains("not proven: largest error ") && told.ends_with(" bytes"),
+        told.contains("not proven: after subtraction of ") && told.ends_with(" bytes"),
         "{told}"
     );
     let data = json(&output(&scene, &["compile", "--format", "json"]));

@@ -25,7 +25,10 @@ fn prints_the_library_s_own_text() {
     assert!(notice.ends_with(": generated: change the description, not this file."));
     assert_eq!(*command, "// Command: frictiongen expand frame.friction");
     let hash = frictiongen_codegen::standalone::scene_hash(&description.scene);
-    assert_eq!(*scene, format!("// Scene Frame with the hash {hash}."));
+    assert_eq!(
+        *scene,
+        format!("// Scene Frame with the hash {hash}, which emitted Rust calls `SCENE_HASH`.")
+    );
     // The documentation of the type has the description as it was written.
     let written = source
         .trim()

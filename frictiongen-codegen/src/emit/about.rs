@@ -117,34 +117,26 @@ pub(super) fn origin(description: &Description) -> Vec<String> {
     if let Some(acts_on) = description.scene.damping_acts_on() {
         lines.extend([format!("The {acts_on}."), String::new()]);
     }
-    lines.extend(
-        sign_of_contact(&description.scene)
-            .into_iter()
-            .flat_map(|line| [line, String::new()]),
-    );
+    if description.scene.joints.is_empty() {
+        lines.extend([motion_in_contact(&description.scene), String::new()]);
+    }
     lines.extend(["# What it offers".to_owned(), String::new()]);
     lines
 }
 
-/// Returns a line about the sign of the motion in a contact between two masses, or with a moving base. Returns `None` for
-/// every other contact, whose relative motion is the motion of the mass.
-fn sign_of_contact(scene: &Scene) -> Option<String> {
-    if !scene.joints.is_empty() {
-        return None;
-    }
+/// Returns a sentence about the motion in the contact of a scene with one contact.
+pub(crate) fn motion_in_contact(scene: &Scene) -> String {
     let name = |mass: usize| scene.node_name(Node::Mass(mass));
     let (one, other) = match (scene.contact.from, scene.contact.to) {
-        (Node::Mass(a), Node::Mass(b)) => (name(a.max(b)), name(a.min(b))),
-        (Node::Mass(mass), Node::Base) | (Node::Base, Node::Mass(mass))
-            if scene.excitation == Excitation::Base =>
-        {
-            (name(mass), "base")
+        (Node::Mass(a), Node::Mass(b)) => (name(a.max(b)), Some(name(a.min(b)))),
+        (Node::Mass(mass), support) | (support, Node::Mass(mass)) => {
+            let moves = support == Node::Base && scene.excitation == Excitation::Base;
+            (name(mass), moves.then_some("base"))
         }
-        _ => return None,
+        _ => return String::new(),
     };
-    Some(format!(
-        "The motion in the contact is the displacement of `{one}` minus that of `{other}`."
-    ))
+    let minus = other.map_or_else(String::new, |other| format!(" minus that of `{other}`"));
+    format!("The motion in the contact is the displacement of `{one}`{minus}.")
 }
 
 /// Returns all lines of the documentation of the scene's type: origin, description, methods and constants.
@@ -155,7 +147,7 @@ fn lines(emission: &Emission<'_>) -> Vec<String> {
     // A scene with a stepper alone has no formula of the thesis.
     let non_dimensional = emission.scene.needs_frequency() || emission.wanted().simulation;
     if non_dimensional {
-        lines.extend([units(&emission.scene.excitation).to_owned(), String::new()]);
+        lines.extend([units(emission), String::new()]);
     }
     let thesis = if emission.scene.needs_frequency() {
         "Numbers in brackets are equations of L. Marino, *Dynamic analysis of mechanical systems with Coulomb friction*, Oxford 2021.  "
@@ -163,21 +155,35 @@ fn lines(emission: &Emission<'_>) -> Vec<String> {
         ""
     };
     lines.push(format!(
-        "{thesis}Counts of operations do not include operations whose operands are all constants, because the compiler computes them.  An `if` counts as two operations, a comparison and a choice."
+        "{thesis}Counts of operations do not include operations whose operands are all constants, because the compiler computes them.  An expression that stands several times counts once, and an `if` as a comparison and a choice."
     ));
     lines
 }
 
-/// Returns a line about the units of the results at one frequency ratio and of the simulation.
-fn units(excitation: &Excitation) -> &'static str {
-    match excitation {
+/// Returns a line about the units of the results at one frequency ratio, of the simulation and of the stepper.
+fn units(emission: &Emission<'_>) -> String {
+    let wanted = emission.wanted();
+    let answers = match (emission.scene.needs_frequency(), wanted.simulation) {
+        (true, true) => "Answers of `at(r)` and of the simulation are",
+        (true, false) => "Answers of `at(r)` are",
+        (false, _) => "Answers of the simulation are",
+    };
+    let over = match emission.scene.excitation {
         Excitation::Base => {
-            "Answers of `at(r)` and of the simulation are non-dimensional: displacements are over Y, the amplitude of the base motion, forces are over k₁Y, and the time is τ = ωt."
+            "displacements are over Y, the amplitude of the base motion, and forces over k₁Y"
         }
         Excitation::Force(_) => {
-            "Answers of `at(r)` and of the simulation are non-dimensional: displacements are over P/k₁, with P the amplitude of the force, forces are over P, and the time is τ = ωt."
+            "displacements are over P/k₁, with P the amplitude of the force, and forces over P"
         }
+    };
+    let mut line = format!("{answers} non-dimensional: {over}.  The time is τ = ωt.");
+    if wanted.motion.is_some() {
+        line += "  A phase is the lag of a maximum behind that of the load, in rad.  In `motion(beta)` τ is 0 at a maximum of the motion in the contact, and elsewhere at a maximum of the load.";
     }
+    if wanted.stepper {
+        line += "  The stepper uses the units of the scene, and seconds.";
+    }
+    line
 }
 
 /// Returns a fence of backticks that is longer than every run of backticks in a text.
@@ -195,6 +201,7 @@ fn offers(emission: &Emission<'_>) -> Vec<String> {
         simulation,
         orbit,
         stepper,
+        declared,
         input,
         ..
     } = &emission.names;
@@ -208,13 +215,13 @@ fn offers(emission: &Emission<'_>) -> Vec<String> {
         let refused = if emission.is_tabled() && scene.declared.beyond == Beyond::Error {
             "outside the declared range of r"
         } else {
-            "for a NaN or negative r"
+            "if r is negative or not a number"
         };
         items.push(format!(
-            "`at(r)` returns [`{at}`], with `limits()` (β_lim and β*_lim), `regime(beta)` (continuous, stick-slip, stuck or bistable) and `margin(beta)` (β/min(β_lim, β*_lim) − 1, negative if continuous motion exists), or an error {refused}"
+            "`at(r)` returns [`{at}`], with `limits()` (β_lim and β*_lim), `regime(beta)` (continuous, stick-slip, stuck or bistable) and `margin(beta)` (β/min(β_lim, β*_lim) − 1, negative below both limits), or an error {refused}"
         ));
         items.push(
-            "`limits_without_search(r)`: an upper bound on β_lim, and β*_lim; `limits_into(rs, continuous, sliding)`: both limits for a slice of frequency ratios"
+            "`limits_without_search(r)`: an upper bound on β_lim, and β*_lim itself; `limits_into(rs, continuous, sliding)`: both limits for a slice of frequency ratios"
                 .to_owned(),
         );
     }
@@ -240,19 +247,28 @@ fn offers(emission: &Emission<'_>) -> Vec<String> {
     if wanted.simulation {
         let methods = methods(emission, &every, &["next()"]);
         let start = if scene.friction == FrictionLaw::Coulomb {
-            "simulation(r, beta)"
+            "simulation(r, beta)` and `simulation_from(r, beta, state)"
         } else {
-            "simulation_under(r, beta, amplitude)"
+            "simulation_under(r, beta, amplitude)` and `simulation_under_from(r, beta, amplitude, state)"
         };
         items.push(format!(
-            "`{start}` returns [`{simulation}`], the motion in time from event to event, with {methods}"
+            "`{start}` return [`{simulation}`], the motion in time from event to event, with {methods}"
         ));
     }
     if wanted.stepper {
-        let methods = methods(emission, &every, &["advance(input)", "contact()"]);
+        let methods = methods(
+            emission,
+            &every,
+            &["begin(input)", "advance(input)", "image()", "contact()"],
+        );
         items.push(format!(
-            "`stepper(dt)` returns [`{stepper}`], the motion by steps under any [`{input}`], with {methods}"
+            "`stepper(dt)`, `stepper_from(dt, state)` and `stepper_from_image(image)` return [`{stepper}`], the motion by steps under any [`{input}`], with {methods}"
         ));
+        if scene.stepping.step.is_some() {
+            items.push(format!(
+                "`declared_stepper()` returns [`{declared}`], which borrows the tables of the declared step `STEP`, s"
+            ));
+        }
     }
     if wanted.self_check {
         items.push("`self_check()` compares constants and answers with known ones".to_owned());

@@ -10,8 +10,9 @@ use proc_macro2::{Literal, TokenStream, TokenTree};
 pub(super) fn about(table: &TokenStream) -> String {
     let mut numbers = Vec::new();
     collect(table, &mut numbers);
+    let plural = if numbers.len() == 1 { "" } else { "s" };
     format!(
-        " {} numbers; CRC-32 of their text, joined by commas: {:08x}.",
+        " {} number{plural}; CRC-32 of their text, joined by commas: {:08x}.",
         numbers.len(),
         crc(numbers.join(",").as_bytes())
     )

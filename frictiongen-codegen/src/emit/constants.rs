@@ -7,6 +7,7 @@ use super::names::TypeNames;
 use super::units;
 use frictiongen_kernel::modal_sum::search::MAX_EVALUATIONS;
 use frictiongen_kernel::oscillator::mode::{Kind, Mode};
+use frictiongen_model::scene::Excitation;
 use proc_macro2::{Literal, TokenStream};
 
 pub(super) fn emit(emission: &Emission<'_>) -> EmittedCode {
@@ -153,7 +154,7 @@ fn at_frequency(emission: &Emission<'_>) -> EmittedCode {
             (
                 "ends",
                 code!(Ends { #ends }),
-                "limits of β for r → 0 and for r → ∞, also if tables have a smaller range; β_lim for r → 0 is 0",
+                "limits of β for r → 0 and for r → ∞, which a range of tables does not restrict; β_lim for r → 0 is 0",
             ),
             (
                 "rubbing",
@@ -163,7 +164,7 @@ fn at_frequency(emission: &Emission<'_>) -> EmittedCode {
             (
                 "absorbs",
                 code!(#absorbs),
-                "true if V and H may have common zeros; there the force that a stuck contact needs decides the limits",
+                "true if V and H may have a common zero: the chain then absorbs the load, and the limits follow from the force that holds a stuck contact",
             ),
             (
                 "unbounded",
@@ -244,6 +245,10 @@ fn mode_constant(emission: &Emission<'_>, mode: &Mode<f64>, first: bool) -> Toke
     let (q_defect, load, contact) = (of(mode.q_defect), of(mode.load), of(mode.contact));
     let (residue, contact_squared) = (of(mode.residue), of(mode.contact_squared));
     let static_residue = of(mode.static_residue);
+    let load_about = match emission.scene.excitation {
+        Excitation::Base => "φᵀp, with p the load on each mass over k₁Y",
+        Excitation::Force(_) => "φᵀp, with p the load on each mass over P",
+    };
     let fields = fields(
         first,
         &[
@@ -265,7 +270,7 @@ fn mode_constant(emission: &Emission<'_>, mode: &Mode<f64>, first: bool) -> Toke
             ("zeta", zeta, "ζ, the modal damping ratio"),
             ("q", q, "√|1 − ζ²|"),
             ("q_defect", q_defect, "1 − q"),
-            ("load", load, "φᵀp, with p where the load acts"),
+            ("load", load, load_about),
             (
                 "contact",
                 contact,
@@ -293,7 +298,7 @@ pub(super) fn kind(kind: Kind) -> TokenStream {
 /// Returns the documentation line with the worst-case work of the methods at one frequency.
 fn work_about(emission: &Emission<'_>) -> String {
     if emission.is_tabled() {
-        return " Worst case: the operations of `tabled_limit` and `tabled_sliding_limit`."
+        return " Worst case: the operations of `tabled_limit` and `tabled_sliding_limit` together."
             .to_owned();
     }
     let stage = if emission.in_passes() {

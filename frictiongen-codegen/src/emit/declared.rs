@@ -22,7 +22,7 @@ pub(super) fn types(emission: &Emission<'_>, literals: &TokenStream) -> TokenStr
     let scalar = code!(::core::primitive::#scalar);
     code! {
         #[doc = #about]
-        #[allow(dead_code, deprecated, non_camel_case_types)]
+        #[allow(dead_code, deprecated, non_camel_case_types, reason = "a program may use only the other stepper, and names and attributes are those of the description")]
         #visibility struct #declared(#facade::kernel::stepper::DeclaredStepper<#scalar, #literals #law>);
     }
 }
@@ -32,10 +32,10 @@ pub(super) fn associated(emission: &Emission<'_>) -> TokenStream {
     let declared = &emission.names.declared;
     code! {
         /// Creates a stepper with the declared step `STEP`, for a chain at rest without load.  It computes and copies no
-        /// tables, and can be the value of a `static`.
+        /// tables, and can be the value of a `static`.  The pair of numbers is the friction force at the start, and μ.
         #[inline]
         #[must_use]
-        #[allow(dead_code, clippy::init_numbered_fields, reason = "an alias of the type has no constructor function")]
+        #[allow(dead_code, clippy::init_numbered_fields, reason = "a program may use only the other stepper; for a scene in a function the type is an alias, which has no constructor function")]
         pub const fn declared_stepper() -> #declared {
             #declared {
                 0: DeclaredStepper::declared(

@@ -84,7 +84,7 @@ pub(super) fn emit(emission: &Emission<'_>, wanted: &Wanted<'_>) -> DynamicsCons
             (
                 "participations",
                 code!(&[#(#participations),*]),
-                "factors in y and u: for each mode of `held` in turn, one pair for each mode that the contact drives",
+                "displacement of a mode of the chain per unit of y and of u: for each mode of `held` in turn, one pair for each mode that the contact drives; the largest number of a held mode has the modulus 1",
             ),
             (
                 "shapes",
@@ -136,7 +136,7 @@ fn modes(emission: &Emission<'_>, transient: &Transient<f64>) -> TokenStream {
 }
 
 /// Explains the field `inverse` of a held mode (derivation, section 7).
-const INVERSE: &str = "[m₁₁, m₁₂, m₂₂] = [B(h, h), −B(g, h), B(g, g)]/(B(g, g)B(h, h) − B(g, h)²), with y = m₁₁B(η, g) + m₁₂B(η, h) and u = m₁₂B(η, g) + m₂₂B(η, h): η is the motion of the chain's modes minus the static motion that the stuck contact causes, g and h are the `participations` of y and u, B(a, b) = Σ 2ζσab + a′b + ab′ over the chain's modes with σ = `resonance`, g′ = −Ωh and h′ = Ω(g − 2ζh) with Ω = `frequency` and ζ of this mode";
+const INVERSE: &str = "m₁₁, m₁₂ and m₂₂ give y = m₁₁B(η, g) + m₁₂B(η, h) and u = m₁₂B(η, g) + m₂₂B(η, h).  η is the motion of the chain's modes minus the static motion that the stuck contact causes.  g and h are the `participations` of y and u.  B(a, b) is the sum of 2ζσab + a′b + ab′ over the chain's modes, with σ = `resonance`.  g′ is −Ωh, and h′ is Ω(g − 2ζh), with Ω = `frequency` and ζ of this mode.  [m₁₁, m₁₂, m₂₂] = [B(h, h), −B(g, h), B(g, g)]/(B(g, g)B(h, h) − B(g, h)²)";
 
 fn held(emission: &Emission<'_>, mode: &HeldMode<f64>, first: bool) -> TokenStream {
     let kind = kind(mode.kind);
@@ -166,7 +166,7 @@ fn held(emission: &Emission<'_>, mode: &HeldMode<f64>, first: bool) -> TokenStre
             (
                 "force",
                 force,
-                "contact force, with its damping force, divided by −y",
+                "force of the chain on the contact, with its damping force, at y = −1",
             ),
             ("inverse", inverse, INVERSE),
         ],

@@ -32,11 +32,11 @@ pub(super) fn emit(emission: &Emission<'_>) -> Stage {
     let operations = operations_about(&operations);
     let on_base = emission.reduced.chain.on_moving_base.is_some();
     let response = if on_base {
-        " r²V of r²·residue/λ·(1 − 2iζx)/(x² − 1 + 2iζx), relative to the moving base and with r²·`on_moving_base` added,"
+        " r²V is the sum of r²·residue/λ·(1 − 2iζx)/(x² − 1 + 2iζx), relative to the moving base and with r²·`on_moving_base` added,"
     } else if emission.loads_contact() {
-        " r²V = r²H, as the load acts on the mass that rubs,"
+        " r²V = r²H, because the load acts on the mass that rubs."
     } else {
-        " r²V of residue/(x² − 1 + 2iζx),"
+        " r²V is the sum of residue/(x² − 1 + 2iζx),"
     };
     let from_base: &[&str] = if emission.reduced.quadratures.is_empty() {
         &[]
@@ -46,6 +46,13 @@ pub(super) fn emit(emission: &Emission<'_>) -> Stage {
     // Without damping some terms are 0. The emitted code has plain zeros for them.
     let undamped = (!emission.damped())
         .then(|| code!(#[doc = " Without damping r²G, r²H_c and the imaginary parts are 0."]));
+    let without_g = emission.damped().then(|| {
+        code! {
+            /// With `WITH_G` false, g and r²G are 0, for callers that do not use them.
+            /// `sin_cos_pi_minus(a, b)` is the sine and the cosine of π(a − b), `one_minus_sinc_pi(a)` is 1 − sin(πa)/(πa), and
+            /// `scaled_sinh_defect(a)` is 1 − e^(−2a) − 2a·e^(−a).
+        }
+    });
     let about = code! {
         /// Sums V, H, U, G and H_c of the contact (3.11, 5.20, 5.34, 5.37, 7.11, 7.12), and the functions of the modes.
         ///
@@ -54,9 +61,10 @@ pub(super) fn emit(emission: &Emission<'_>) -> Stage {
         ///
         /// Sums over the modes, with x = √λ/r = 1/R:
         #[doc = #response]
-        /// r²H is the sum of (φᵀw)²/(x² − 1 + 2iζx), r²U of (φᵀw)²uR², r²G of (φᵀw)²gR², r²H_c of (φᵀw)²(g + 2ζRu).
+        /// r²H is the sum of (φᵀw)²/(x² − 1 + 2iζx), r²U that of (φᵀw)²uR², r²G that of (φᵀw)²gR², r²H_c that of (φᵀw)²(g + 2ζRu).
         /// Each is returned times E as `v`, `h`, `u`, `g` or `reversal`.  E, the `scale`, is the smallest |x² − 1| + 2ζx of the
         /// modes in contact, so that the sums stay finite on a resonance.
+        #without_g
         #undamped
         #(#[doc = #from_base])*
         ///

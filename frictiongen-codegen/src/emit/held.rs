@@ -241,7 +241,7 @@ fn stuck_about<S: Float>(held: &Held<S>) -> Vec<String> {
 fn force_about<S: Float>(held: &Held<S>) -> Vec<String> {
     let (plain, divisions) = held.force.operations();
     vec![
-        " V/H, the force that holds the contact, in the same way.".to_owned(),
+        " V/H, the force that holds the contact, as a product over its zeros and poles.  The check above includes it.".to_owned(),
         String::new(),
         format!(
             " Operations: {plain} additions and multiplications, {}.",

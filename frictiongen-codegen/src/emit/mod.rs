@@ -40,6 +40,7 @@ use names::TypeNames;
 use proc_macro2::{Ident, TokenStream};
 use quote::format_ident;
 
+pub(crate) use about::motion_in_contact;
 pub(crate) use checksum::about_table;
 pub(crate) use fingerprint::fingerprint;
 #[cfg(feature = "pretty")]

@@ -152,7 +152,7 @@ fn in_lines(emission: &Emission<'_>, masses: &[(usize, &Ident)]) -> TokenStream 
     let contact_inputs = emission.inputs(&contact);
     let masses = (!masses.is_empty()).then(|| {
         code! {
-            /// The motion of mass k: its fundamental component, and the coefficients of each mode.
+            /// The motion of mass k: its terms of cos τ and sin τ, and the coefficients of each mode.
             ///
             /// The coefficients are those of `contact_motion`, with φ_k(φᵀw) in place of (φᵀw)².
             /// The two products of a mode with itself cancel, so both are left out.  A mode with x < 1/2 is
@@ -172,12 +172,12 @@ fn in_lines(emission: &Emission<'_>, masses: &[(usize, &Ident)]) -> TokenStream 
         }
     });
     code! {
-        /// The relative motion in the contact: its fundamental component, and the coefficients of each mode's functions.
+        /// The relative motion in the contact: its terms of cos τ and sin τ, and the coefficients of each mode's functions.
         ///
         /// d and q̃ are free motions of a mode, solutions of y″ + 2ζxy′ + x²y = 0: d from d = 1 and d′ = 0 at τ = 0, and q̃
         /// from q̃ = 0 and q̃′ = x.  The coefficients multiply (1 − d)/x² (`rise`), cos τ − d (`fall`, 0 without damping)
         /// and sin τ − Rq̃ (`forced`).  `harmonic` is (φᵀw)²/r², which only higher harmonics need.  Of `friction`, `unscale`
-        /// is 1/(r²E), and `root` is Q·r²E with Q = √(|V|² − (βU)²).
+        /// is 1/(r²E), `amplitude` is Q − βG with Q = √(|V|² − (βU)²), and `root` is Q·r²E.
         ///
         #[doc = #contact_operations]
         #[doc = #waves]

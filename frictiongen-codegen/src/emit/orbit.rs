@@ -3,6 +3,7 @@
 use super::dynamics::{DynamicsConstants, count};
 use super::emission::{Emission, EmittedCode};
 use super::names::TypeNames;
+use super::table::counted;
 use frictiongen_kernel::orbit::{MAX_STEPS, numbers_of};
 
 pub(super) fn emit(emission: &Emission<'_>, constants: &DynamicsConstants) -> EmittedCode {
@@ -16,6 +17,7 @@ pub(super) fn emit(emission: &Emission<'_>, constants: &DynamicsConstants) -> Em
     } = emission;
     let visibility = &description.visibility;
     let parts = count(constants.parts);
+    let modes = counted(constants.parts, "mode");
     let masses = count(scene.masses.len());
     let room = count(numbers_of(scene.masses.len(), constants.state));
     let multipliers = count(constants.state);
@@ -26,7 +28,7 @@ pub(super) fn emit(emission: &Emission<'_>, constants: &DynamicsConstants) -> Em
         " Room for {parts} modes of the chain and of the stuck chain, for {room} numbers (states at the starts of segments, Jacobian matrices) and for {multipliers} Floquet multipliers."
     );
     let work_about = format!(
-        " Worst case: {MAX_STEPS} steps of all searches for events together, each a sum over at most {parts} modes, and Newton's method on {multipliers} unknowns."
+        " Worst case: {MAX_STEPS} steps of all searches for events together, each a sum over at most {modes}, those of the chain and of the stuck chain, and Newton's method on {multipliers} unknowns."
     );
     let sizes = code!(#parts, #room, #multipliers);
     let (law, law_in_types, law_word) =
@@ -59,6 +61,8 @@ pub(super) fn emit(emission: &Emission<'_>, constants: &DynamicsConstants) -> Em
             type Orbit = #orbit;
             type State = [#scalar; #masses];
 
+            /// Returns the steady state that the motion from `start` reaches.  If the motion does not settle and `last` is true, it
+            /// returns its last 64 cycles.  Otherwise the error [`NoOrbit`] gives the reason.
             #[inline]
             fn settled(
                 at: &At<Self>,

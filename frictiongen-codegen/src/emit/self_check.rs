@@ -1,7 +1,7 @@
 //! Emits the self-check: checksums of all constants, and known answers with the code that compares answers with them.
 
 use super::checksum;
-use super::emission::{Checked, Emission, EmittedCode, Wanted};
+use super::emission::{Checked, Emission, EmittedCode, Wanted, rounded};
 use super::fields::fields;
 use crate::known::{AnswersRequest, KnownAnswers, MotionKind, POINTS, TAU, known};
 use crate::standalone;
@@ -34,7 +34,11 @@ pub(super) fn emit(
         (Allowed::default(), Vec::new())
     };
     let (tables, own) = known_answers(emission, wanted, &all);
-    let sums = constants.iter().copied().chain(&own);
+    let tolerance = (!all.is_empty()).then(|| {
+        let tolerance = rounded(Dd::from(allowed.error()), emission.precision);
+        Checked::new("TOLERANCE", code!(&Self::TOLERANCE), &tolerance)
+    });
+    let sums = constants.iter().copied().chain(&own).chain(&tolerance);
     let sums: TokenStream = sums
         .map(|Checked { name, numbers, sum }| {
             let sum = hexadecimal(*sum);
@@ -335,7 +339,7 @@ fn compared(emission: &Emission<'_>, wanted: &Wanted<'_>, allowed: &Allowed) -> 
 
 fn about(all: &[KnownAnswers], wanted: &Wanted<'_>) -> Vec<String> {
     let mut about = vec![
-        " Compares the checksums of all constants with those that the generator wrote, for example at power-up.".to_owned(),
+        " Compares the checksums of the constants with those that the generator wrote, for example at power-up.  These checksums are of the bits; CRC-32 in comments is of the text.".to_owned(),
     ];
     if all.is_empty() {
         about.push(" It does not run the motion in time.".to_owned());
@@ -354,7 +358,7 @@ fn about(all: &[KnownAnswers], wanted: &Wanted<'_>) -> Vec<String> {
         ""
     };
     about.push(format!(
-        " Then it compares answers ({}) at {} frequency ratios with those of arithmetic of 32 digits.{fewer}",
+        " Then it compares answers ({}) at {} frequency ratios with those of arithmetic of 32 digits, a motion only where it is continuous.{fewer}",
         kinds.join(", "),
         all.len()
     ));
@@ -378,7 +382,7 @@ fn work(wanted: &Wanted<'_>, answers: usize) -> String {
             );
         }
         if wanted.stuck {
-            work += ", and `stuck` with each mass";
+            work += ", and `stuck` with each mass and `contact_force`";
         }
     }
     work + ".  It needs no memory but the stack."

@@ -3,6 +3,7 @@
 use super::dynamics::{DynamicsConstants, count};
 use super::emission::{Checked, Emission, EmittedCode, rounded};
 use super::names::TypeNames;
+use super::table::counted;
 use frictiongen_kernel::number::dd::Dd;
 use frictiongen_kernel::simulation::{MAX_STEPS, MAX_STRETCHES};
 use frictiongen_model::scene::FrictionLaw;
@@ -22,6 +23,7 @@ pub(super) fn emit(emission: &Emission<'_>, constants: &DynamicsConstants) -> Em
     } = emission;
     let visibility = &description.visibility;
     let parts = count(constants.parts);
+    let modes = counted(constants.parts, "mode");
     let constant = scene.friction == FrictionLaw::Coulomb;
     let (law, law_in_types, law_word) =
         (emission.law(), emission.law_in_types(), emission.law_word());
@@ -31,15 +33,15 @@ pub(super) fn emit(emission: &Emission<'_>, constants: &DynamicsConstants) -> Em
         code!(FixedLinesSimulation)
     };
     let about = format!(
-        " Exact motion of [`{name}`] in time, from event to event.  `next` returns its segments."
+        " Exact motion of [`{name}`] in time, from event to event.  `next` returns its segments and never ends."
     );
     let work_about = if constant {
         format!(
-            " Worst case of `next`: {MAX_STEPS} steps of the search for the end of a segment, each a sum over at most {parts} modes; of `advance` two segments."
+            " Worst case of `next`: {MAX_STEPS} steps of the search for the end of a segment, each a sum over at most {modes}, those of the chain and of the stuck chain; of `advance` two segments."
         )
     } else {
         format!(
-            " Worst case of `advance`: {MAX_STRETCHES} stretches of at most 128 steps, or of {MAX_STEPS} where the kinetic friction is constant; a step is a sum over at most {parts} modes."
+            " Worst case of `advance`: {MAX_STRETCHES} stretches of at most 128 steps, or of {MAX_STEPS} where the kinetic friction is constant; a step is a sum over at most {modes}, those of the chain and of the stuck chain."
         )
     };
     let types = code! {

@@ -25,10 +25,10 @@ pub(super) fn parts(scene: &StepScene<'_, Dd, AnyContact<Dd>>, step: Option<f64>
         format!(" (the friction law adds up to {MAX_STRETCHES} changes of its line)")
     };
     vec![
-        parts + ".  In a part, the phase of the fastest mode advances by at most 1 rad.",
+        parts + &format!(".  {shown} is the largest ω(1 + 2ζ) of a mode, in rad/s: in a part, the phase of the fastest mode advances by at most 1 rad."),
         " A part in which the contact certainly keeps sliding, or keeps sticking, is a product of its state with tables.".to_owned(),
         format!(" In any other part the stepper searches the events, at most {MAX_EVENTS}{lines}."),
-        " After these events, a contact at rest stays stuck to the end of the part, and in any other contact the friction force is constant there.  This rule creates no energy, and `exceeded()` counts the step.".to_owned(),
+        " After these events, a contact at rest stays stuck to the end of the part, and in any other contact the friction force is constant there.  This force opposes the displacement of the contact in the part, so that it creates no energy.  `exceeded()` counts the step.".to_owned(),
     ]
 }
 

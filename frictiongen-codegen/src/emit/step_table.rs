@@ -172,7 +172,8 @@ fn table<const D: usize>(
         /// Advance of each oscillator over a part of `STEP`, with the time s from 0 to 1: y′ = Ωu, u′ = −Ω(y + 2ζu) + drive.
         /// σ = √λ is the frequency ratio of the mode's resonance.  The drive is a polynomial in s.
         ///
-        /// A `Row` has the weights of y and u at the start of the part (`state`) and of the coefficients of the drive (`drive`).
+        /// A `Row` has the weights of y and u (`state`) and of the coefficients of the drive (`drive`).  y and u are those at the
+        /// start of the part, except in a shear, where they are the present ones.
         /// In a `HeldRow` the first list of `drive` belongs to a drive of y, the second to a drive of u.
         /// Three shears advance y and u: y gains a·u, then u gains −b·y − c·u and a drive, then y gains a′·u and a drive.  `turn`
         /// or the first of `turns` has the state weights [−b, −c], the first of `moments` has [a, a′].
@@ -280,7 +281,7 @@ impl DdWriter<'_> {
                 (
                     "receptance",
                     receptance,
-                    "wᵀK̄⁻¹w, displacement of the contact per unit of steady force",
+                    "wᵀ(K/k₁)⁻¹w, displacement of the contact per unit of steady force",
                 ),
                 (
                     "drag",
@@ -356,7 +357,7 @@ impl DdWriter<'_> {
                 (
                     "force",
                     force,
-                    "contact force, with its damping force, divided by −y",
+                    "force of the chain on the contact, with its damping force, at y = −1",
                 ),
                 (
                     "from_base",

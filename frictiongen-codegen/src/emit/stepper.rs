@@ -79,17 +79,26 @@ pub(super) fn emit(emission: &Emission<'_>, constants: &DynamicsConstants) -> Em
     let sample = code! {
         Sample { base: #base, forces: &[#(input.#fields),*], friction: input.friction }
     };
+    let [constant, linear] = if steps.forces.is_empty() {
+        ["Friction is constant", "Friction changes linearly"]
+    } else {
+        [
+            "Forces and friction are constant",
+            "Forces and friction change linearly",
+        ]
+    };
     let when = match (steps.input, steps.on_base) {
-        (Input::Hold, false) => " Takes a step, over which the input is constant.",
-        (Input::Hold, true) => {
-            " Takes a step.  Forces and friction are constant over it.  The base jumps to the displacement of the input and then moves with its velocity."
-        }
+        (Input::Hold, false) => " Takes a step, over which the input is constant.".to_owned(),
+        (Input::Hold, true) => format!(
+            " Takes a step.  {constant} over it.  The base jumps to the displacement of the input and then moves with its velocity."
+        ),
         (Input::Linear, false) => {
             " Takes a step, over which the input changes linearly from the last input to this one."
+                .to_owned()
         }
-        (Input::Linear, true) => {
-            " Takes a step.  Forces and friction change linearly over it.  The base follows the cubic through the displacements and velocities of the last input and of this one."
-        }
+        (Input::Linear, true) => format!(
+            " Takes a step.  {linear} over it.  The base follows the cubic through the displacements and velocities of the last input and of this one."
+        ),
     };
     let loaded = steps.forces.iter().map(|mass| count(*mass));
     let on_base = steps.on_base;
@@ -133,7 +142,7 @@ pub(super) fn emit(emission: &Emission<'_>, constants: &DynamicsConstants) -> Em
                 Stepper::new(Self::STEP_SCENE, tables, FixedStore::new(), state).map(From::from)
             }
     };
-    let calls_of = |stepper: &Ident| calls(emission, stepper, &sample, when);
+    let calls_of = |stepper: &Ident| calls(emission, stepper, &sample, &when);
     let of_stepper = calls_of(stepper);
     let mut items = code! {
         /// `Clone`, `Debug`, `From` and `Deref`: the stepper has all methods of the wrapped type.
@@ -141,8 +150,8 @@ pub(super) fn emit(emission: &Emission<'_>, constants: &DynamicsConstants) -> Em
 
         #of_stepper
 
-        /// The traits `Steps` and `Stepping`, and the functions `image` and `stepper_from_image`.  `true` stands for a
-        /// moving base.  The list contains the indices of the loaded masses.
+        /// The traits `Steps` and `Stepping`, and the functions `image` and `stepper_from_image`, which write and read the state
+        /// as bytes.  `true` stands for a moving base.  The list contains the indices of the loaded masses.
         #facade::emitted_stepper!(#name, #stepper, #scalar, #on_base, [#(#loaded),*]);
     };
     cost.push(format!(" {}", sizes.about()));
@@ -159,7 +168,7 @@ pub(super) fn emit(emission: &Emission<'_>, constants: &DynamicsConstants) -> Em
 
             #of_declared
 
-            /// The trait `Stepping` and the function `image`, with the same two arguments.
+            /// The trait `Stepping` and the function `image`.  Base and loaded masses are written as above.
             #facade::emitted_stepper!(declared #declared, #scalar, #on_base, [#(#loaded),*]);
         });
     }
@@ -182,7 +191,7 @@ fn calls(
     let Emission { scalar, names, .. } = emission;
     let input = &names.input;
     let costs = format!(
-        " Returns the state of the contact and the friction force at the end of the step, and the number of events in it.  [`{}`] has the number of operations.",
+        " Returns the state of the contact and the friction force at the end of the step, and the number of events in it.  The comment on [`{}`] gives the number of operations.",
         names.stepper
     );
     let methods = methods(emission);
@@ -287,12 +296,12 @@ fn step_scene(emission: &Emission<'_>) -> (TokenStream, Vec<Checked>) {
             (
                 "input",
                 code!(Input::#input),
-                "interpolation of the input between two samples",
+                "interpolation of forces and friction between two samples; with `Linear` a base follows a cubic",
             ),
             (
                 "law",
                 code!(&[#(#law),*]),
-                "points of a friction law over the speed: speed, kinetic friction over F",
+                "points of a friction law over the speed: speed, kinetic friction over F; without points the kinetic friction is F",
             ),
         ],
     );

@@ -61,8 +61,8 @@ fn tabled<S: Float + Listed<S>>(
         let quotient = quotient(product);
         let (checksum, error) = (checksum::about(&quotient), sliding_error(tables));
         code! {
-            /// β*_lim as a product over its zeros and poles: `Zero` is (r − at − rest)(r + at), `Pair`
-            /// (that + off)² + least, `Real` r² + off.
+            /// β*_lim = gain·|q|.  q is the numerator over the denominator, or the root of this quotient if `squared`.  Of the factors,
+            /// `Zero` is (r − at − rest)(r + at), `Pair` (that + off)² + least, and `Real` r² + off.
             ///
             #[doc = #error]
             #[doc = #checksum]
@@ -178,14 +178,15 @@ fn contact<S: Float>(emission: &Emission<'_>, tables: &Tables<S>) -> TokenStream
     };
     let accuracy = tables.request.accuracy;
     let about = format!(
-        " To {accuracy:e} up to β = {MOST_SHARE}·β_lim, relative in the amplitude and in rad in the phase; nearer to β_lim the error grows at most as 1/(1 − (β/β_lim)²)."
+        " To {accuracy:e} up to β = {MOST_SHARE}·β_lim, relative in the amplitude and in rad in the phase; nearer to β_lim this bound grows as 1/(1 − (β/β_lim)²)."
     );
     let proof = format!(" {}", tables.motion_proof.told_in::<S>());
     code! {
         impl TabledMotion for #name {
             type Moving = #motion;
 
-            /// Numbers from which amplitude and phase of the contact follow (2.21, 5.35, 5.38, 7.20, 7.21).
+            /// Numbers from which amplitude and phase of the contact follow (2.21, 5.35, 5.38, 7.20, 7.21): with ρ = β/β_lim the
+            /// amplitude is |V|(√(1 − ρ²a²) − ρg), and the phase atan2(−ρa, √(1 − ρ²a²)) − arg V.
             ///
             #[doc = #about]
             ///
@@ -273,7 +274,7 @@ fn about<S: Float>(tables: &Tables<S>) -> Vec<String> {
             tables.index.buckets.len(),
         ),
         format!(
-            " Largest error {:.1e}, at r = {}: checked at {points} points that the fit did not see.",
+            " Largest error of all of them {:.1e}, at r = {}: checked at {points} points that the fit did not use.",
             worst.error,
             worst.place::<S>()
         ),
@@ -298,7 +299,7 @@ fn limit_about<S: Float>(tables: &Tables<S>) -> Vec<String> {
         (false, _) => "",
     };
     let made = if tables.proof.evidence == Evidence::Proven {
-        "  The expansion made this proof.  `frictiongen compile` makes it with `--prove`."
+        "  The macro and `expand` made this proof, and `frictiongen compile` makes it only with `--prove`."
     } else {
         ""
     };

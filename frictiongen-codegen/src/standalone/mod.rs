@@ -24,7 +24,7 @@ pub use rust::rust_source;
 pub use stepping::StepperShape;
 pub use units::UnitConstants;
 
-use crate::emit::about_table;
+use crate::emit::{about_table, motion_in_contact};
 use constants::{ConstantForm, FileConstants};
 use frictiongen_kernel::Float;
 use frictiongen_model::scene::{Excitation, Provide, Scene};
@@ -139,6 +139,11 @@ fn about<S: Float>(source: &Source<'_, S>) -> Vec<String> {
     let (low, high) = tables.request.r;
     let report = &tables.report;
     let piece = (2 + tables.functions * tables.terms) * core::mem::size_of::<S>();
+    let checked = if tables.moves() {
+        "`beta_lim`, amplitude and phase"
+    } else {
+        "`beta_lim`"
+    };
     let mut about = vec![
         THESIS.to_owned(),
         format!(
@@ -146,18 +151,20 @@ fn about<S: Float>(source: &Source<'_, S>) -> Vec<String> {
             tables.request.accuracy,
         ),
         format!(
-            "All tables and products take {} bytes.  They contain {} pieces of {piece} bytes, with polynomials of degree {}.",
+            "All numbers of the formulas take {} bytes: {} pieces of {piece} bytes with polynomials of degree {}, and {} bytes for the buckets and for products over zeros and poles.",
             report.bytes,
             tables.pieces.len(),
             tables.terms - 1,
+            report.bytes - piece * tables.pieces.len(),
         ),
         format!(
-            "The check found a largest error of {:.1e}, at r = {}.  It used {} values of r that the fit did not use.",
+            "The check of {checked} found a largest error of {:.1e}, at r = {}.  It used {} values of r that the fit did not use, in the arithmetic of this file.",
             report.worst.error,
             report.worst.place::<S>(),
             report.points,
         ),
-        "The command above writes this file again.  It repeats the check and, with `--prove`, the proof.".to_owned(),
+        "The command above writes this file again.  It repeats the check.  Add `--prove` for the proof.".to_owned(),
+        "A proof covers the numbers and the arithmetic of this file.  The proof of `beta*_lim`, a product, needs no option.".to_owned(),
         format!("`beta_lim`: {}", told(tables, &tables.proof)),
     ];
     if tables.sliding.is_some() {
@@ -172,7 +179,7 @@ fn about<S: Float>(source: &Source<'_, S>) -> Vec<String> {
             told(tables, &tables.motion_proof)
         ));
         about.push(
-            "For a larger beta their error grows at most as `1/(1 - (beta/beta_lim)^2)`."
+            "For a larger beta this bound grows in proportion to `1/(1 - (beta/beta_lim)^2)`."
                 .to_owned(),
         );
     }
@@ -186,12 +193,18 @@ fn about<S: Float>(source: &Source<'_, S>) -> Vec<String> {
             left_out.join(", ")
         ));
     }
-    about.push("Errors of the phase are in rad.  All other errors are relative.".to_owned());
+    about.push("Errors of the phase are in rad.  All other errors are relative.  If beta differs from a limit by less than the error of the limit, the status may be wrong.".to_owned());
     if let Some(acts_on) = scene.damping_acts_on() {
         about.push(format!("In this scene {acts_on}."));
     }
+    if tables.moves() {
+        about.push(
+            "While the contact slides, this file has the motion in the contact, not that of each mass."
+                .to_owned(),
+        );
+    }
     about.push(format!(
-        "`TABLE` in the code that the macro emits has the same index, buckets and pieces:{}",
+        "`TABLE` in the code that the macro emits has the same index (smallest r, buckets per r, halvings of the search), buckets and pieces:{}",
         about_table(tables)
     ));
     about
@@ -218,18 +231,27 @@ const COLUMNS: [(&str, &str); 5] = [
     ("beta_lim", "`beta_lim`, the limit of continuous motion"),
     (
         "a",
-        "`a = beta_lim U/|V|`, in an undamped chain times the sign of V",
+        "`a = beta_lim U/|V|`, times the sign of V if nothing is damped",
     ),
     ("g", "`g = beta_lim G/|V|`"),
-    ("arg_v", "argument of V in rad"),
+    ("arg_v", "argument of V in rad, continuous within a piece"),
     ("abs_v", "`|V|`"),
 ];
 
 /// The meaning of U, G and V, as two lines for the comments of the file.
 const RESPONSES: [&str; 2] = [
-    "V is the response of the contact to the load, without friction.  At a reversal of the contact, friction",
-    "contributes beta U to its velocity and beta G to its displacement.",
+    "V is the response of the contact to the load, without friction.  At a maximum of its displacement,",
+    "friction contributes -beta G to the displacement and -beta U to the velocity over omega.",
 ];
+
+/// Returns a sentence about the formula of β*_lim, on a line of its own, from its expression.
+fn quotient_about(sliding: &str) -> &'static str {
+    if sliding.contains("(r") {
+        "\nV and H have the same poles.  The zeros of the quotient are therefore those of V, and its poles the zeros of H."
+    } else {
+        ""
+    }
+}
 
 /// The source of the equation numbers, for the comments of the file.
 const THESIS: &str = "Numbers in brackets are equations of L. Marino, Dynamic analysis of mechanical systems with Coulomb friction, Oxford 2021.";
@@ -266,21 +288,21 @@ const STATUSES: [(&str, i32, &str); 5] = [
         -1,
         "r or beta is outside its range, or is not a number",
     ),
-    ("Ok", 0, "the values are written"),
+    ("Ok", 0, "The values are written"),
     (
         "StickSlip",
         1,
-        "`beta_lim <= beta < beta*_lim`: the contact alternately sticks and slides",
+        "`beta_lim <= beta < beta*_lim`: the contact sticks and slides in turn",
     ),
     (
         "Stuck",
         2,
-        "`beta >= beta_lim` and `beta >= beta*_lim`: the contact is stuck all the time",
+        "`beta >= beta_lim` and `beta >= beta*_lim`: no continuous motion, but a stuck state, exists; with stiction > 1 a motion with stops may exist too",
     ),
     (
         "Unbounded",
         3,
-        "no function of this file returns this value",
+        "No function of this file returns this value; it keeps its number in all files",
     ),
 ];
 
@@ -310,6 +332,8 @@ fn meaning<S: Float>(
 struct LoadWords {
     /// Meaning of β: F/P, or F/(k₁Y) if the base moves.
     beta: &'static str,
+    /// The load as a function of the time τ, for the comments of the file.
+    signal: &'static str,
     /// Explanation of an amplitude, for the comments of the file.
     amplitude: &'static str,
     /// The load by which forces are divided, as words for the comments of the file.
@@ -326,6 +350,11 @@ impl LoadWords {
         let moving = scene.excitation == Excitation::Base;
         Self {
             beta: if moving { "F/(k1 Y)" } else { "F/P" },
+            signal: if moving {
+                "base motion Y cos(tau)"
+            } else {
+                "force P cos(tau)"
+            },
             amplitude: if moving { "x/Y" } else { "x k1/P" },
             load: if moving { "k1 Y" } else { "P" },
             load_means: if moving {

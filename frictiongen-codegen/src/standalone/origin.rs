@@ -32,7 +32,11 @@ impl Origin<'_> {
                 env!("CARGO_PKG_VERSION")
             ),
             format!("Command: {}", self.command),
-            format!("Scene {} with the hash {}.", scene.name, scene_hash(scene)),
+            format!(
+                "Scene {} with the hash {}, which emitted Rust calls `SCENE_HASH`.",
+                scene.name,
+                scene_hash(scene)
+            ),
         ]
     }
 
@@ -77,7 +81,7 @@ impl Origin<'_> {
 }
 
 /// Returns a text that is safe in a comment of C. The text is in ASCII, without trigraphs and without the marks that
-/// begin or end a comment. The function adds a full stop after a backslash at the end of a line, because the compiler
+/// begin or end a comment. Subscript digits become digits, and all other characters become escapes. The function adds a full stop after a backslash at the end of a line, because the compiler
 /// would otherwise join this line with the next.
 pub fn c_text(text: &str) -> String {
     let mut out = String::new();
@@ -92,6 +96,7 @@ pub fn c_text(text: &str) -> String {
         match letter {
             '\t' => out.push_str("    "),
             ' '..='~' => out.push(letter),
+            '₀'..='₉' => out.push(digit(letter)),
             _ if u32::from(letter) <= 0xffff => {
                 out.push_str(&format!("\\u{:04x}", u32::from(letter)))
             }
@@ -102,6 +107,12 @@ pub fn c_text(text: &str) -> String {
         out.push('.');
     }
     out
+}
+
+/// Returns the digit of a subscript digit.
+fn digit(subscript: char) -> char {
+    let value = u32::from(subscript) - u32::from('₀');
+    char::from_digit(value, 10).unwrap_or(subscript)
 }
 
 /// Returns a text that is safe in a comment of Rust. The text contains no control characters, and no characters that

@@ -59,6 +59,9 @@ fn zeros_or_poles(name: &str) -> &'static str {
 pub(super) const GAIN: &str =
     "scale that makes the product exact at an r far from all zeros and poles";
 
+/// Explanation of a response that does not depend on r, for a comment in the file.
+pub(super) const FIXED: &str = "response, which does not depend on r";
+
 /// Writes a product, divided by its poles.
 pub(super) fn quotient<S: Float>(
     constants: &mut FileConstants,
@@ -88,7 +91,12 @@ pub(super) fn quotient_over<S: Float>(
     (poles, root): (Option<String>, &str),
 ) -> String {
     let gain = product.gain.to_f64();
-    let gain = constants.add(format!("{name}_GAIN"), ConstantForm::Number, &[gain], GAIN);
+    let about = if poles.is_none() && product.numerator.is_empty() {
+        FIXED
+    } else {
+        GAIN
+    };
+    let gain = constants.add(format!("{name}_GAIN"), ConstantForm::Number, &[gain], about);
     let above = factors(constants, &format!("{name}_ZERO"), &product.numerator);
     let one = constants.numbers.write(1.0);
     let value = match (above, poles) {

@@ -1,7 +1,7 @@
 //! Expressions for the responses while the contact is stuck. Each expression is valid in C and in Rust.
 
 use super::constants::{ConstantForm, FileConstants};
-use super::products::{GAIN, factors, quotient_over, roots};
+use super::products::{FIXED, GAIN, factors, quotient_over, roots};
 use frictiongen_kernel::Float;
 use frictiongen_model::scene::Scene;
 use frictiongen_model::table::{Held, HeldForm};
@@ -119,9 +119,8 @@ fn response<S: Float>(
     let poles = format!("{}(r)", poles_name(place.unwrap_or_default()));
     match form {
         HeldForm::Fixed(amplitude) => {
-            let about = "response, which does not depend on r";
             let amplitude = [amplitude.to_f64()];
-            Expression::Real(constants.add(key, ConstantForm::Number, &amplitude, about))
+            Expression::Real(constants.add(key, ConstantForm::Number, &amplitude, FIXED))
         }
         HeldForm::Undamped(product) => {
             let poles = (!product.denominator.is_empty()).then_some(poles);
@@ -133,7 +132,12 @@ fn response<S: Float>(
             denominator,
         } => {
             let gain = [gain.to_f64()];
-            let gain = constants.add(format!("{key}_GAIN"), ConstantForm::Number, &gain, GAIN);
+            let about = if numerator.is_empty() && denominator.is_empty() {
+                FIXED
+            } else {
+                GAIN
+            };
+            let gain = constants.add(format!("{key}_GAIN"), ConstantForm::Number, &gain, about);
             let above = match roots(constants, &format!("{key}_ZERO"), numerator) {
                 Some(product) => format!("scaled({product}, {gain})"),
                 None => format!("real_number({gain})"),

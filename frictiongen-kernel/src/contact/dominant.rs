@@ -152,12 +152,12 @@ impl<S: Scalar> DominantSums<S> {
             Complex::new(
                 v.re.named(
                     "turning_re",
-                    "Re of V, less the own term where that is smaller",
+                    "Re of V, or of V without the own term if that is smaller: the own term is in phase",
                     Some(of),
                 ),
                 v.im.named(
                     "turning_im",
-                    "Im of V, less the own term where that is smaller",
+                    "Im of V, or of V without the own term if that is smaller: the own term is in phase",
                     Some(of),
                 ),
             )

@@ -47,7 +47,7 @@ pub(super) fn response<S: Scalar>(
     let im = (m * s).named("nearness_im", "(1 − e) sin(πqx/2)", at);
     let inverse = (one / (re.abs() + im.abs())).named(
         "inverse_nearness",
-        "1/(|nearness_re| + |nearness_im|): D itself could underflow beside a resonance",
+        "1/(|nearness_re| + |nearness_im|): with little damping D itself could underflow beside a resonance",
         at,
     );
     let re = (re * inverse).named("unit_nearness_re", "nearness_re·inverse_nearness", at);

@@ -119,11 +119,7 @@ pub(super) fn denominator<S: Scalar>(x: S, zeta: S, at: Option<usize>) -> (Compl
     let im = (S::constant(2.0) * zeta * x).named("loss", "2ζx", at);
     (
         Complex::new(re, im),
-        (re.abs() + im).named(
-            "size",
-            "|x² − 1| + 2ζx, which vanishes on the undamped resonance",
-            at,
-        ),
+        (re.abs() + im).named("size", "|x² − 1| + 2ζx, small beside the resonance", at),
     )
 }
 

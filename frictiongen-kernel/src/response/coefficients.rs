@@ -109,7 +109,11 @@ impl<S: Scalar> Chain<S> {
         index: usize,
     ) -> ModalCoefficients<S> {
         let weight = (friction.beta * friction.unscale).named("friction_weight", "β/(r²E)", None);
-        let force = (weight * residue).named("friction_force", "β/(r²E)·φ_k(φᵀw)", Some(index));
+        let force = (weight * residue).named(
+            "friction_force",
+            "β/(r²E)·φ_k(φᵀw), for the contact β/(r²E)·(φᵀw)²",
+            Some(index),
+        );
         let fall = if self.damped {
             (force * (at.g / (at.x * at.x))).named("fall", "coefficient of cos τ − d", Some(index))
         } else {

@@ -160,8 +160,14 @@ impl<S: Float> Held<S> {
     /// Returns a sentence for the report on how the responses were checked.
     #[must_use]
     pub fn told(&self) -> String {
+        if self.worst.error < 0.25 * S::EPSILON {
+            return format!(
+                "Checked at {} points, not proven: no error exceeds the effect of a change of r by 1.8e-15 r.",
+                self.points
+            );
+        }
         format!(
-            "Checked at {} points, not proven: largest error {:.1e} of the modulus, at r = {}.",
+            "Checked at {} points, not proven: after subtraction of the effect of a change of r by 1.8e-15 r, the largest error is {:.1e} of the modulus, at r = {}.",
             self.points,
             self.worst.error,
             self.worst.place::<S>()

@@ -21,9 +21,10 @@
 ///
 /// * `K1`, `M1`, `NATURAL_FREQUENCIES_HZ`, `NATURAL_FREQUENCIES`, `RESONANCES`, `MODE_SHAPES`, `SCENE_HASH`: constants of the chain
 /// * `frequency_ratio(omega)`, `friction_ratio(friction, load)`: r and β from units
-/// * `stepper(dt)` returns [`BowedStepper`], the motion by steps under any [`BowedInput`], with `advance(input)`, `contact()`, `string()` and `bow()`
+/// * `stepper(dt)`, `stepper_from(dt, state)` and `stepper_from_image(image)` return [`BowedStepper`], the motion by steps under any [`BowedInput`], with `begin(input)`, `advance(input)`, `image()`, `contact()`, `string()` and `bow()`
+/// * `declared_stepper()` returns [`BowedDeclaredStepper`], which borrows the tables of the declared step `STEP`, s
 ///
-/// Counts of operations do not include operations whose operands are all constants, because the compiler computes them.  An `if` counts as two operations, a comparison and a choice.
+/// Counts of operations do not include operations whose operands are all constants, because the compiler computes them.  An expression that stands several times counts once, and an `if` as a comparison and a choice.
 #[::core::prelude::v1::derive(
     ::core::clone::Clone,
     ::core::marker::Copy,
@@ -36,10 +37,10 @@
 pub struct Bowed;
 /// Stepper: motion of [`Bowed`] in time, by steps of one length, under any input.  `advance` takes a step.
 ///
-/// A step of dt, in s, has ⌈73.54·dt⌉ parts, at most 1024: `STEP` has 1.  In a part, the phase of the fastest mode advances by at most 1 rad.
+/// A step of dt, in s, has ⌈73.54·dt⌉ parts, at most 1024: `STEP` has 1.  73.54 is the largest ω(1 + 2ζ) of a mode, in rad/s: in a part, the phase of the fastest mode advances by at most 1 rad.
 /// A part in which the contact certainly keeps sliding, or keeps sticking, is a product of its state with tables.
 /// In any other part the stepper searches the events, at most 8 (the friction law adds up to 64 changes of its line).
-/// After these events, a contact at rest stays stuck to the end of the part, and in any other contact the friction force is constant there.  This rule creates no energy, and `exceeded()` counts the step.
+/// After these events, a contact at rest stays stuck to the end of the part, and in any other contact the friction force is constant there.  This force opposes the displacement of the contact in the part, so that it creates no energy.  `exceeded()` counts the step.
 ///
 /// A step of `STEP` has at most 260 floating-point operations if all parts are such products, about 20148 with one event, never
 /// more than 3732728.  `set_event_budget(n)` limits the events of a step to n, and `cost().most` is then the bound.
@@ -77,7 +78,12 @@ pub struct BowedInput {
 /// With the feature `serde` of frictiongen, serde writes and reads these fields by name.
 ::frictiongen::kernel::written!(BowedInput, force, string, friction);
 /// Stepper of the declared step `STEP`.  It borrows its tables, which stay constants of the program, and has the methods and the costs of [`BowedStepper`].
-#[allow(dead_code, deprecated, non_camel_case_types)]
+#[allow(
+    dead_code,
+    deprecated,
+    non_camel_case_types,
+    reason = "a program may use only the other stepper, and names and attributes are those of the description"
+)]
 pub struct BowedDeclaredStepper(
     ::frictiongen::kernel::stepper::DeclaredStepper<::core::primitive::f64, 2, 2, 1, 2>,
 );
@@ -182,7 +188,7 @@ const _: () = {
                     q: 0.999799979995999,
                     /// 1 − q
                     q_defect: 0.0002000200040010003,
-                    /// φᵀp, with p where the load acts
+                    /// φᵀp, with p the load on each mass over P
                     load: 0.5,
                     /// φᵀw, with w = 1 at the mass that rubs and −1 at its partner
                     contact: 0.5,
@@ -218,9 +224,9 @@ const _: () = {
                     zeta: 0.01294340626805284,
                     /// √|1 − ζ²|
                     q: 0.9999162306084346,
-                    /// contact force, with its damping force, divided by −y
+                    /// force of the chain on the contact, with its damping force, at y = −1
                     force: 0.49263264583729127,
-                    /// [m₁₁, m₁₂, m₂₂] = [B(h, h), −B(g, h), B(g, g)]/(B(g, g)B(h, h) − B(g, h)²), with y = m₁₁B(η, g) + m₁₂B(η, h) and u = m₁₂B(η, g) + m₂₂B(η, h): η is the motion of the chain's modes minus the static motion that the stuck contact causes, g and h are the `participations` of y and u, B(a, b) = Σ 2ζσab + a′b + ab′ over the chain's modes with σ = `resonance`, g′ = −Ωh and h′ = Ω(g − 2ζh) with Ω = `frequency` and ζ of this mode
+                    /// m₁₁, m₁₂ and m₂₂ give y = m₁₁B(η, g) + m₁₂B(η, h) and u = m₁₂B(η, g) + m₂₂B(η, h).  η is the motion of the chain's modes minus the static motion that the stuck contact causes.  g and h are the `participations` of y and u.  B(a, b) is the sum of 2ζσab + a′b + ab′ over the chain's modes, with σ = `resonance`.  g′ is −Ωh, and h′ is Ω(g − 2ζh), with Ω = `frequency` and ζ of this mode.  [m₁₁, m₁₂, m₂₂] = [B(h, h), −B(g, h), B(g, g)]/(B(g, g)B(h, h) − B(g, h)²)
                     inverse: [
                         0.050959169256267554,
                         1.5514832799238536,
@@ -228,7 +234,7 @@ const _: () = {
                     ],
                 },
             ],
-            /// factors in y and u: for each mode of `held` in turn, one pair for each mode that the contact drives
+            /// displacement of a mode of the chain per unit of y and of u: for each mode of `held` in turn, one pair for each mode that the contact drives; the largest number of a held mode has the modulus 1
             participations: &[
                 [-1.0, 0.016414813299717747],
                 [-0.5, 0.008207406649858874],
@@ -259,9 +265,9 @@ const _: () = {
             on_base: false,
             /// indices of the loaded masses
             forces: &[1, 0],
-            /// interpolation of the input between two samples
+            /// interpolation of forces and friction between two samples; with `Linear` a base follows a cubic
             input: Input::Linear,
-            /// points of a friction law over the speed: speed, kinetic friction over F
+            /// points of a friction law over the speed: speed, kinetic friction over F; without points the kinetic friction is F
             law: &[[0.05, 0.6], [0.5, 0.3]],
         };
         /// Returns the tables for the step dt, s.  If dt is the declared step `STEP`, the tables are constants.
@@ -298,13 +304,13 @@ const _: () = {
                 .map(From::from)
         }
         /// Creates a stepper with the declared step `STEP`, for a chain at rest without load.  It computes and copies no
-        /// tables, and can be the value of a `static`.
+        /// tables, and can be the value of a `static`.  The pair of numbers is the friction force at the start, and μ.
         #[inline]
         #[must_use]
         #[allow(
             dead_code,
             clippy::init_numbered_fields,
-            reason = "an alias of the type has no constructor function"
+            reason = "a program may use only the other stepper; for a scene in a function the type is an alias, which has no constructor function"
         )]
         pub const fn declared_stepper() -> BowedDeclaredStepper {
             BowedDeclaredStepper {
@@ -334,7 +340,7 @@ const _: () = {
                 })
         }
         /// Takes a step, over which the input changes linearly from the last input to this one.
-        /// Returns the state of the contact and the friction force at the end of the step, and the number of events in it.  [`BowedStepper`] has the number of operations.
+        /// Returns the state of the contact and the friction force at the end of the step, and the number of events in it.  The comment on [`BowedStepper`] gives the number of operations.
         ///
         /// # Errors
         /// `OutOfDomain` for NaN, infinite numbers, negative friction, numbers whose squares overflow, and if the energies
@@ -366,8 +372,8 @@ const _: () = {
             &mut self.0
         }
     }
-    /// The traits `Steps` and `Stepping`, and the functions `image` and `stepper_from_image`.  `true` stands for a
-    /// moving base.  The list contains the indices of the loaded masses.
+    /// The traits `Steps` and `Stepping`, and the functions `image` and `stepper_from_image`, which write and read the state
+    /// as bytes.  `true` stands for a moving base.  The list contains the indices of the loaded masses.
     ::frictiongen::emitted_stepper!(Bowed, BowedStepper, f64, false, [1, 0]);
     /// `Clone`, `Debug`, `From` and `Deref`: the stepper has all methods of the wrapped type.
     ::frictiongen::kernel::wraps!(
@@ -387,7 +393,7 @@ const _: () = {
                 })
         }
         /// Takes a step, over which the input changes linearly from the last input to this one.
-        /// Returns the state of the contact and the friction force at the end of the step, and the number of events in it.  [`BowedStepper`] has the number of operations.
+        /// Returns the state of the contact and the friction force at the end of the step, and the number of events in it.  The comment on [`BowedStepper`] gives the number of operations.
         ///
         /// # Errors
         /// `OutOfDomain` for NaN, infinite numbers, negative friction, numbers whose squares overflow, and if the energies
@@ -419,14 +425,15 @@ const _: () = {
             &mut self.0
         }
     }
-    /// The trait `Stepping` and the function `image`, with the same two arguments.
+    /// The trait `Stepping` and the function `image`.  Base and loaded masses are written as above.
     ::frictiongen::emitted_stepper!(declared BowedDeclaredStepper, f64, false, [1, 0]);
     /// Tables: numbers alone, apart from the code that reads them.
     impl Bowed {
         /// Advance of each oscillator over a part of `STEP`, with the time s from 0 to 1: y′ = Ωu, u′ = −Ω(y + 2ζu) + drive.
         /// σ = √λ is the frequency ratio of the mode's resonance.  The drive is a polynomial in s.
         ///
-        /// A `Row` has the weights of y and u at the start of the part (`state`) and of the coefficients of the drive (`drive`).
+        /// A `Row` has the weights of y and u (`state`) and of the coefficients of the drive (`drive`).  y and u are those at the
+        /// start of the part, except in a shear, where they are the present ones.
         /// In a `HeldRow` the first list of `drive` belongs to a drive of y, the second to a drive of u.
         /// Three shears advance y and u: y gains a·u, then u gains −b·y − c·u and a drive, then y gains a′·u and a drive.  `turn`
         /// or the first of `turns` has the state weights [−b, −c], the first of `moments` has [a, a′].
@@ -451,7 +458,7 @@ const _: () = {
                 rate: 0.03676955262170047,
                 /// terms of a power series over a part
                 terms: 9,
-                /// wᵀK̄⁻¹w, displacement of the contact per unit of steady force
+                /// wᵀ(K/k₁)⁻¹w, displacement of the contact per unit of steady force
                 receptance: 14.133333333333333,
                 /// damping force per unit of velocity of the contact, (Σ 2ζ(φᵀw)²/σ)/receptance
                 drag: 0.007698591649105102,
@@ -512,7 +519,7 @@ const _: () = {
                     angle: 0.016278820596099707,
                     /// ζ = −Re s/|s|
                     zeta: 0.01294340626805284,
-                    /// contact force, with its damping force, divided by −y
+                    /// force of the chain on the contact, with its damping force, at y = −1
                     force: 0.49263264583729127,
                     /// rates of y and u per unit velocity and acceleration of a base to which the contact sticks
                     from_base: [[0.0, 0.0], [0.0, 0.0]],

@@ -18,17 +18,19 @@
 ///
 /// The damping acts on absolute velocities (damping_from: rest).
 ///
+/// The motion in the contact is the displacement of `right`.
+///
 /// # What it offers
 ///
 /// * `K1`, `M1`, `NATURAL_FREQUENCIES_HZ`, `NATURAL_FREQUENCIES`, `RESONANCES`, `MODE_SHAPES`, `SCENE_HASH`: constants of the chain
 /// * `frequency_ratio(omega)`, `friction_ratio(friction, load)`: r and β from units
-/// * `at(r)` returns [`BracedAt`], with `limits()` (β_lim and β*_lim), `regime(beta)` (continuous, stick-slip, stuck or bistable) and `margin(beta)` (β/min(β_lim, β*_lim) − 1, negative if continuous motion exists), or an error for a NaN or negative r
-/// * `limits_without_search(r)`: an upper bound on β_lim, and β*_lim; `limits_into(rs, continuous, sliding)`: both limits for a slice of frequency ratios
+/// * `at(r)` returns [`BracedAt`], with `limits()` (β_lim and β*_lim), `regime(beta)` (continuous, stick-slip, stuck or bistable) and `margin(beta)` (β/min(β_lim, β*_lim) − 1, negative below both limits), or an error if r is negative or not a number
+/// * `limits_without_search(r)`: an upper bound on β_lim, and β*_lim itself; `limits_into(rs, continuous, sliding)`: both limits for a slice of frequency ratios
 /// * `at(r)?.motion(beta)` returns [`BracedMotion`], the continuous motion, with `contact()`, `left()` and `right()`
 ///
-/// Answers of `at(r)` and of the simulation are non-dimensional: displacements are over Y, the amplitude of the base motion, forces are over k₁Y, and the time is τ = ωt.
+/// Answers of `at(r)` are non-dimensional: displacements are over Y, the amplitude of the base motion, and forces over k₁Y.  The time is τ = ωt.  A phase is the lag of a maximum behind that of the load, in rad.  In `motion(beta)` τ is 0 at a maximum of the motion in the contact, and elsewhere at a maximum of the load.
 ///
-/// Numbers in brackets are equations of L. Marino, *Dynamic analysis of mechanical systems with Coulomb friction*, Oxford 2021.  Counts of operations do not include operations whose operands are all constants, because the compiler computes them.  An `if` counts as two operations, a comparison and a choice.
+/// Numbers in brackets are equations of L. Marino, *Dynamic analysis of mechanical systems with Coulomb friction*, Oxford 2021.  Counts of operations do not include operations whose operands are all constants, because the compiler computes them.  An expression that stands several times counts once, and an `if` as a comparison and a choice.
 #[::core::prelude::v1::derive(
     ::core::clone::Clone,
     ::core::marker::Copy,
@@ -155,7 +157,7 @@ const _: () = {
                 q: 0.9960125769293575,
                 /// 1 − q
                 q_defect: 0.0039874230706424575,
-                /// φᵀp, with p where the load acts
+                /// φᵀp, with p the load on each mass over k₁Y
                 load: 0.9254960696380404,
                 /// φᵀw, with w = 1 at the mass that rubs and −1 at its partner
                 contact: 1.2488972723454137,
@@ -186,7 +188,7 @@ const _: () = {
             modes: &Self::MODES,
             /// constants of the chain
             chain: Self::CHAIN,
-            /// limits of β for r → 0 and for r → ∞, also if tables have a smaller range; β_lim for r → 0 is 0
+            /// limits of β for r → 0 and for r → ∞, which a range of tables does not restrict; β_lim for r → 0 is 0
             ends: Ends {
                 /// β*_lim for r → 0
                 sliding_at_rest: 0.4442857142857143,
@@ -197,7 +199,7 @@ const _: () = {
             },
             /// index of the mass that rubs on a support
             rubbing: Some(1),
-            /// true if V and H may have common zeros; there the force that a stuck contact needs decides the limits
+            /// true if V and H may have a common zero: the chain then absorbs the load, and the limits follow from the force that holds a stuck contact
             absorbs: false,
             /// undamped resonances that the load drives
             unbounded: &[],
@@ -222,7 +224,7 @@ const _: () = {
             let detuning = (x - 1.0) * (x + 1.0);
             /// 2ζx
             let loss = 2.0 * mode.zeta * x;
-            /// |x² − 1| + 2ζx, which vanishes on the undamped resonance
+            /// |x² − 1| + 2ζx, small beside the resonance
             let size = Scalar::abs(detuning) + loss;
             /// a = πζx
             let decay_exponent = PI * mode.zeta * x;
@@ -247,7 +249,7 @@ const _: () = {
             let nearness_re = one_plus_factor * cosine;
             /// (1 − e) sin(πqx/2)
             let nearness_im = decay_complement * sine;
-            /// 1/(|nearness_re| + |nearness_im|): D itself could underflow beside a resonance
+            /// 1/(|nearness_re| + |nearness_im|): with little damping D itself could underflow beside a resonance
             let inverse_nearness = 1.0
                 / (Scalar::abs(nearness_re) + Scalar::abs(nearness_im));
             /// nearness_re·inverse_nearness
@@ -290,10 +292,13 @@ const _: () = {
         /// reversal, of its response to a square wave of friction.  H_c decides whether the contact breaks away there (5.63).
         ///
         /// Sums over the modes, with x = √λ/r = 1/R:
-        /// r²V of residue/(x² − 1 + 2iζx),
-        /// r²H is the sum of (φᵀw)²/(x² − 1 + 2iζx), r²U of (φᵀw)²uR², r²G of (φᵀw)²gR², r²H_c of (φᵀw)²(g + 2ζRu).
+        /// r²V is the sum of residue/(x² − 1 + 2iζx),
+        /// r²H is the sum of (φᵀw)²/(x² − 1 + 2iζx), r²U that of (φᵀw)²uR², r²G that of (φᵀw)²gR², r²H_c that of (φᵀw)²(g + 2ζRu).
         /// Each is returned times E as `v`, `h`, `u`, `g` or `reversal`.  E, the `scale`, is the smallest |x² − 1| + 2ζx of the
         /// modes in contact, so that the sums stay finite on a resonance.
+        /// With `WITH_G` false, g and r²G are 0, for callers that do not use them.
+        /// `sin_cos_pi_minus(a, b)` is the sine and the cosine of π(a − b), `one_minus_sinc_pi(a)` is 1 − sin(πa)/(πa), and
+        /// `scaled_sinh_defect(a)` is 1 − e^(−2a) − 2a·e^(−a).
         ///
         /// Operations: 164: 102 ×, 29 +, 14 ÷, 10 sign, 2 exp_m1, 2 one_minus_sinc_pi, 2 scaled_sinh_defect, 2 sin_cos_pi, 1 compare.
         #[inline(always)]
@@ -407,12 +412,12 @@ const _: () = {
     );
     impl ProvidesMotion for Braced {
         type Motion = BracedMotion;
-        /// The relative motion in the contact: its fundamental component, and the coefficients of each mode's functions.
+        /// The relative motion in the contact: its terms of cos τ and sin τ, and the coefficients of each mode's functions.
         ///
         /// d and q̃ are free motions of a mode, solutions of y″ + 2ζxy′ + x²y = 0: d from d = 1 and d′ = 0 at τ = 0, and q̃
         /// from q̃ = 0 and q̃′ = x.  The coefficients multiply (1 − d)/x² (`rise`), cos τ − d (`fall`, 0 without damping)
         /// and sin τ − Rq̃ (`forced`).  `harmonic` is (φᵀw)²/r², which only higher harmonics need.  Of `friction`, `unscale`
-        /// is 1/(r²E), and `root` is Q·r²E with Q = √(|V|² − (βU)²).
+        /// is 1/(r²E), `amplitude` is Q − βG with Q = √(|V|² − (βU)²), and `root` is Q·r²E.
         ///
         /// Operations: 19: 17 ×, 2 ÷.
         /// The kernel adds one wave for each of 2 modes.  No search is made before an amplitude or a phase is asked for.
@@ -423,7 +428,7 @@ const _: () = {
             let [mode_1, mode_2] = at.modes();
             /// β/(r²E)
             let friction_weight = friction.beta * friction.unscale;
-            /// β/(r²E)·φ_k(φᵀw)
+            /// β/(r²E)·φ_k(φᵀw), for the contact β/(r²E)·(φᵀw)²
             let mode_1_friction_force = friction_weight * constants_1.contact_squared;
             /// coefficient of cos τ − d
             let mode_1_fall = mode_1_friction_force * (mode_1.g / (mode_1.x * mode_1.x));
@@ -431,7 +436,7 @@ const _: () = {
             let mode_1_rise = mode_1_friction_force * contact.scale;
             /// coefficient of sin τ − Rq̃
             let mode_1_forced = mode_1_friction_force * mode_1.u;
-            /// β/(r²E)·φ_k(φᵀw)
+            /// β/(r²E)·φ_k(φᵀw), for the contact β/(r²E)·(φᵀw)²
             let mode_2_friction_force = friction_weight * constants_2.contact_squared;
             /// coefficient of cos τ − d
             let mode_2_fall = mode_2_friction_force * (mode_2.g / (mode_2.x * mode_2.x));
@@ -471,7 +476,7 @@ const _: () = {
             ];
             Motion::of_contact(*friction, fundamental, waves)
         }
-        /// The motion of mass k: its fundamental component, and the coefficients of each mode.
+        /// The motion of mass k: its terms of cos τ and sin τ, and the coefficients of each mode.
         ///
         /// The coefficients are those of `contact_motion`, with φ_k(φᵀw) in place of (φᵀw)².
         /// The two products of a mode with itself cancel, so both are left out.  A mode with x < 1/2 is
@@ -579,7 +584,7 @@ const _: () = {
             let beta_in_range = friction.beta * 16777216.0;
             /// (|Re V| + |Im V|)·r²E
             let v_size = Scalar::abs(contact.v.re) + Scalar::abs(contact.v.im);
-            /// Re of V, less the own term where that is smaller
+            /// Re of V, or of V without the own term if that is smaller: the own term is in phase
             let mode_2_turning_re = if Scalar::abs(mode_1_v_term_re)
                 + Scalar::abs(mode_1_v_term_im) < v_size
             {
@@ -587,7 +592,7 @@ const _: () = {
             } else {
                 contact.v.re
             };
-            /// Im of V, less the own term where that is smaller
+            /// Im of V, or of V without the own term if that is smaller: the own term is in phase
             let mode_2_turning_im = if Scalar::abs(mode_1_v_term_re)
                 + Scalar::abs(mode_1_v_term_im) < v_size
             {
@@ -595,7 +600,7 @@ const _: () = {
             } else {
                 contact.v.im
             };
-            /// Re of V, less the own term where that is smaller
+            /// Re of V, or of V without the own term if that is smaller: the own term is in phase
             let mode_1_turning_re = if Scalar::abs(mode_2_v_term_re)
                 + Scalar::abs(mode_2_v_term_im) < v_size
             {
@@ -603,7 +608,7 @@ const _: () = {
             } else {
                 contact.v.re
             };
-            /// Im of V, less the own term where that is smaller
+            /// Im of V, or of V without the own term if that is smaller: the own term is in phase
             let mode_1_turning_im = if Scalar::abs(mode_2_v_term_re)
                 + Scalar::abs(mode_2_v_term_im) < v_size
             {
@@ -613,7 +618,7 @@ const _: () = {
             };
             /// Q/(|Re V| + |Im V|)
             let in_phase_over_v = root_in_range * inverse_norm;
-            /// β/(r²E)·φ_k(φᵀw)
+            /// β/(r²E)·φ_k(φᵀw), for the contact β/(r²E)·(φᵀw)²
             let mode_1_friction_force = friction_weight * mode_1_by_contact;
             /// coefficient of cos τ − d
             let mode_1_fall = mode_1_friction_force * mode_1_fall_per_force;
@@ -621,7 +626,7 @@ const _: () = {
             let mode_1_rise = mode_1_friction_force * contact.scale;
             /// coefficient of sin τ − Rq̃
             let mode_1_forced = mode_1_friction_force * mode_1_u_in_sum;
-            /// β/(r²E)·φ_k(φᵀw)
+            /// β/(r²E)·φ_k(φᵀw), for the contact β/(r²E)·(φᵀw)²
             let mode_2_friction_force = friction_weight * mode_2_by_contact;
             /// coefficient of cos τ − d
             let mode_2_fall = mode_2_friction_force * mode_2_fall_per_force;

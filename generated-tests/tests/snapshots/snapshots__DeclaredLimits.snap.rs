@@ -18,16 +18,18 @@
 ///         }
 /// ```
 ///
+/// The motion in the contact is the displacement of `upper`.
+///
 /// # What it offers
 ///
 /// * `K1`, `M1`, `NATURAL_FREQUENCIES_HZ`, `NATURAL_FREQUENCIES`, `RESONANCES`, `MODE_SHAPES`, `SCENE_HASH`: constants of the chain
 /// * `frequency_ratio(omega)`, `friction_ratio(friction, load)`: r and β from units
-/// * `at(r)` returns [`DeclaredLimitsAt`], with `limits()` (β_lim and β*_lim), `regime(beta)` (continuous, stick-slip, stuck or bistable) and `margin(beta)` (β/min(β_lim, β*_lim) − 1, negative if continuous motion exists), or an error outside the declared range of r
-/// * `limits_without_search(r)`: an upper bound on β_lim, and β*_lim; `limits_into(rs, continuous, sliding)`: both limits for a slice of frequency ratios
+/// * `at(r)` returns [`DeclaredLimitsAt`], with `limits()` (β_lim and β*_lim), `regime(beta)` (continuous, stick-slip, stuck or bistable) and `margin(beta)` (β/min(β_lim, β*_lim) − 1, negative below both limits), or an error outside the declared range of r
+/// * `limits_without_search(r)`: an upper bound on β_lim, and β*_lim itself; `limits_into(rs, continuous, sliding)`: both limits for a slice of frequency ratios
 ///
-/// Answers of `at(r)` and of the simulation are non-dimensional: displacements are over P/k₁, with P the amplitude of the force, forces are over P, and the time is τ = ωt.
+/// Answers of `at(r)` are non-dimensional: displacements are over P/k₁, with P the amplitude of the force, and forces over P.  The time is τ = ωt.
 ///
-/// Numbers in brackets are equations of L. Marino, *Dynamic analysis of mechanical systems with Coulomb friction*, Oxford 2021.  Counts of operations do not include operations whose operands are all constants, because the compiler computes them.  An `if` counts as two operations, a comparison and a choice.
+/// Numbers in brackets are equations of L. Marino, *Dynamic analysis of mechanical systems with Coulomb friction*, Oxford 2021.  Counts of operations do not include operations whose operands are all constants, because the compiler computes them.  An expression that stands several times counts once, and an `if` as a comparison and a choice.
 #[::core::prelude::v1::derive(
     ::core::clone::Clone,
     ::core::marker::Copy,
@@ -40,7 +42,7 @@
 pub struct DeclaredLimits;
 /// [`DeclaredLimits`] at one frequency ratio: limits, regime.
 ///
-/// Worst case: the operations of `tabled_limit` and `tabled_sliding_limit`.
+/// Worst case: the operations of `tabled_limit` and `tabled_sliding_limit` together.
 #[allow(
     deprecated,
     non_camel_case_types,
@@ -141,7 +143,7 @@ const _: () = {
                 q: 0.9987492,
                 /// 1 − q
                 q_defect: 0.0012507823,
-                /// φᵀp, with p where the load acts
+                /// φᵀp, with p the load on each mass over P
                 load: 0.5257311,
                 /// φᵀw, with w = 1 at the mass that rubs and −1 at its partner
                 contact: 0.8506508,
@@ -172,7 +174,7 @@ const _: () = {
             modes: &Self::MODES,
             /// constants of the chain
             chain: Self::CHAIN,
-            /// limits of β for r → 0 and for r → ∞, also if tables have a smaller range; β_lim for r → 0 is 0
+            /// limits of β for r → 0 and for r → ∞, which a range of tables does not restrict; β_lim for r → 0 is 0
             ends: Ends {
                 /// β*_lim for r → 0
                 sliding_at_rest: 0.5,
@@ -183,7 +185,7 @@ const _: () = {
             },
             /// index of the mass that rubs on a support
             rubbing: Some(1),
-            /// true if V and H may have common zeros; there the force that a stuck contact needs decides the limits
+            /// true if V and H may have a common zero: the chain then absorbs the load, and the limits follow from the force that holds a stuck contact
             absorbs: false,
             /// undamped resonances that the load drives
             unbounded: &[],
@@ -206,7 +208,7 @@ const _: () = {
             let detuning = (x - 1.0) * (x + 1.0);
             /// 2ζx
             let loss = 2.0 * mode.zeta * x;
-            /// |x² − 1| + 2ζx, which vanishes on the undamped resonance
+            /// |x² − 1| + 2ζx, small beside the resonance
             let size = Scalar::abs(detuning) + loss;
             /// a = πζx
             let decay_exponent = PI * mode.zeta * x;
@@ -231,7 +233,7 @@ const _: () = {
             let nearness_re = one_plus_factor * cosine;
             /// (1 − e) sin(πqx/2)
             let nearness_im = decay_complement * sine;
-            /// 1/(|nearness_re| + |nearness_im|): D itself could underflow beside a resonance
+            /// 1/(|nearness_re| + |nearness_im|): with little damping D itself could underflow beside a resonance
             let inverse_nearness = 1.0
                 / (Scalar::abs(nearness_re) + Scalar::abs(nearness_im));
             /// nearness_re·inverse_nearness
@@ -274,10 +276,13 @@ const _: () = {
         /// reversal, of its response to a square wave of friction.  H_c decides whether the contact breaks away there (5.63).
         ///
         /// Sums over the modes, with x = √λ/r = 1/R:
-        /// r²V of residue/(x² − 1 + 2iζx),
-        /// r²H is the sum of (φᵀw)²/(x² − 1 + 2iζx), r²U of (φᵀw)²uR², r²G of (φᵀw)²gR², r²H_c of (φᵀw)²(g + 2ζRu).
+        /// r²V is the sum of residue/(x² − 1 + 2iζx),
+        /// r²H is the sum of (φᵀw)²/(x² − 1 + 2iζx), r²U that of (φᵀw)²uR², r²G that of (φᵀw)²gR², r²H_c that of (φᵀw)²(g + 2ζRu).
         /// Each is returned times E as `v`, `h`, `u`, `g` or `reversal`.  E, the `scale`, is the smallest |x² − 1| + 2ζx of the
         /// modes in contact, so that the sums stay finite on a resonance.
+        /// With `WITH_G` false, g and r²G are 0, for callers that do not use them.
+        /// `sin_cos_pi_minus(a, b)` is the sine and the cosine of π(a − b), `one_minus_sinc_pi(a)` is 1 − sin(πa)/(πa), and
+        /// `scaled_sinh_defect(a)` is 1 − e^(−2a) − 2a·e^(−a).
         ///
         /// Operations: 164: 102 ×, 29 +, 14 ÷, 10 sign, 2 exp_m1, 2 one_minus_sinc_pi, 2 scaled_sinh_defect, 2 sin_cos_pi, 1 compare.
         #[inline(always)]
@@ -411,7 +416,7 @@ const _: () = {
         }
         /// β_lim (5.65, 5.80, 5.96, 7.49) from the table.  Its error is relative.
         ///
-        /// Proven at every r: at most 9.93e-3 off, the bound being largest at r = 1.5726153.  The expansion made this proof.  `frictiongen compile` makes it with `--prove`.
+        /// Proven at every r: at most 9.93e-3 off, the bound being largest at r = 1.5726153.  The macro and `expand` made this proof, and `frictiongen compile` makes it only with `--prove`.
         ///
         /// Operations: at every r a lookup of 2 comparisons, 10 additions and multiplications.
         #[inline]
@@ -437,7 +442,7 @@ const _: () = {
     impl DeclaredLimits {
         /// β_lim over r from 0.5 to 2, to 1e-2:
         /// 6 pieces of degree 3 and 8 buckets; with β*_lim 176 bytes.
-        /// Largest error 8.9e-3, at r = 0.5671188: checked at 717 points that the fit did not see.
+        /// Largest error of all of them 8.9e-3, at r = 0.5671188: checked at 717 points that the fit did not use.
         /// 47 numbers; CRC-32 of their text, joined by commas: 2823d52f.
         const TABLE: Table<'static, f32, ::core::primitive::u8, 1, 4> = Table {
             /// where the first bucket begins
@@ -482,8 +487,8 @@ const _: () = {
                 },
             ],
         };
-        /// β*_lim as a product over its zeros and poles: `Zero` is (r − at − rest)(r + at), `Pair`
-        /// (that + off)² + least, `Real` r² + off.
+        /// β*_lim = gain·|q|.  q is the numerator over the denominator, or the root of this quotient if `squared`.  Of the factors,
+        /// `Zero` is (r − at − rest)(r + at), `Pair` (that + off)² + least, and `Real` r² + off.
         ///
         /// Largest error 2.2e-7 at the points of the check.
         /// 6 numbers; CRC-32 of their text, joined by commas: e576358c.

@@ -23,13 +23,13 @@
 ///
 /// * `K1`, `M1`, `NATURAL_FREQUENCIES_HZ`, `NATURAL_FREQUENCIES`, `RESONANCES`, `MODE_SHAPES`, `SCENE_HASH`: constants of the chain
 /// * `frequency_ratio(omega)`, `friction_ratio(friction, load)`: r and β from units
-/// * `at(r)` returns [`DeclaredMotionAt`], with `limits()` (β_lim and β*_lim), `regime(beta)` (continuous, stick-slip, stuck or bistable) and `margin(beta)` (β/min(β_lim, β*_lim) − 1, negative if continuous motion exists), or an error for a NaN or negative r
-/// * `limits_without_search(r)`: an upper bound on β_lim, and β*_lim; `limits_into(rs, continuous, sliding)`: both limits for a slice of frequency ratios
+/// * `at(r)` returns [`DeclaredMotionAt`], with `limits()` (β_lim and β*_lim), `regime(beta)` (continuous, stick-slip, stuck or bistable) and `margin(beta)` (β/min(β_lim, β*_lim) − 1, negative below both limits), or an error if r is negative or not a number
+/// * `limits_without_search(r)`: an upper bound on β_lim, and β*_lim itself; `limits_into(rs, continuous, sliding)`: both limits for a slice of frequency ratios
 /// * `at(r)?.motion(beta)` returns [`DeclaredMotionMotion`], the continuous motion, with `contact()` and `block()`
 ///
-/// Answers of `at(r)` and of the simulation are non-dimensional: displacements are over Y, the amplitude of the base motion, forces are over k₁Y, and the time is τ = ωt.
+/// Answers of `at(r)` are non-dimensional: displacements are over Y, the amplitude of the base motion, and forces over k₁Y.  The time is τ = ωt.  A phase is the lag of a maximum behind that of the load, in rad.  In `motion(beta)` τ is 0 at a maximum of the motion in the contact, and elsewhere at a maximum of the load.
 ///
-/// Numbers in brackets are equations of L. Marino, *Dynamic analysis of mechanical systems with Coulomb friction*, Oxford 2021.  Counts of operations do not include operations whose operands are all constants, because the compiler computes them.  An `if` counts as two operations, a comparison and a choice.
+/// Numbers in brackets are equations of L. Marino, *Dynamic analysis of mechanical systems with Coulomb friction*, Oxford 2021.  Counts of operations do not include operations whose operands are all constants, because the compiler computes them.  An expression that stands several times counts once, and an `if` as a comparison and a choice.
 #[::core::prelude::v1::derive(
     ::core::clone::Clone,
     ::core::marker::Copy,
@@ -42,7 +42,7 @@
 pub struct DeclaredMotion;
 /// [`DeclaredMotion`] at one frequency ratio: limits, regime, continuous motion.
 ///
-/// Worst case: the operations of `tabled_limit` and `tabled_sliding_limit`.
+/// Worst case: the operations of `tabled_limit` and `tabled_sliding_limit` together.
 #[allow(
     deprecated,
     non_camel_case_types,
@@ -146,7 +146,7 @@ const _: () = {
                 q: 1.0,
                 /// 1 − q
                 q_defect: 0.0,
-                /// φᵀp, with p where the load acts
+                /// φᵀp, with p the load on each mass over k₁Y
                 load: 1.0,
                 /// φᵀw, with w = 1 at the mass that rubs and −1 at its partner
                 contact: 1.0,
@@ -164,7 +164,7 @@ const _: () = {
             modes: &Self::MODES,
             /// constants of the chain
             chain: Self::CHAIN,
-            /// limits of β for r → 0 and for r → ∞, also if tables have a smaller range; β_lim for r → 0 is 0
+            /// limits of β for r → 0 and for r → ∞, which a range of tables does not restrict; β_lim for r → 0 is 0
             ends: Ends {
                 /// β*_lim for r → 0
                 sliding_at_rest: 0.0,
@@ -175,7 +175,7 @@ const _: () = {
             },
             /// index of the mass that rubs on a support
             rubbing: Some(0),
-            /// true if V and H may have common zeros; there the force that a stuck contact needs decides the limits
+            /// true if V and H may have a common zero: the chain then absorbs the load, and the limits follow from the force that holds a stuck contact
             absorbs: false,
             /// undamped resonances that the load drives
             unbounded: &[1.0],
@@ -190,8 +190,8 @@ const _: () = {
         /// reversal, of its response to a square wave of friction.  H_c decides whether the contact breaks away there (5.63).
         ///
         /// Sums over the modes, with x = √λ/r = 1/R:
-        /// r²V of r²·residue/λ·(1 − 2iζx)/(x² − 1 + 2iζx), relative to the moving base and with r²·`on_moving_base` added,
-        /// r²H is the sum of (φᵀw)²/(x² − 1 + 2iζx), r²U of (φᵀw)²uR², r²G of (φᵀw)²gR², r²H_c of (φᵀw)²(g + 2ζRu).
+        /// r²V is the sum of r²·residue/λ·(1 − 2iζx)/(x² − 1 + 2iζx), relative to the moving base and with r²·`on_moving_base` added,
+        /// r²H is the sum of (φᵀw)²/(x² − 1 + 2iζx), r²U that of (φᵀw)²uR², r²G that of (φᵀw)²gR², r²H_c that of (φᵀw)²(g + 2ζRu).
         /// Each is returned times E as `v`, `h`, `u`, `g` or `reversal`.  E, the `scale`, is the smallest |x² − 1| + 2ζx of the
         /// modes in contact, so that the sums stay finite on a resonance.
         /// Without damping r²G, r²H_c and the imaginary parts are 0.
@@ -312,7 +312,7 @@ const _: () = {
         }
         /// β_lim (5.65, 5.80, 5.96, 7.49) from the table.  Its error is relative.
         ///
-        /// Proven at every r: at most 5.82e-4 off, the bound being largest at r = 0.500548828125.  The expansion made this proof.  `frictiongen compile` makes it with `--prove`.
+        /// Proven at every r: at most 5.82e-4 off, the bound being largest at r = 0.500548828125.  The macro and `expand` made this proof, and `frictiongen compile` makes it only with `--prove`.
         ///
         /// Operations: at every r a lookup of 1 comparison, 14 additions and multiplications.
         #[inline]
@@ -331,9 +331,10 @@ const _: () = {
     }
     impl TabledMotion for DeclaredMotion {
         type Moving = DeclaredMotionMotion;
-        /// Numbers from which amplitude and phase of the contact follow (2.21, 5.35, 5.38, 7.20, 7.21).
+        /// Numbers from which amplitude and phase of the contact follow (2.21, 5.35, 5.38, 7.20, 7.21): with ρ = β/β_lim the
+        /// amplitude is |V|(√(1 − ρ²a²) − ρg), and the phase atan2(−ρa, √(1 − ρ²a²)) − arg V.
         ///
-        /// To 1e-3 up to β = 0.98·β_lim, relative in the amplitude and in rad in the phase; nearer to β_lim the error grows at most as 1/(1 − (β/β_lim)²).
+        /// To 1e-3 up to β = 0.98·β_lim, relative in the amplitude and in rad in the phase; nearer to β_lim this bound grows as 1/(1 − (β/β_lim)²).
         ///
         /// Proven at every r: at most 7.10e-4 off, the bound being largest at r = 0.9971381365212574.
         #[inline]
@@ -349,12 +350,12 @@ const _: () = {
     );
     impl ProvidesMotion for DeclaredMotion {
         type Motion = Continuous<Self>;
-        /// The relative motion in the contact: its fundamental component, and the coefficients of each mode's functions.
+        /// The relative motion in the contact: its terms of cos τ and sin τ, and the coefficients of each mode's functions.
         ///
         /// d and q̃ are free motions of a mode, solutions of y″ + 2ζxy′ + x²y = 0: d from d = 1 and d′ = 0 at τ = 0, and q̃
         /// from q̃ = 0 and q̃′ = x.  The coefficients multiply (1 − d)/x² (`rise`), cos τ − d (`fall`, 0 without damping)
         /// and sin τ − Rq̃ (`forced`).  `harmonic` is (φᵀw)²/r², which only higher harmonics need.  Of `friction`, `unscale`
-        /// is 1/(r²E), and `root` is Q·r²E with Q = √(|V|² − (βU)²).
+        /// is 1/(r²E), `amplitude` is Q − βG with Q = √(|V|² − (βU)²), and `root` is Q·r²E.
         ///
         /// Operations: 5: 5 ×.
         /// The kernel adds one wave for each of 1 mode.  No search is made before an amplitude or a phase is asked for.
@@ -390,7 +391,7 @@ const _: () = {
             ];
             Motion::of_contact(*friction, fundamental, waves)
         }
-        /// The motion of mass k: its fundamental component, and the coefficients of each mode.
+        /// The motion of mass k: its terms of cos τ and sin τ, and the coefficients of each mode.
         ///
         /// The coefficients are those of `contact_motion`, with φ_k(φᵀw) in place of (φᵀw)².
         /// The two products of a mode with itself cancel, so both are left out.  A mode with x < 1/2 is
@@ -478,7 +479,7 @@ const _: () = {
     impl DeclaredMotion {
         /// β_lim and a·sgn V = β_lim·U/V over r from 0.5 to 2, to 1e-3:
         /// 4 pieces of degree 5 and 8 buckets; with β*_lim 504 bytes.
-        /// Largest error 7.0e-4, at r = 0.9948819864394244: checked at 816 points that the fit did not see.
+        /// Largest error of all of them 7.0e-4, at r = 0.9948819864394244: checked at 816 points that the fit did not use.
         /// 67 numbers; CRC-32 of their text, joined by commas: 3a58fdea.
         const TABLE: Table<'static, f64, ::core::primitive::u8, 2, 6> = Table {
             /// where the first bucket begins
@@ -525,8 +526,8 @@ const _: () = {
                 },
             ],
         };
-        /// β*_lim as a product over its zeros and poles: `Zero` is (r − at − rest)(r + at), `Pair`
-        /// (that + off)² + least, `Real` r² + off.
+        /// β*_lim = gain·|q|.  q is the numerator over the denominator, or the root of this quotient if `squared`.  Of the factors,
+        /// `Zero` is (r − at − rest)(r + at), `Pair` (that + off)² + least, and `Real` r² + off.
         ///
         /// Largest error 0.0e0 at the points of the check.
         /// 2 numbers; CRC-32 of their text, joined by commas: 46a2f518.

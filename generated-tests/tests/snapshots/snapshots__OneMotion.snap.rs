@@ -16,17 +16,19 @@
 ///
 /// The damping acts on absolute velocities (damping_from: rest).
 ///
+/// The motion in the contact is the displacement of `m2`.
+///
 /// # What it offers
 ///
 /// * `K1`, `M1`, `NATURAL_FREQUENCIES_HZ`, `NATURAL_FREQUENCIES`, `RESONANCES`, `MODE_SHAPES`, `SCENE_HASH`: constants of the chain
 /// * `frequency_ratio(omega)`, `friction_ratio(friction, load)`: r and β from units
-/// * `at(r)` returns [`OneMotionAt`], with `limits()` (β_lim and β*_lim), `regime(beta)` (continuous, stick-slip, stuck or bistable) and `margin(beta)` (β/min(β_lim, β*_lim) − 1, negative if continuous motion exists), or an error for a NaN or negative r
-/// * `limits_without_search(r)`: an upper bound on β_lim, and β*_lim; `limits_into(rs, continuous, sliding)`: both limits for a slice of frequency ratios
+/// * `at(r)` returns [`OneMotionAt`], with `limits()` (β_lim and β*_lim), `regime(beta)` (continuous, stick-slip, stuck or bistable) and `margin(beta)` (β/min(β_lim, β*_lim) − 1, negative below both limits), or an error if r is negative or not a number
+/// * `limits_without_search(r)`: an upper bound on β_lim, and β*_lim itself; `limits_into(rs, continuous, sliding)`: both limits for a slice of frequency ratios
 /// * `at(r)?.motion(beta)` returns [`OneMotionMotion`], the continuous motion, with `contact()` and `m3()`
 ///
-/// Answers of `at(r)` and of the simulation are non-dimensional: displacements are over Y, the amplitude of the base motion, forces are over k₁Y, and the time is τ = ωt.
+/// Answers of `at(r)` are non-dimensional: displacements are over Y, the amplitude of the base motion, and forces over k₁Y.  The time is τ = ωt.  A phase is the lag of a maximum behind that of the load, in rad.  In `motion(beta)` τ is 0 at a maximum of the motion in the contact, and elsewhere at a maximum of the load.
 ///
-/// Numbers in brackets are equations of L. Marino, *Dynamic analysis of mechanical systems with Coulomb friction*, Oxford 2021.  Counts of operations do not include operations whose operands are all constants, because the compiler computes them.  An `if` counts as two operations, a comparison and a choice.
+/// Numbers in brackets are equations of L. Marino, *Dynamic analysis of mechanical systems with Coulomb friction*, Oxford 2021.  Counts of operations do not include operations whose operands are all constants, because the compiler computes them.  An expression that stands several times counts once, and an `if` as a comparison and a choice.
 #[::core::prelude::v1::derive(
     ::core::clone::Clone,
     ::core::marker::Copy,
@@ -160,7 +162,7 @@ const _: () = {
                 q: 0.9999499987499375,
                 /// 1 − q
                 q_defect: 5.000125006250391e-5,
-                /// φᵀp, with p where the load acts
+                /// φᵀp, with p the load on each mass over k₁Y
                 load: 0.18192304909860774,
                 /// φᵀw, with w = 1 at the mass that rubs and −1 at its partner
                 contact: 0.590694937028388,
@@ -204,7 +206,7 @@ const _: () = {
             modes: &Self::MODES,
             /// constants of the chain
             chain: Self::CHAIN,
-            /// limits of β for r → 0 and for r → ∞, also if tables have a smaller range; β_lim for r → 0 is 0
+            /// limits of β for r → 0 and for r → ∞, which a range of tables does not restrict; β_lim for r → 0 is 0
             ends: Ends {
                 /// β*_lim for r → 0
                 sliding_at_rest: 0.1904761904761905,
@@ -215,7 +217,7 @@ const _: () = {
             },
             /// index of the mass that rubs on a support
             rubbing: Some(1),
-            /// true if V and H may have common zeros; there the force that a stuck contact needs decides the limits
+            /// true if V and H may have a common zero: the chain then absorbs the load, and the limits follow from the force that holds a stuck contact
             absorbs: false,
             /// undamped resonances that the load drives
             unbounded: &[],
@@ -240,7 +242,7 @@ const _: () = {
             let detuning = (x - 1.0) * (x + 1.0);
             /// 2ζx
             let loss = 2.0 * mode.zeta * x;
-            /// |x² − 1| + 2ζx, which vanishes on the undamped resonance
+            /// |x² − 1| + 2ζx, small beside the resonance
             let size = Scalar::abs(detuning) + loss;
             /// a = πζx
             let decay_exponent = PI * mode.zeta * x;
@@ -265,7 +267,7 @@ const _: () = {
             let nearness_re = one_plus_factor * cosine;
             /// (1 − e) sin(πqx/2)
             let nearness_im = decay_complement * sine;
-            /// 1/(|nearness_re| + |nearness_im|): D itself could underflow beside a resonance
+            /// 1/(|nearness_re| + |nearness_im|): with little damping D itself could underflow beside a resonance
             let inverse_nearness = 1.0
                 / (Scalar::abs(nearness_re) + Scalar::abs(nearness_im));
             /// nearness_re·inverse_nearness
@@ -308,10 +310,13 @@ const _: () = {
         /// reversal, of its response to a square wave of friction.  H_c decides whether the contact breaks away there (5.63).
         ///
         /// Sums over the modes, with x = √λ/r = 1/R:
-        /// r²V of residue/(x² − 1 + 2iζx),
-        /// r²H is the sum of (φᵀw)²/(x² − 1 + 2iζx), r²U of (φᵀw)²uR², r²G of (φᵀw)²gR², r²H_c of (φᵀw)²(g + 2ζRu).
+        /// r²V is the sum of residue/(x² − 1 + 2iζx),
+        /// r²H is the sum of (φᵀw)²/(x² − 1 + 2iζx), r²U that of (φᵀw)²uR², r²G that of (φᵀw)²gR², r²H_c that of (φᵀw)²(g + 2ζRu).
         /// Each is returned times E as `v`, `h`, `u`, `g` or `reversal`.  E, the `scale`, is the smallest |x² − 1| + 2ζx of the
         /// modes in contact, so that the sums stay finite on a resonance.
+        /// With `WITH_G` false, g and r²G are 0, for callers that do not use them.
+        /// `sin_cos_pi_minus(a, b)` is the sine and the cosine of π(a − b), `one_minus_sinc_pi(a)` is 1 − sin(πa)/(πa), and
+        /// `scaled_sinh_defect(a)` is 1 − e^(−2a) − 2a·e^(−a).
         ///
         /// Operations: 250: 153 ×, 47 +, 21 ÷, 15 sign, 3 exp_m1, 3 one_minus_sinc_pi, 3 scaled_sinh_defect, 3 sin_cos_pi, 2 compare.
         #[inline(always)]

@@ -13,17 +13,19 @@
 /// }
 /// ```
 ///
+/// The motion in the contact is the displacement of `upper`.
+///
 /// # What it offers
 ///
 /// * `K1`, `M1`, `NATURAL_FREQUENCIES_HZ`, `NATURAL_FREQUENCIES`, `RESONANCES`, `MODE_SHAPES`, `SCENE_HASH`: constants of the chain
 /// * `frequency_ratio(omega)`, `friction_ratio(friction, load)`: r and β from units
-/// * `at(r)` returns [`PairWallAt`], with `limits()` (β_lim and β*_lim), `regime(beta)` (continuous, stick-slip, stuck or bistable) and `margin(beta)` (β/min(β_lim, β*_lim) − 1, negative if continuous motion exists), or an error for a NaN or negative r
-/// * `limits_without_search(r)`: an upper bound on β_lim, and β*_lim; `limits_into(rs, continuous, sliding)`: both limits for a slice of frequency ratios
+/// * `at(r)` returns [`PairWallAt`], with `limits()` (β_lim and β*_lim), `regime(beta)` (continuous, stick-slip, stuck or bistable) and `margin(beta)` (β/min(β_lim, β*_lim) − 1, negative below both limits), or an error if r is negative or not a number
+/// * `limits_without_search(r)`: an upper bound on β_lim, and β*_lim itself; `limits_into(rs, continuous, sliding)`: both limits for a slice of frequency ratios
 /// * `at(r)?.motion(beta)` returns [`PairWallMotion`], the continuous motion, with `contact()`, `lower()` and `upper()`
 ///
-/// Answers of `at(r)` and of the simulation are non-dimensional: displacements are over P/k₁, with P the amplitude of the force, forces are over P, and the time is τ = ωt.
+/// Answers of `at(r)` are non-dimensional: displacements are over P/k₁, with P the amplitude of the force, and forces over P.  The time is τ = ωt.  A phase is the lag of a maximum behind that of the load, in rad.  In `motion(beta)` τ is 0 at a maximum of the motion in the contact, and elsewhere at a maximum of the load.
 ///
-/// Numbers in brackets are equations of L. Marino, *Dynamic analysis of mechanical systems with Coulomb friction*, Oxford 2021.  Counts of operations do not include operations whose operands are all constants, because the compiler computes them.  An `if` counts as two operations, a comparison and a choice.
+/// Numbers in brackets are equations of L. Marino, *Dynamic analysis of mechanical systems with Coulomb friction*, Oxford 2021.  Counts of operations do not include operations whose operands are all constants, because the compiler computes them.  An expression that stands several times counts once, and an `if` as a comparison and a choice.
 #[::core::prelude::v1::derive(
     ::core::clone::Clone,
     ::core::marker::Copy,
@@ -149,7 +151,7 @@ const _: () = {
                 q: 1.0,
                 /// 1 − q
                 q_defect: 0.0,
-                /// φᵀp, with p where the load acts
+                /// φᵀp, with p the load on each mass over P
                 load: 0.5257311121191336,
                 /// φᵀw, with w = 1 at the mass that rubs and −1 at its partner
                 contact: 0.8506508083520399,
@@ -180,7 +182,7 @@ const _: () = {
             modes: &Self::MODES,
             /// constants of the chain
             chain: Self::CHAIN,
-            /// limits of β for r → 0 and for r → ∞, also if tables have a smaller range; β_lim for r → 0 is 0
+            /// limits of β for r → 0 and for r → ∞, which a range of tables does not restrict; β_lim for r → 0 is 0
             ends: Ends {
                 /// β*_lim for r → 0
                 sliding_at_rest: 0.5,
@@ -191,7 +193,7 @@ const _: () = {
             },
             /// index of the mass that rubs on a support
             rubbing: Some(1),
-            /// true if V and H may have common zeros; there the force that a stuck contact needs decides the limits
+            /// true if V and H may have a common zero: the chain then absorbs the load, and the limits follow from the force that holds a stuck contact
             absorbs: false,
             /// undamped resonances that the load drives
             unbounded: &[0.6180339887498949, 1.618033988749895],
@@ -234,8 +236,8 @@ const _: () = {
         /// reversal, of its response to a square wave of friction.  H_c decides whether the contact breaks away there (5.63).
         ///
         /// Sums over the modes, with x = √λ/r = 1/R:
-        /// r²V of residue/(x² − 1 + 2iζx),
-        /// r²H is the sum of (φᵀw)²/(x² − 1 + 2iζx), r²U of (φᵀw)²uR², r²G of (φᵀw)²gR², r²H_c of (φᵀw)²(g + 2ζRu).
+        /// r²V is the sum of residue/(x² − 1 + 2iζx),
+        /// r²H is the sum of (φᵀw)²/(x² − 1 + 2iζx), r²U that of (φᵀw)²uR², r²G that of (φᵀw)²gR², r²H_c that of (φᵀw)²(g + 2ζRu).
         /// Each is returned times E as `v`, `h`, `u`, `g` or `reversal`.  E, the `scale`, is the smallest |x² − 1| + 2ζx of the
         /// modes in contact, so that the sums stay finite on a resonance.
         /// Without damping r²G, r²H_c and the imaginary parts are 0.
@@ -332,12 +334,12 @@ const _: () = {
     );
     impl ProvidesMotion for PairWall {
         type Motion = PairWallMotion;
-        /// The relative motion in the contact: its fundamental component, and the coefficients of each mode's functions.
+        /// The relative motion in the contact: its terms of cos τ and sin τ, and the coefficients of each mode's functions.
         ///
         /// d and q̃ are free motions of a mode, solutions of y″ + 2ζxy′ + x²y = 0: d from d = 1 and d′ = 0 at τ = 0, and q̃
         /// from q̃ = 0 and q̃′ = x.  The coefficients multiply (1 − d)/x² (`rise`), cos τ − d (`fall`, 0 without damping)
         /// and sin τ − Rq̃ (`forced`).  `harmonic` is (φᵀw)²/r², which only higher harmonics need.  Of `friction`, `unscale`
-        /// is 1/(r²E), and `root` is Q·r²E with Q = √(|V|² − (βU)²).
+        /// is 1/(r²E), `amplitude` is Q − βG with Q = √(|V|² − (βU)²), and `root` is Q·r²E.
         ///
         /// Operations: 12: 12 ×.
         /// The kernel adds one wave for each of 2 modes.  No search is made before an amplitude or a phase is asked for.
@@ -348,13 +350,13 @@ const _: () = {
             let [mode_1, mode_2] = at.modes();
             /// β/(r²E)
             let friction_weight = friction.beta * friction.unscale;
-            /// β/(r²E)·φ_k(φᵀw)
+            /// β/(r²E)·φ_k(φᵀw), for the contact β/(r²E)·(φᵀw)²
             let mode_1_friction_force = friction_weight * constants_1.contact_squared;
             /// coefficient of (1 − d)/x²
             let mode_1_rise = mode_1_friction_force * contact.scale;
             /// coefficient of sin τ − Rq̃
             let mode_1_forced = mode_1_friction_force * mode_1.u;
-            /// β/(r²E)·φ_k(φᵀw)
+            /// β/(r²E)·φ_k(φᵀw), for the contact β/(r²E)·(φᵀw)²
             let mode_2_friction_force = friction_weight * constants_2.contact_squared;
             /// coefficient of (1 − d)/x²
             let mode_2_rise = mode_2_friction_force * contact.scale;
@@ -392,7 +394,7 @@ const _: () = {
             ];
             Motion::of_contact(*friction, fundamental, waves)
         }
-        /// The motion of mass k: its fundamental component, and the coefficients of each mode.
+        /// The motion of mass k: its terms of cos τ and sin τ, and the coefficients of each mode.
         ///
         /// The coefficients are those of `contact_motion`, with φ_k(φᵀw) in place of (φᵀw)².
         /// The two products of a mode with itself cancel, so both are left out.  A mode with x < 1/2 is
@@ -456,13 +458,13 @@ const _: () = {
             let inverse_re = 1.0 / contact.v.re;
             /// β/(r²E)
             let friction_weight = friction.beta * friction.unscale;
-            /// β/(r²E)·φ_k(φᵀw)
+            /// β/(r²E)·φ_k(φᵀw), for the contact β/(r²E)·(φᵀw)²
             let mode_1_friction_force = friction_weight * mode_1_by_contact;
             /// coefficient of (1 − d)/x²
             let mode_1_rise = mode_1_friction_force * contact.scale;
             /// coefficient of sin τ − Rq̃
             let mode_1_forced = mode_1_friction_force * mode_1_u_in_sum;
-            /// β/(r²E)·φ_k(φᵀw)
+            /// β/(r²E)·φ_k(φᵀw), for the contact β/(r²E)·(φᵀw)²
             let mode_2_friction_force = friction_weight * mode_2_by_contact;
             /// coefficient of (1 − d)/x²
             let mode_2_rise = mode_2_friction_force * contact.scale;

@@ -12,13 +12,15 @@
 /// }
 /// ```
 ///
+/// The motion in the contact is the displacement of `block`.
+///
 /// # What it offers
 ///
 /// * `K1`, `M1`, `NATURAL_FREQUENCIES_HZ`, `NATURAL_FREQUENCIES`, `RESONANCES`, `MODE_SHAPES`, `SCENE_HASH`: constants of the chain
 /// * `frequency_ratio(omega)`, `friction_ratio(friction, load)`: r and β from units
-/// * `stepper(dt)` returns [`PushedStepper`], the motion by steps under any [`PushedInput`], with `advance(input)`, `contact()` and `block()`
+/// * `stepper(dt)`, `stepper_from(dt, state)` and `stepper_from_image(image)` return [`PushedStepper`], the motion by steps under any [`PushedInput`], with `begin(input)`, `advance(input)`, `image()`, `contact()` and `block()`
 ///
-/// Counts of operations do not include operations whose operands are all constants, because the compiler computes them.  An `if` counts as two operations, a comparison and a choice.
+/// Counts of operations do not include operations whose operands are all constants, because the compiler computes them.  An expression that stands several times counts once, and an `if` as a comparison and a choice.
 #[::core::prelude::v1::derive(
     ::core::clone::Clone,
     ::core::marker::Copy,
@@ -31,10 +33,10 @@
 pub struct Pushed;
 /// Stepper: motion of [`Pushed`] in time, by steps of one length, under any input.  `advance` takes a step.
 ///
-/// A step of dt, in s, has ⌈20.00·dt⌉ parts, at most 1024.  In a part, the phase of the fastest mode advances by at most 1 rad.
+/// A step of dt, in s, has ⌈20.00·dt⌉ parts, at most 1024.  20.00 is the largest ω(1 + 2ζ) of a mode, in rad/s: in a part, the phase of the fastest mode advances by at most 1 rad.
 /// A part in which the contact certainly keeps sliding, or keeps sticking, is a product of its state with tables.
 /// In any other part the stepper searches the events, at most 8.
-/// After these events, a contact at rest stays stuck to the end of the part, and in any other contact the friction force is constant there.  This rule creates no energy, and `exceeded()` counts the step.
+/// After these events, a contact at rest stays stuck to the end of the part, and in any other contact the friction force is constant there.  This force opposes the displacement of the contact in the part, so that it creates no energy.  `exceeded()` counts the step.
 ///
 /// A part has at most 132 floating-point operations if all parts are such products, about 7896 with one event, never
 /// more than 1559192.  `set_event_budget(n)` limits the events of a step to n, and `cost().most` is then the bound.  A Cortex-M4F takes up to 4 instructions for each operation, and 400 more for a part.
@@ -167,7 +169,7 @@ const _: () = {
                     q: 1.0,
                     /// 1 − q
                     q_defect: 0.0,
-                    /// φᵀp, with p where the load acts
+                    /// φᵀp, with p the load on each mass over P
                     load: 1.0,
                     /// φᵀw, with w = 1 at the mass that rubs and −1 at its partner
                     contact: 1.0,
@@ -181,7 +183,7 @@ const _: () = {
             ],
             /// modes of the chain with its contact stuck; the state of a mode is y and u = y′/Ω
             held: &[],
-            /// factors in y and u: for each mode of `held` in turn, one pair for each mode that the contact drives
+            /// displacement of a mode of the chain per unit of y and of u: for each mode of `held` in turn, one pair for each mode that the contact drives; the largest number of a held mode has the modulus 1
             participations: &[],
             /// φ, mass after mass
             shapes: Self::ALL_SHAPES.as_flattened(),
@@ -207,9 +209,9 @@ const _: () = {
             on_base: false,
             /// indices of the loaded masses
             forces: &[0],
-            /// interpolation of the input between two samples
+            /// interpolation of forces and friction between two samples; with `Linear` a base follows a cubic
             input: Input::Hold,
-            /// points of a friction law over the speed: speed, kinetic friction over F
+            /// points of a friction law over the speed: speed, kinetic friction over F; without points the kinetic friction is F
             law: &[],
         };
         /// Computes the tables for the step dt, s.
@@ -261,7 +263,7 @@ const _: () = {
                 })
         }
         /// Takes a step, over which the input is constant.
-        /// Returns the state of the contact and the friction force at the end of the step, and the number of events in it.  [`PushedStepper`] has the number of operations.
+        /// Returns the state of the contact and the friction force at the end of the step, and the number of events in it.  The comment on [`PushedStepper`] gives the number of operations.
         ///
         /// # Errors
         /// `OutOfDomain` for NaN, infinite numbers, negative friction, numbers whose squares overflow, and if the energies
@@ -288,7 +290,7 @@ const _: () = {
             &mut self.0
         }
     }
-    /// The traits `Steps` and `Stepping`, and the functions `image` and `stepper_from_image`.  `true` stands for a
-    /// moving base.  The list contains the indices of the loaded masses.
+    /// The traits `Steps` and `Stepping`, and the functions `image` and `stepper_from_image`, which write and read the state
+    /// as bytes.  `true` stands for a moving base.  The list contains the indices of the loaded masses.
     ::frictiongen::emitted_stepper!(Pushed, PushedStepper, f32, false, [0]);
 };

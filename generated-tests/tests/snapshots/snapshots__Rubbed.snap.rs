@@ -13,15 +13,17 @@
 /// }
 /// ```
 ///
+/// The motion in the contact is the displacement of `block`.
+///
 /// # What it offers
 ///
 /// * `K1`, `M1`, `NATURAL_FREQUENCIES_HZ`, `NATURAL_FREQUENCIES`, `RESONANCES`, `MODE_SHAPES`, `SCENE_HASH`: constants of the chain
 /// * `frequency_ratio(omega)`, `friction_ratio(friction, load)`: r and β from units
-/// * `simulation_under(r, beta, amplitude)` returns [`RubbedSimulation`], the motion in time from event to event, with `next()` and `block()`
+/// * `simulation_under(r, beta, amplitude)` and `simulation_under_from(r, beta, amplitude, state)` return [`RubbedSimulation`], the motion in time from event to event, with `next()` and `block()`
 ///
-/// Answers of `at(r)` and of the simulation are non-dimensional: displacements are over P/k₁, with P the amplitude of the force, forces are over P, and the time is τ = ωt.
+/// Answers of the simulation are non-dimensional: displacements are over P/k₁, with P the amplitude of the force, and forces over P.  The time is τ = ωt.
 ///
-/// Counts of operations do not include operations whose operands are all constants, because the compiler computes them.  An `if` counts as two operations, a comparison and a choice.
+/// Counts of operations do not include operations whose operands are all constants, because the compiler computes them.  An expression that stands several times counts once, and an `if` as a comparison and a choice.
 #[::core::prelude::v1::derive(
     ::core::clone::Clone,
     ::core::marker::Copy,
@@ -32,9 +34,9 @@
     ::core::hash::Hash
 )]
 pub struct Rubbed;
-/// Exact motion of [`Rubbed`] in time, from event to event.  `next` returns its segments.
+/// Exact motion of [`Rubbed`] in time, from event to event.  `next` returns its segments and never ends.
 ///
-/// Worst case of `advance`: 4096 stretches of at most 128 steps, or of 4000 where the kinetic friction is constant; a step is a sum over at most 1 modes.
+/// Worst case of `advance`: 4096 stretches of at most 128 steps, or of 4000 where the kinetic friction is constant; a step is a sum over at most 1 mode, those of the chain and of the stuck chain.
 #[allow(
     deprecated,
     non_camel_case_types,
@@ -141,7 +143,7 @@ const _: () = {
                     q: 1.0,
                     /// 1 − q
                     q_defect: 0.0,
-                    /// φᵀp, with p where the load acts
+                    /// φᵀp, with p the load on each mass over P
                     load: 1.0,
                     /// φᵀw, with w = 1 at the mass that rubs and −1 at its partner
                     contact: 1.0,
@@ -155,7 +157,7 @@ const _: () = {
             ],
             /// modes of the chain with its contact stuck; the state of a mode is y and u = y′/Ω
             held: &[],
-            /// factors in y and u: for each mode of `held` in turn, one pair for each mode that the contact drives
+            /// displacement of a mode of the chain per unit of y and of u: for each mode of `held` in turn, one pair for each mode that the contact drives; the largest number of a held mode has the modulus 1
             participations: &[],
             /// φ, mass after mass
             shapes: Self::ALL_SHAPES.as_flattened(),

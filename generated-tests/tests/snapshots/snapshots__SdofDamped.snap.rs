@@ -12,17 +12,19 @@
 /// }
 /// ```
 ///
+/// The motion in the contact is the displacement of `block`.
+///
 /// # What it offers
 ///
 /// * `K1`, `M1`, `NATURAL_FREQUENCIES_HZ`, `NATURAL_FREQUENCIES`, `RESONANCES`, `MODE_SHAPES`, `SCENE_HASH`: constants of the chain
 /// * `frequency_ratio(omega)`, `friction_ratio(friction, load)`: r and β from units
-/// * `at(r)` returns [`SdofDampedAt`], with `limits()` (β_lim and β*_lim), `regime(beta)` (continuous, stick-slip, stuck or bistable) and `margin(beta)` (β/min(β_lim, β*_lim) − 1, negative if continuous motion exists), or an error for a NaN or negative r
-/// * `limits_without_search(r)`: an upper bound on β_lim, and β*_lim; `limits_into(rs, continuous, sliding)`: both limits for a slice of frequency ratios
+/// * `at(r)` returns [`SdofDampedAt`], with `limits()` (β_lim and β*_lim), `regime(beta)` (continuous, stick-slip, stuck or bistable) and `margin(beta)` (β/min(β_lim, β*_lim) − 1, negative below both limits), or an error if r is negative or not a number
+/// * `limits_without_search(r)`: an upper bound on β_lim, and β*_lim itself; `limits_into(rs, continuous, sliding)`: both limits for a slice of frequency ratios
 /// * `at(r)?.motion(beta)` returns [`SdofDampedMotion`], the continuous motion, with `contact()` and `block()`
 ///
-/// Answers of `at(r)` and of the simulation are non-dimensional: displacements are over P/k₁, with P the amplitude of the force, forces are over P, and the time is τ = ωt.
+/// Answers of `at(r)` are non-dimensional: displacements are over P/k₁, with P the amplitude of the force, and forces over P.  The time is τ = ωt.  A phase is the lag of a maximum behind that of the load, in rad.  In `motion(beta)` τ is 0 at a maximum of the motion in the contact, and elsewhere at a maximum of the load.
 ///
-/// Numbers in brackets are equations of L. Marino, *Dynamic analysis of mechanical systems with Coulomb friction*, Oxford 2021.  Counts of operations do not include operations whose operands are all constants, because the compiler computes them.  An `if` counts as two operations, a comparison and a choice.
+/// Numbers in brackets are equations of L. Marino, *Dynamic analysis of mechanical systems with Coulomb friction*, Oxford 2021.  Counts of operations do not include operations whose operands are all constants, because the compiler computes them.  An expression that stands several times counts once, and an `if` as a comparison and a choice.
 #[::core::prelude::v1::derive(
     ::core::clone::Clone,
     ::core::marker::Copy,
@@ -140,7 +142,7 @@ const _: () = {
                 q: 0.998749217771909,
                 /// 1 − q
                 q_defect: 0.0012507822280910543,
-                /// φᵀp, with p where the load acts
+                /// φᵀp, with p the load on each mass over P
                 load: 1.0,
                 /// φᵀw, with w = 1 at the mass that rubs and −1 at its partner
                 contact: 1.0,
@@ -158,7 +160,7 @@ const _: () = {
             modes: &Self::MODES,
             /// constants of the chain
             chain: Self::CHAIN,
-            /// limits of β for r → 0 and for r → ∞, also if tables have a smaller range; β_lim for r → 0 is 0
+            /// limits of β for r → 0 and for r → ∞, which a range of tables does not restrict; β_lim for r → 0 is 0
             ends: Ends {
                 /// β*_lim for r → 0
                 sliding_at_rest: 1.0,
@@ -169,7 +171,7 @@ const _: () = {
             },
             /// index of the mass that rubs on a support
             rubbing: Some(0),
-            /// true if V and H may have common zeros; there the force that a stuck contact needs decides the limits
+            /// true if V and H may have a common zero: the chain then absorbs the load, and the limits follow from the force that holds a stuck contact
             absorbs: false,
             /// undamped resonances that the load drives
             unbounded: &[],
@@ -184,10 +186,13 @@ const _: () = {
         /// reversal, of its response to a square wave of friction.  H_c decides whether the contact breaks away there (5.63).
         ///
         /// Sums over the modes, with x = √λ/r = 1/R:
-        /// r²V = r²H, as the load acts on the mass that rubs,
-        /// r²H is the sum of (φᵀw)²/(x² − 1 + 2iζx), r²U of (φᵀw)²uR², r²G of (φᵀw)²gR², r²H_c of (φᵀw)²(g + 2ζRu).
+        /// r²V = r²H, because the load acts on the mass that rubs.
+        /// r²H is the sum of (φᵀw)²/(x² − 1 + 2iζx), r²U that of (φᵀw)²uR², r²G that of (φᵀw)²gR², r²H_c that of (φᵀw)²(g + 2ζRu).
         /// Each is returned times E as `v`, `h`, `u`, `g` or `reversal`.  E, the `scale`, is the smallest |x² − 1| + 2ζx of the
         /// modes in contact, so that the sums stay finite on a resonance.
+        /// With `WITH_G` false, g and r²G are 0, for callers that do not use them.
+        /// `sin_cos_pi_minus(a, b)` is the sine and the cosine of π(a − b), `one_minus_sinc_pi(a)` is 1 − sin(πa)/(πa), and
+        /// `scaled_sinh_defect(a)` is 1 − e^(−2a) − 2a·e^(−a).
         ///
         /// Operations: 63: 37 ×, 11 +, 6 ÷, 5 sign, 1 exp_m1, 1 one_minus_sinc_pi, 1 scaled_sinh_defect, 1 sin_cos_pi.
         #[inline(always)]
@@ -199,7 +204,7 @@ const _: () = {
             let detuning = (inverse_r - 1.0) * (inverse_r + 1.0);
             /// 2ζx
             let loss = 2.0 * constants_1.zeta * inverse_r;
-            /// |x² − 1| + 2ζx, which vanishes on the undamped resonance
+            /// |x² − 1| + 2ζx, small beside the resonance
             let size = Scalar::abs(detuning) + loss;
             /// a = πζx
             let decay_exponent = PI * constants_1.zeta * inverse_r;
@@ -224,7 +229,7 @@ const _: () = {
             let nearness_re = one_plus_factor * cosine;
             /// (1 − e) sin(πqx/2)
             let nearness_im = decay_complement * sine;
-            /// 1/(|nearness_re| + |nearness_im|): D itself could underflow beside a resonance
+            /// 1/(|nearness_re| + |nearness_im|): with little damping D itself could underflow beside a resonance
             let inverse_nearness = 1.0
                 / (Scalar::abs(nearness_re) + Scalar::abs(nearness_im));
             /// nearness_re·inverse_nearness
@@ -351,12 +356,12 @@ const _: () = {
     );
     impl ProvidesMotion for SdofDamped {
         type Motion = SdofDampedMotion;
-        /// The relative motion in the contact: its fundamental component, and the coefficients of each mode's functions.
+        /// The relative motion in the contact: its terms of cos τ and sin τ, and the coefficients of each mode's functions.
         ///
         /// d and q̃ are free motions of a mode, solutions of y″ + 2ζxy′ + x²y = 0: d from d = 1 and d′ = 0 at τ = 0, and q̃
         /// from q̃ = 0 and q̃′ = x.  The coefficients multiply (1 − d)/x² (`rise`), cos τ − d (`fall`, 0 without damping)
         /// and sin τ − Rq̃ (`forced`).  `harmonic` is (φᵀw)²/r², which only higher harmonics need.  Of `friction`, `unscale`
-        /// is 1/(r²E), and `root` is Q·r²E with Q = √(|V|² − (βU)²).
+        /// is 1/(r²E), `amplitude` is Q − βG with Q = √(|V|² − (βU)²), and `root` is Q·r²E.
         ///
         /// Operations: 9: 8 ×, 1 ÷.
         /// The kernel adds one wave for each of 1 mode.  No search is made before an amplitude or a phase is asked for.

@@ -16,13 +16,16 @@
 ///
 /// The damping acts on absolute velocities (damping_from: rest).
 ///
+/// The motion in the contact is the displacement of `upper`.
+///
 /// # What it offers
 ///
 /// * `K1`, `M1`, `NATURAL_FREQUENCIES_HZ`, `NATURAL_FREQUENCIES`, `RESONANCES`, `MODE_SHAPES`, `SCENE_HASH`: constants of the chain
 /// * `frequency_ratio(omega)`, `friction_ratio(friction, load)`: r and β from units
-/// * `stepper(dt)` returns [`ShakenStepper`], the motion by steps under any [`ShakenInput`], with `advance(input)`, `contact()`, `lower()` and `upper()`
+/// * `stepper(dt)`, `stepper_from(dt, state)` and `stepper_from_image(image)` return [`ShakenStepper`], the motion by steps under any [`ShakenInput`], with `begin(input)`, `advance(input)`, `image()`, `contact()`, `lower()` and `upper()`
+/// * `declared_stepper()` returns [`ShakenDeclaredStepper`], which borrows the tables of the declared step `STEP`, s
 ///
-/// Counts of operations do not include operations whose operands are all constants, because the compiler computes them.  An `if` counts as two operations, a comparison and a choice.
+/// Counts of operations do not include operations whose operands are all constants, because the compiler computes them.  An expression that stands several times counts once, and an `if` as a comparison and a choice.
 #[::core::prelude::v1::derive(
     ::core::clone::Clone,
     ::core::marker::Copy,
@@ -35,10 +38,10 @@
 pub struct Shaken;
 /// Stepper: motion of [`Shaken`] in time, by steps of one length, under any input.  `advance` takes a step.
 ///
-/// A step of dt, in s, has ⌈32.90·dt⌉ parts, at most 1024: `STEP` has 1.  In a part, the phase of the fastest mode advances by at most 1 rad.
+/// A step of dt, in s, has ⌈32.90·dt⌉ parts, at most 1024: `STEP` has 1.  32.90 is the largest ω(1 + 2ζ) of a mode, in rad/s: in a part, the phase of the fastest mode advances by at most 1 rad.
 /// A part in which the contact certainly keeps sliding, or keeps sticking, is a product of its state with tables.
 /// In any other part the stepper searches the events, at most 8.
-/// After these events, a contact at rest stays stuck to the end of the part, and in any other contact the friction force is constant there.  This rule creates no energy, and `exceeded()` counts the step.
+/// After these events, a contact at rest stays stuck to the end of the part, and in any other contact the friction force is constant there.  This force opposes the displacement of the contact in the part, so that it creates no energy.  `exceeded()` counts the step.
 ///
 /// A step of `STEP` has at most 386 floating-point operations if all parts are such products, about 10634 with one event, never
 /// more than 1638804.  `set_event_budget(n)` limits the events of a step to n, and `cost().most` is then the bound.
@@ -76,7 +79,12 @@ pub struct ShakenInput {
 /// With the feature `serde` of frictiongen, serde writes and reads these fields by name.
 ::frictiongen::kernel::written!(ShakenInput, displacement, velocity, friction);
 /// Stepper of the declared step `STEP`.  It borrows its tables, which stay constants of the program, and has the methods and the costs of [`ShakenStepper`].
-#[allow(dead_code, deprecated, non_camel_case_types)]
+#[allow(
+    dead_code,
+    deprecated,
+    non_camel_case_types,
+    reason = "a program may use only the other stepper, and names and attributes are those of the description"
+)]
 pub struct ShakenDeclaredStepper(
     ::frictiongen::kernel::stepper::DeclaredStepper<::core::primitive::f64, 4, 2, 1, 1>,
 );
@@ -187,7 +195,7 @@ const _: () = {
                     q: 0.9999499987499375,
                     /// 1 − q
                     q_defect: 5.000125006250391e-5,
-                    /// φᵀp, with p where the load acts
+                    /// φᵀp, with p the load on each mass over k₁Y
                     load: 0.5446174012864552,
                     /// φᵀw, with w = 1 at the mass that rubs and −1 at its partner
                     contact: 0.8412612267718186,
@@ -223,9 +231,9 @@ const _: () = {
                     zeta: 0.01106334956690814,
                     /// √|1 − ζ²|
                     q: 0.9999387992754158,
-                    /// contact force, with its damping force, divided by −y
+                    /// force of the chain on the contact, with its damping force, at y = −1
                     force: 1.3259697517355205,
-                    /// [m₁₁, m₁₂, m₂₂] = [B(h, h), −B(g, h), B(g, g)]/(B(g, g)B(h, h) − B(g, h)²), with y = m₁₁B(η, g) + m₁₂B(η, h) and u = m₁₂B(η, g) + m₂₂B(η, h): η is the motion of the chain's modes minus the static motion that the stuck contact causes, g and h are the `participations` of y and u, B(a, b) = Σ 2ζσab + a′b + ab′ over the chain's modes with σ = `resonance`, g′ = −Ωh and h′ = Ω(g − 2ζh) with Ω = `frequency` and ζ of this mode
+                    /// m₁₁, m₁₂ and m₂₂ give y = m₁₁B(η, g) + m₁₂B(η, h) and u = m₁₂B(η, g) + m₂₂B(η, h).  η is the motion of the chain's modes minus the static motion that the stuck contact causes.  g and h are the `participations` of y and u.  B(a, b) is the sum of 2ζσab + a′b + ab′ over the chain's modes, with σ = `resonance`.  g′ is −Ωh, and h′ is Ω(g − 2ζh), with Ω = `frequency` and ζ of this mode.  [m₁₁, m₁₂, m₂₂] = [B(h, h), −B(g, h), B(g, g)]/(B(g, g)B(h, h) − B(g, h)²)
                     inverse: [
                         0.01603861671693582,
                         0.4832786094746962,
@@ -233,7 +241,7 @@ const _: () = {
                     ],
                 },
             ],
-            /// factors in y and u: for each mode of `held` in turn, one pair for each mode that the contact drives
+            /// displacement of a mode of the chain per unit of y and of u: for each mode of `held` in turn, one pair for each mode that the contact drives; the largest number of a held mode has the modulus 1
             participations: &[
                 [-0.6493709202128115, 0.010770429057713646],
                 [-1.0, 0.01658594298337838],
@@ -269,9 +277,9 @@ const _: () = {
             on_base: true,
             /// indices of the loaded masses
             forces: &[],
-            /// interpolation of the input between two samples
+            /// interpolation of forces and friction between two samples; with `Linear` a base follows a cubic
             input: Input::Linear,
-            /// points of a friction law over the speed: speed, kinetic friction over F
+            /// points of a friction law over the speed: speed, kinetic friction over F; without points the kinetic friction is F
             law: &[],
         };
         /// Returns the tables for the step dt, s.  If dt is the declared step `STEP`, the tables are constants.
@@ -308,13 +316,13 @@ const _: () = {
                 .map(From::from)
         }
         /// Creates a stepper with the declared step `STEP`, for a chain at rest without load.  It computes and copies no
-        /// tables, and can be the value of a `static`.
+        /// tables, and can be the value of a `static`.  The pair of numbers is the friction force at the start, and μ.
         #[inline]
         #[must_use]
         #[allow(
             dead_code,
             clippy::init_numbered_fields,
-            reason = "an alias of the type has no constructor function"
+            reason = "a program may use only the other stepper; for a scene in a function the type is an alias, which has no constructor function"
         )]
         pub const fn declared_stepper() -> ShakenDeclaredStepper {
             ShakenDeclaredStepper {
@@ -343,8 +351,8 @@ const _: () = {
                     friction: input.friction,
                 })
         }
-        /// Takes a step.  Forces and friction change linearly over it.  The base follows the cubic through the displacements and velocities of the last input and of this one.
-        /// Returns the state of the contact and the friction force at the end of the step, and the number of events in it.  [`ShakenStepper`] has the number of operations.
+        /// Takes a step.  Friction changes linearly over it.  The base follows the cubic through the displacements and velocities of the last input and of this one.
+        /// Returns the state of the contact and the friction force at the end of the step, and the number of events in it.  The comment on [`ShakenStepper`] gives the number of operations.
         ///
         /// # Errors
         /// `OutOfDomain` for NaN, infinite numbers, negative friction, numbers whose squares overflow, and if the energies
@@ -376,8 +384,8 @@ const _: () = {
             &mut self.0
         }
     }
-    /// The traits `Steps` and `Stepping`, and the functions `image` and `stepper_from_image`.  `true` stands for a
-    /// moving base.  The list contains the indices of the loaded masses.
+    /// The traits `Steps` and `Stepping`, and the functions `image` and `stepper_from_image`, which write and read the state
+    /// as bytes.  `true` stands for a moving base.  The list contains the indices of the loaded masses.
     ::frictiongen::emitted_stepper!(Shaken, ShakenStepper, f64, true, []);
     /// `Clone`, `Debug`, `From` and `Deref`: the stepper has all methods of the wrapped type.
     ::frictiongen::kernel::wraps!(
@@ -396,8 +404,8 @@ const _: () = {
                     friction: input.friction,
                 })
         }
-        /// Takes a step.  Forces and friction change linearly over it.  The base follows the cubic through the displacements and velocities of the last input and of this one.
-        /// Returns the state of the contact and the friction force at the end of the step, and the number of events in it.  [`ShakenStepper`] has the number of operations.
+        /// Takes a step.  Friction changes linearly over it.  The base follows the cubic through the displacements and velocities of the last input and of this one.
+        /// Returns the state of the contact and the friction force at the end of the step, and the number of events in it.  The comment on [`ShakenStepper`] gives the number of operations.
         ///
         /// # Errors
         /// `OutOfDomain` for NaN, infinite numbers, negative friction, numbers whose squares overflow, and if the energies
@@ -429,14 +437,15 @@ const _: () = {
             &mut self.0
         }
     }
-    /// The trait `Stepping` and the function `image`, with the same two arguments.
+    /// The trait `Stepping` and the function `image`.  Base and loaded masses are written as above.
     ::frictiongen::emitted_stepper!(declared ShakenDeclaredStepper, f64, true, []);
     /// Tables: numbers alone, apart from the code that reads them.
     impl Shaken {
         /// Advance of each oscillator over a part of `STEP`, with the time s from 0 to 1: y′ = Ωu, u′ = −Ω(y + 2ζu) + drive.
         /// σ = √λ is the frequency ratio of the mode's resonance.  The drive is a polynomial in s.
         ///
-        /// A `Row` has the weights of y and u at the start of the part (`state`) and of the coefficients of the drive (`drive`).
+        /// A `Row` has the weights of y and u (`state`) and of the coefficients of the drive (`drive`).  y and u are those at the
+        /// start of the part, except in a shear, where they are the present ones.
         /// In a `HeldRow` the first list of `drive` belongs to a drive of y, the second to a drive of u.
         /// Three shears advance y and u: y gains a·u, then u gains −b·y − c·u and a drive, then y gains a′·u and a drive.  `turn`
         /// or the first of `turns` has the state weights [−b, −c], the first of `moments` has [a, a′].
@@ -461,7 +470,7 @@ const _: () = {
                 rate: 0.03289632176775991,
                 /// terms of a power series over a part
                 terms: 9,
-                /// wᵀK̄⁻¹w, displacement of the contact per unit of steady force
+                /// wᵀ(K/k₁)⁻¹w, displacement of the contact per unit of steady force
                 receptance: 1.8994708994708995,
                 /// damping force per unit of velocity of the contact, (Σ 2ζ(φᵀw)²/σ)/receptance
                 drag: 0.01410413805963866,
@@ -588,7 +597,7 @@ const _: () = {
                     angle: 0.02772186012972412,
                     /// ζ = −Re s/|s|
                     zeta: 0.01106334956690814,
-                    /// contact force, with its damping force, divided by −y
+                    /// force of the chain on the contact, with its damping force, at y = −1
                     force: 1.3259697517355205,
                     /// rates of y and u per unit velocity and acceleration of a base to which the contact sticks
                     from_base: [[0.0, 0.0], [0.0, 0.0]],

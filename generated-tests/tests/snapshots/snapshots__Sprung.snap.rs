@@ -17,20 +17,23 @@
 ///
 /// The damping acts on absolute velocities (damping_from: rest).
 ///
+/// The motion in the contact is the displacement of `upper`.
+///
 /// # What it offers
 ///
 /// * `K1`, `M1`, `NATURAL_FREQUENCIES_HZ`, `NATURAL_FREQUENCIES`, `RESONANCES`, `MODE_SHAPES`, `SCENE_HASH`: constants of the chain
 /// * `frequency_ratio(omega)`, `friction_ratio(friction, load)`: r and β from units
-/// * `at(r)` returns [`SprungAt`], with `limits()` (β_lim and β*_lim), `regime(beta)` (continuous, stick-slip, stuck or bistable) and `margin(beta)` (β/min(β_lim, β*_lim) − 1, negative if continuous motion exists), or an error for a NaN or negative r
-/// * `limits_without_search(r)`: an upper bound on β_lim, and β*_lim; `limits_into(rs, continuous, sliding)`: both limits for a slice of frequency ratios
+/// * `at(r)` returns [`SprungAt`], with `limits()` (β_lim and β*_lim), `regime(beta)` (continuous, stick-slip, stuck or bistable) and `margin(beta)` (β/min(β_lim, β*_lim) − 1, negative below both limits), or an error if r is negative or not a number
+/// * `limits_without_search(r)`: an upper bound on β_lim, and β*_lim itself; `limits_into(rs, continuous, sliding)`: both limits for a slice of frequency ratios
 /// * `at(r)?.stuck()` returns [`SprungStuck`], the response while the contact is stuck, with `contact_force()`, `lower()` and `upper()`
 /// * `at(r)?.orbit(beta)` returns [`SprungOrbit`], the steady state in any regime, with `contact()`, `lower()` and `upper()`
-/// * `simulation(r, beta)` returns [`SprungSimulation`], the motion in time from event to event, with `next()`, `lower()` and `upper()`
-/// * `stepper(dt)` returns [`SprungStepper`], the motion by steps under any [`SprungInput`], with `advance(input)`, `contact()`, `lower()` and `upper()`
+/// * `simulation(r, beta)` and `simulation_from(r, beta, state)` return [`SprungSimulation`], the motion in time from event to event, with `next()`, `lower()` and `upper()`
+/// * `stepper(dt)`, `stepper_from(dt, state)` and `stepper_from_image(image)` return [`SprungStepper`], the motion by steps under any [`SprungInput`], with `begin(input)`, `advance(input)`, `image()`, `contact()`, `lower()` and `upper()`
+/// * `declared_stepper()` returns [`SprungDeclaredStepper`], which borrows the tables of the declared step `STEP`, s
 ///
-/// Answers of `at(r)` and of the simulation are non-dimensional: displacements are over Y, the amplitude of the base motion, forces are over k₁Y, and the time is τ = ωt.
+/// Answers of `at(r)` and of the simulation are non-dimensional: displacements are over Y, the amplitude of the base motion, and forces over k₁Y.  The time is τ = ωt.  The stepper uses the units of the scene, and seconds.
 ///
-/// Numbers in brackets are equations of L. Marino, *Dynamic analysis of mechanical systems with Coulomb friction*, Oxford 2021.  Counts of operations do not include operations whose operands are all constants, because the compiler computes them.  An `if` counts as two operations, a comparison and a choice.
+/// Numbers in brackets are equations of L. Marino, *Dynamic analysis of mechanical systems with Coulomb friction*, Oxford 2021.  Counts of operations do not include operations whose operands are all constants, because the compiler computes them.  An expression that stands several times counts once, and an `if` as a comparison and a choice.
 #[::core::prelude::v1::derive(
     ::core::clone::Clone,
     ::core::marker::Copy,
@@ -57,9 +60,9 @@ pub struct SprungAt(::frictiongen::kernel::response::At<Sprung>);
     reason = "names and attributes are those of the description"
 )]
 pub struct SprungStuck(::frictiongen::kernel::response::Stuck<Sprung>);
-/// Exact motion of [`Sprung`] in time, from event to event.  `next` returns its segments.
+/// Exact motion of [`Sprung`] in time, from event to event.  `next` returns its segments and never ends.
 ///
-/// Worst case of `next`: 4000 steps of the search for the end of a segment, each a sum over at most 4 modes; of `advance` two segments.
+/// Worst case of `next`: 4000 steps of the search for the end of a segment, each a sum over at most 4 modes, those of the chain and of the stuck chain; of `advance` two segments.
 #[allow(
     deprecated,
     non_camel_case_types,
@@ -76,7 +79,7 @@ pub struct SprungSimulation(
 ///
 /// Room for 4 modes of the chain and of the stuck chain, for 291 numbers (states at the starts of segments, Jacobian matrices) and for 5 Floquet multipliers.
 ///
-/// Worst case: 1048576 steps of all searches for events together, each a sum over at most 4 modes, and Newton's method on 5 unknowns.
+/// Worst case: 1048576 steps of all searches for events together, each a sum over at most 4 modes, those of the chain and of the stuck chain, and Newton's method on 5 unknowns.
 #[allow(
     deprecated,
     non_camel_case_types,
@@ -93,10 +96,10 @@ pub struct SprungOrbit(
 );
 /// Stepper: motion of [`Sprung`] in time, by steps of one length, under any input.  `advance` takes a step.
 ///
-/// A step of dt, in s, has ⌈46.07·dt⌉ parts, at most 1024: `STEP` has 1.  In a part, the phase of the fastest mode advances by at most 1 rad.
+/// A step of dt, in s, has ⌈46.07·dt⌉ parts, at most 1024: `STEP` has 1.  46.07 is the largest ω(1 + 2ζ) of a mode, in rad/s: in a part, the phase of the fastest mode advances by at most 1 rad.
 /// A part in which the contact certainly keeps sliding, or keeps sticking, is a product of its state with tables.
 /// In any other part the stepper searches the events, at most 8.
-/// After these events, a contact at rest stays stuck to the end of the part, and in any other contact the friction force is constant there.  This rule creates no energy, and `exceeded()` counts the step.
+/// After these events, a contact at rest stays stuck to the end of the part, and in any other contact the friction force is constant there.  This force opposes the displacement of the contact in the part, so that it creates no energy.  `exceeded()` counts the step.
 ///
 /// A step of `STEP` has at most 640 floating-point operations if all parts are such products, about 10888 with one event, never
 /// more than 1639058.  `set_event_budget(n)` limits the events of a step to n, and `cost().most` is then the bound.
@@ -141,7 +144,12 @@ pub struct SprungInput {
 /// With the feature `serde` of frictiongen, serde writes and reads these fields by name.
 ::frictiongen::kernel::written!(SprungInput, displacement, velocity, friction);
 /// Stepper of the declared step `STEP`.  It borrows its tables, which stay constants of the program, and has the methods and the costs of [`SprungStepper`].
-#[allow(dead_code, deprecated, non_camel_case_types)]
+#[allow(
+    dead_code,
+    deprecated,
+    non_camel_case_types,
+    reason = "a program may use only the other stepper, and names and attributes are those of the description"
+)]
 pub struct SprungDeclaredStepper(
     ::frictiongen::kernel::stepper::DeclaredStepper<
         ::core::primitive::f64,
@@ -263,7 +271,7 @@ const _: () = {
                 q: 0.9999499987499375,
                 /// 1 − q
                 q_defect: 5.000125006250391e-5,
-                /// φᵀp, with p where the load acts
+                /// φᵀp, with p the load on each mass over k₁Y
                 load: 0.5446174012864552,
                 /// φᵀw, with w = 1 at the mass that rubs and −1 at its partner
                 contact: 0.8412612267718186,
@@ -294,7 +302,7 @@ const _: () = {
             modes: &Self::MODES,
             /// constants of the chain
             chain: Self::CHAIN,
-            /// limits of β for r → 0 and for r → ∞, also if tables have a smaller range; β_lim for r → 0 is 0
+            /// limits of β for r → 0 and for r → ∞, which a range of tables does not restrict; β_lim for r → 0 is 0
             ends: Ends {
                 /// β*_lim for r → 0
                 sliding_at_rest: 0.4678426266516825,
@@ -305,7 +313,7 @@ const _: () = {
             },
             /// index of the mass that rubs on a support
             rubbing: Some(1),
-            /// true if V and H may have common zeros; there the force that a stuck contact needs decides the limits
+            /// true if V and H may have a common zero: the chain then absorbs the load, and the limits follow from the force that holds a stuck contact
             absorbs: false,
             /// undamped resonances that the load drives
             unbounded: &[],
@@ -330,7 +338,7 @@ const _: () = {
             let detuning = (x - 1.0) * (x + 1.0);
             /// 2ζx
             let loss = 2.0 * mode.zeta * x;
-            /// |x² − 1| + 2ζx, which vanishes on the undamped resonance
+            /// |x² − 1| + 2ζx, small beside the resonance
             let size = Scalar::abs(detuning) + loss;
             /// a = πζx
             let decay_exponent = PI * mode.zeta * x;
@@ -355,7 +363,7 @@ const _: () = {
             let nearness_re = one_plus_factor * cosine;
             /// (1 − e) sin(πqx/2)
             let nearness_im = decay_complement * sine;
-            /// 1/(|nearness_re| + |nearness_im|): D itself could underflow beside a resonance
+            /// 1/(|nearness_re| + |nearness_im|): with little damping D itself could underflow beside a resonance
             let inverse_nearness = 1.0
                 / (Scalar::abs(nearness_re) + Scalar::abs(nearness_im));
             /// nearness_re·inverse_nearness
@@ -398,10 +406,13 @@ const _: () = {
         /// reversal, of its response to a square wave of friction.  H_c decides whether the contact breaks away there (5.63).
         ///
         /// Sums over the modes, with x = √λ/r = 1/R:
-        /// r²V of residue/(x² − 1 + 2iζx),
-        /// r²H is the sum of (φᵀw)²/(x² − 1 + 2iζx), r²U of (φᵀw)²uR², r²G of (φᵀw)²gR², r²H_c of (φᵀw)²(g + 2ζRu).
+        /// r²V is the sum of residue/(x² − 1 + 2iζx),
+        /// r²H is the sum of (φᵀw)²/(x² − 1 + 2iζx), r²U that of (φᵀw)²uR², r²G that of (φᵀw)²gR², r²H_c that of (φᵀw)²(g + 2ζRu).
         /// Each is returned times E as `v`, `h`, `u`, `g` or `reversal`.  E, the `scale`, is the smallest |x² − 1| + 2ζx of the
         /// modes in contact, so that the sums stay finite on a resonance.
+        /// With `WITH_G` false, g and r²G are 0, for callers that do not use them.
+        /// `sin_cos_pi_minus(a, b)` is the sine and the cosine of π(a − b), `one_minus_sinc_pi(a)` is 1 − sin(πa)/(πa), and
+        /// `scaled_sinh_defect(a)` is 1 − e^(−2a) − 2a·e^(−a).
         ///
         /// Operations: 164: 102 ×, 29 +, 14 ÷, 10 sign, 2 exp_m1, 2 one_minus_sinc_pi, 2 scaled_sinh_defect, 2 sin_cos_pi, 1 compare.
         #[inline(always)]
@@ -472,9 +483,9 @@ const _: () = {
                     zeta: 0.009007498923082695,
                     /// √|1 − ζ²|
                     q: 0.9999594316586802,
-                    /// contact force, with its damping force, divided by −y
+                    /// force of the chain on the contact, with its damping force, at y = −1
                     force: 1.6289215511039128,
-                    /// [m₁₁, m₁₂, m₂₂] = [B(h, h), −B(g, h), B(g, g)]/(B(g, g)B(h, h) − B(g, h)²), with y = m₁₁B(η, g) + m₁₂B(η, h) and u = m₁₂B(η, g) + m₂₂B(η, h): η is the motion of the chain's modes minus the static motion that the stuck contact causes, g and h are the `participations` of y and u, B(a, b) = Σ 2ζσab + a′b + ab′ over the chain's modes with σ = `resonance`, g′ = −Ωh and h′ = Ω(g − 2ζh) with Ω = `frequency` and ζ of this mode
+                    /// m₁₁, m₁₂ and m₂₂ give y = m₁₁B(η, g) + m₁₂B(η, h) and u = m₁₂B(η, g) + m₂₂B(η, h).  η is the motion of the chain's modes minus the static motion that the stuck contact causes.  g and h are the `participations` of y and u.  B(a, b) is the sum of 2ζσab + a′b + ab′ over the chain's modes, with σ = `resonance`.  g′ is −Ωh, and h′ is Ω(g − 2ζh), with Ω = `frequency` and ζ of this mode.  [m₁₁, m₁₂, m₂₂] = [B(h, h), −B(g, h), B(g, g)]/(B(g, g)B(h, h) − B(g, h)²)
                     inverse: [
                         0.013243220276520692,
                         0.445099339002115,
@@ -494,7 +505,7 @@ const _: () = {
                     ],
                 },
             ],
-            /// factors in y and u: for each mode of `held` in turn, one pair for each mode that the contact drives
+            /// displacement of a mode of the chain per unit of y and of u: for each mode of `held` in turn, one pair for each mode that the contact drives; the largest number of a held mode has the modulus 1
             participations: &[
                 [-1.0, 0.011025457704632096],
                 [-0.8302868779585623, 0.016978674839672275],
@@ -553,9 +564,9 @@ const _: () = {
             on_base: true,
             /// indices of the loaded masses
             forces: &[],
-            /// interpolation of the input between two samples
+            /// interpolation of forces and friction between two samples; with `Linear` a base follows a cubic
             input: Input::Linear,
-            /// points of a friction law over the speed: speed, kinetic friction over F
+            /// points of a friction law over the speed: speed, kinetic friction over F; without points the kinetic friction is F
             law: &[],
         };
         /// Returns the tables for the step dt, s.  If dt is the declared step `STEP`, the tables are constants.
@@ -592,13 +603,13 @@ const _: () = {
                 .map(From::from)
         }
         /// Creates a stepper with the declared step `STEP`, for a chain at rest without load.  It computes and copies no
-        /// tables, and can be the value of a `static`.
+        /// tables, and can be the value of a `static`.  The pair of numbers is the friction force at the start, and μ.
         #[inline]
         #[must_use]
         #[allow(
             dead_code,
             clippy::init_numbered_fields,
-            reason = "an alias of the type has no constructor function"
+            reason = "a program may use only the other stepper; for a scene in a function the type is an alias, which has no constructor function"
         )]
         pub const fn declared_stepper() -> SprungDeclaredStepper {
             SprungDeclaredStepper {
@@ -698,6 +709,8 @@ const _: () = {
     impl ProvidesOrbit for Sprung {
         type Orbit = SprungOrbit;
         type State = [f64; 2];
+        /// Returns the steady state that the motion from `start` reaches.  If the motion does not settle and `last` is true, it
+        /// returns its last 64 cycles.  Otherwise the error [`NoOrbit`] gives the reason.
         #[inline]
         fn settled(
             at: &At<Self>,
@@ -750,8 +763,8 @@ const _: () = {
                     friction: input.friction,
                 })
         }
-        /// Takes a step.  Forces and friction change linearly over it.  The base follows the cubic through the displacements and velocities of the last input and of this one.
-        /// Returns the state of the contact and the friction force at the end of the step, and the number of events in it.  [`SprungStepper`] has the number of operations.
+        /// Takes a step.  Friction changes linearly over it.  The base follows the cubic through the displacements and velocities of the last input and of this one.
+        /// Returns the state of the contact and the friction force at the end of the step, and the number of events in it.  The comment on [`SprungStepper`] gives the number of operations.
         ///
         /// # Errors
         /// `OutOfDomain` for NaN, infinite numbers, negative friction, numbers whose squares overflow, and if the energies
@@ -783,8 +796,8 @@ const _: () = {
             &mut self.0
         }
     }
-    /// The traits `Steps` and `Stepping`, and the functions `image` and `stepper_from_image`.  `true` stands for a
-    /// moving base.  The list contains the indices of the loaded masses.
+    /// The traits `Steps` and `Stepping`, and the functions `image` and `stepper_from_image`, which write and read the state
+    /// as bytes.  `true` stands for a moving base.  The list contains the indices of the loaded masses.
     ::frictiongen::emitted_stepper!(Sprung, SprungStepper, f64, true, []);
     /// `Clone`, `Debug`, `From` and `Deref`: the stepper has all methods of the wrapped type.
     ::frictiongen::kernel::wraps!(
@@ -803,8 +816,8 @@ const _: () = {
                     friction: input.friction,
                 })
         }
-        /// Takes a step.  Forces and friction change linearly over it.  The base follows the cubic through the displacements and velocities of the last input and of this one.
-        /// Returns the state of the contact and the friction force at the end of the step, and the number of events in it.  [`SprungStepper`] has the number of operations.
+        /// Takes a step.  Friction changes linearly over it.  The base follows the cubic through the displacements and velocities of the last input and of this one.
+        /// Returns the state of the contact and the friction force at the end of the step, and the number of events in it.  The comment on [`SprungStepper`] gives the number of operations.
         ///
         /// # Errors
         /// `OutOfDomain` for NaN, infinite numbers, negative friction, numbers whose squares overflow, and if the energies
@@ -836,14 +849,15 @@ const _: () = {
             &mut self.0
         }
     }
-    /// The trait `Stepping` and the function `image`, with the same two arguments.
+    /// The trait `Stepping` and the function `image`.  Base and loaded masses are written as above.
     ::frictiongen::emitted_stepper!(declared SprungDeclaredStepper, f64, true, []);
     /// Tables: numbers alone, apart from the code that reads them.
     impl Sprung {
         /// Advance of each oscillator over a part of `STEP`, with the time s from 0 to 1: y′ = Ωu, u′ = −Ω(y + 2ζu) + drive.
         /// σ = √λ is the frequency ratio of the mode's resonance.  The drive is a polynomial in s.
         ///
-        /// A `Row` has the weights of y and u at the start of the part (`state`) and of the coefficients of the drive (`drive`).
+        /// A `Row` has the weights of y and u (`state`) and of the coefficients of the drive (`drive`).  y and u are those at the
+        /// start of the part, except in a shear, where they are the present ones.
         /// In a `HeldRow` the first list of `drive` belongs to a drive of y, the second to a drive of u.
         /// Three shears advance y and u: y gains a·u, then u gains −b·y − c·u and a drive, then y gains a′·u and a drive.  `turn`
         /// or the first of `turns` has the state weights [−b, −c], the first of `moments` has [a, a′].
@@ -868,7 +882,7 @@ const _: () = {
                 rate: 0.04607113825900722,
                 /// terms of a power series over a part
                 terms: 9,
-                /// wᵀK̄⁻¹w, displacement of the contact per unit of steady force
+                /// wᵀ(K/k₁)⁻¹w, displacement of the contact per unit of steady force
                 receptance: 2.1374708994708995,
                 /// damping force per unit of velocity of the contact, (Σ 2ζ(φᵀw)²/σ)/receptance
                 drag: 0.012533691014476583,
@@ -995,7 +1009,7 @@ const _: () = {
                     angle: 0.02534110429824207,
                     /// ζ = −Re s/|s|
                     zeta: 0.009007498923082695,
-                    /// contact force, with its damping force, divided by −y
+                    /// force of the chain on the contact, with its damping force, at y = −1
                     force: 1.6289215511039128,
                     /// rates of y and u per unit velocity and acceleration of a base to which the contact sticks
                     from_base: [[0.0, 0.0], [0.0, 0.0]],

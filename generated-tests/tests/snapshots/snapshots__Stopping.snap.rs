@@ -16,18 +16,20 @@
 ///
 /// The damping acts on absolute velocities (damping_from: rest).
 ///
+/// The motion in the contact is the displacement of `upper`.
+///
 /// # What it offers
 ///
 /// * `K1`, `M1`, `NATURAL_FREQUENCIES_HZ`, `NATURAL_FREQUENCIES`, `RESONANCES`, `MODE_SHAPES`, `SCENE_HASH`: constants of the chain
 /// * `frequency_ratio(omega)`, `friction_ratio(friction, load)`: r and β from units
-/// * `at(r)` returns [`StoppingAt`], with `limits()` (β_lim and β*_lim), `regime(beta)` (continuous, stick-slip, stuck or bistable) and `margin(beta)` (β/min(β_lim, β*_lim) − 1, negative if continuous motion exists), or an error for a NaN or negative r
-/// * `limits_without_search(r)`: an upper bound on β_lim, and β*_lim; `limits_into(rs, continuous, sliding)`: both limits for a slice of frequency ratios
+/// * `at(r)` returns [`StoppingAt`], with `limits()` (β_lim and β*_lim), `regime(beta)` (continuous, stick-slip, stuck or bistable) and `margin(beta)` (β/min(β_lim, β*_lim) − 1, negative below both limits), or an error if r is negative or not a number
+/// * `limits_without_search(r)`: an upper bound on β_lim, and β*_lim itself; `limits_into(rs, continuous, sliding)`: both limits for a slice of frequency ratios
 /// * `at(r)?.orbit(beta)` returns [`StoppingOrbit`], the steady state in any regime, with `contact()`, `lower()` and `upper()`
-/// * `simulation(r, beta)` returns [`StoppingSimulation`], the motion in time from event to event, with `next()`, `lower()` and `upper()`
+/// * `simulation(r, beta)` and `simulation_from(r, beta, state)` return [`StoppingSimulation`], the motion in time from event to event, with `next()`, `lower()` and `upper()`
 ///
-/// Answers of `at(r)` and of the simulation are non-dimensional: displacements are over Y, the amplitude of the base motion, forces are over k₁Y, and the time is τ = ωt.
+/// Answers of `at(r)` and of the simulation are non-dimensional: displacements are over Y, the amplitude of the base motion, and forces over k₁Y.  The time is τ = ωt.
 ///
-/// Numbers in brackets are equations of L. Marino, *Dynamic analysis of mechanical systems with Coulomb friction*, Oxford 2021.  Counts of operations do not include operations whose operands are all constants, because the compiler computes them.  An `if` counts as two operations, a comparison and a choice.
+/// Numbers in brackets are equations of L. Marino, *Dynamic analysis of mechanical systems with Coulomb friction*, Oxford 2021.  Counts of operations do not include operations whose operands are all constants, because the compiler computes them.  An expression that stands several times counts once, and an `if` as a comparison and a choice.
 #[::core::prelude::v1::derive(
     ::core::clone::Clone,
     ::core::marker::Copy,
@@ -47,9 +49,9 @@ pub struct Stopping;
     reason = "names and attributes are those of the description"
 )]
 pub struct StoppingAt(::frictiongen::kernel::response::At<Stopping>);
-/// Exact motion of [`Stopping`] in time, from event to event.  `next` returns its segments.
+/// Exact motion of [`Stopping`] in time, from event to event.  `next` returns its segments and never ends.
 ///
-/// Worst case of `next`: 4000 steps of the search for the end of a segment, each a sum over at most 3 modes; of `advance` two segments.
+/// Worst case of `next`: 4000 steps of the search for the end of a segment, each a sum over at most 3 modes, those of the chain and of the stuck chain; of `advance` two segments.
 #[allow(
     deprecated,
     non_camel_case_types,
@@ -62,7 +64,7 @@ pub struct StoppingSimulation(
 ///
 /// Room for 3 modes of the chain and of the stuck chain, for 280 numbers (states at the starts of segments, Jacobian matrices) and for 4 Floquet multipliers.
 ///
-/// Worst case: 1048576 steps of all searches for events together, each a sum over at most 3 modes, and Newton's method on 4 unknowns.
+/// Worst case: 1048576 steps of all searches for events together, each a sum over at most 3 modes, those of the chain and of the stuck chain, and Newton's method on 4 unknowns.
 #[allow(
     deprecated,
     non_camel_case_types,
@@ -171,7 +173,7 @@ const _: () = {
                 q: 0.9999499987499375,
                 /// 1 − q
                 q_defect: 5.000125006250391e-5,
-                /// φᵀp, with p where the load acts
+                /// φᵀp, with p the load on each mass over k₁Y
                 load: 0.5683291693328758,
                 /// φᵀw, with w = 1 at the mass that rubs and −1 at its partner
                 contact: 0.8673087078783189,
@@ -202,7 +204,7 @@ const _: () = {
             modes: &Self::MODES,
             /// constants of the chain
             chain: Self::CHAIN,
-            /// limits of β for r → 0 and for r → ∞, also if tables have a smaller range; β_lim for r → 0 is 0
+            /// limits of β for r → 0 and for r → ∞, which a range of tables does not restrict; β_lim for r → 0 is 0
             ends: Ends {
                 /// β*_lim for r → 0
                 sliding_at_rest: 0.43650793650793657,
@@ -213,7 +215,7 @@ const _: () = {
             },
             /// index of the mass that rubs on a support
             rubbing: Some(1),
-            /// true if V and H may have common zeros; there the force that a stuck contact needs decides the limits
+            /// true if V and H may have a common zero: the chain then absorbs the load, and the limits follow from the force that holds a stuck contact
             absorbs: false,
             /// undamped resonances that the load drives
             unbounded: &[],
@@ -236,7 +238,7 @@ const _: () = {
             let detuning = (x - 1.0) * (x + 1.0);
             /// 2ζx
             let loss = 2.0 * mode.zeta * x;
-            /// |x² − 1| + 2ζx, which vanishes on the undamped resonance
+            /// |x² − 1| + 2ζx, small beside the resonance
             let size = Scalar::abs(detuning) + loss;
             /// a = πζx
             let decay_exponent = PI * mode.zeta * x;
@@ -261,7 +263,7 @@ const _: () = {
             let nearness_re = one_plus_factor * cosine;
             /// (1 − e) sin(πqx/2)
             let nearness_im = decay_complement * sine;
-            /// 1/(|nearness_re| + |nearness_im|): D itself could underflow beside a resonance
+            /// 1/(|nearness_re| + |nearness_im|): with little damping D itself could underflow beside a resonance
             let inverse_nearness = 1.0
                 / (Scalar::abs(nearness_re) + Scalar::abs(nearness_im));
             /// nearness_re·inverse_nearness
@@ -304,10 +306,13 @@ const _: () = {
         /// reversal, of its response to a square wave of friction.  H_c decides whether the contact breaks away there (5.63).
         ///
         /// Sums over the modes, with x = √λ/r = 1/R:
-        /// r²V of residue/(x² − 1 + 2iζx),
-        /// r²H is the sum of (φᵀw)²/(x² − 1 + 2iζx), r²U of (φᵀw)²uR², r²G of (φᵀw)²gR², r²H_c of (φᵀw)²(g + 2ζRu).
+        /// r²V is the sum of residue/(x² − 1 + 2iζx),
+        /// r²H is the sum of (φᵀw)²/(x² − 1 + 2iζx), r²U that of (φᵀw)²uR², r²G that of (φᵀw)²gR², r²H_c that of (φᵀw)²(g + 2ζRu).
         /// Each is returned times E as `v`, `h`, `u`, `g` or `reversal`.  E, the `scale`, is the smallest |x² − 1| + 2ζx of the
         /// modes in contact, so that the sums stay finite on a resonance.
+        /// With `WITH_G` false, g and r²G are 0, for callers that do not use them.
+        /// `sin_cos_pi_minus(a, b)` is the sine and the cosine of π(a − b), `one_minus_sinc_pi(a)` is 1 − sin(πa)/(πa), and
+        /// `scaled_sinh_defect(a)` is 1 − e^(−2a) − 2a·e^(−a).
         ///
         /// Operations: 164: 102 ×, 29 +, 14 ÷, 10 sign, 2 exp_m1, 2 one_minus_sinc_pi, 2 scaled_sinh_defect, 2 sin_cos_pi, 1 compare.
         #[inline(always)]
@@ -380,9 +385,9 @@ const _: () = {
                     zeta: 0.010995103927964253,
                     /// √|1 − ζ²|
                     q: 0.9999395520178274,
-                    /// contact force, with its damping force, divided by −y
+                    /// force of the chain on the contact, with its damping force, at y = −1
                     force: 1.337251750218044,
-                    /// [m₁₁, m₁₂, m₂₂] = [B(h, h), −B(g, h), B(g, g)]/(B(g, g)B(h, h) − B(g, h)²), with y = m₁₁B(η, g) + m₁₂B(η, h) and u = m₁₂B(η, g) + m₂₂B(η, h): η is the motion of the chain's modes minus the static motion that the stuck contact causes, g and h are the `participations` of y and u, B(a, b) = Σ 2ζσab + a′b + ab′ over the chain's modes with σ = `resonance`, g′ = −Ωh and h′ = Ω(g − 2ζh) with Ω = `frequency` and ζ of this mode
+                    /// m₁₁, m₁₂ and m₂₂ give y = m₁₁B(η, g) + m₁₂B(η, h) and u = m₁₂B(η, g) + m₂₂B(η, h).  η is the motion of the chain's modes minus the static motion that the stuck contact causes.  g and h are the `participations` of y and u.  B(a, b) is the sum of 2ζσab + a′b + ab′ over the chain's modes, with σ = `resonance`.  g′ is −Ωh, and h′ is Ω(g − 2ζh), with Ω = `frequency` and ζ of this mode.  [m₁₁, m₁₂, m₂₂] = [B(h, h), −B(g, h), B(g, g)]/(B(g, g)B(h, h) − B(g, h)²)
                     inverse: [
                         0.015221582697280134,
                         0.46646859015104253,
@@ -390,7 +395,7 @@ const _: () = {
                     ],
                 },
             ],
-            /// factors in y and u: for each mode of `held` in turn, one pair for each mode that the contact drives
+            /// displacement of a mode of the chain per unit of y and of u: for each mode of `held` in turn, one pair for each mode that the contact drives; the largest number of a held mode has the modulus 1
             participations: &[
                 [-0.6907246979374844, 0.011264683757455306],
                 [-1.0, 0.016308500030608204],
@@ -527,6 +532,8 @@ const _: () = {
     impl ProvidesOrbit for Stopping {
         type Orbit = StoppingOrbit;
         type State = [f64; 2];
+        /// Returns the steady state that the motion from `start` reaches.  If the motion does not settle and `last` is true, it
+        /// returns its last 64 cycles.  Otherwise the error [`NoOrbit`] gives the reason.
         #[inline]
         fn settled(
             at: &At<Self>,

@@ -22,17 +22,19 @@
 /// }
 /// ```
 ///
+/// The motion in the contact is the displacement of `m2`.
+///
 /// # What it offers
 ///
 /// * `K1`, `M1`, `NATURAL_FREQUENCIES_HZ`, `NATURAL_FREQUENCIES`, `RESONANCES`, `MODE_SHAPES`, `SCENE_HASH`: constants of the chain
 /// * `frequency_ratio(omega)`, `friction_ratio(friction, load)`: r and β from units
-/// * `at(r)` returns [`TallAt`], with `limits()` (β_lim and β*_lim), `regime(beta)` (continuous, stick-slip, stuck or bistable) and `margin(beta)` (β/min(β_lim, β*_lim) − 1, negative if continuous motion exists), or an error for a NaN or negative r
-/// * `limits_without_search(r)`: an upper bound on β_lim, and β*_lim; `limits_into(rs, continuous, sliding)`: both limits for a slice of frequency ratios
+/// * `at(r)` returns [`TallAt`], with `limits()` (β_lim and β*_lim), `regime(beta)` (continuous, stick-slip, stuck or bistable) and `margin(beta)` (β/min(β_lim, β*_lim) − 1, negative below both limits), or an error if r is negative or not a number
+/// * `limits_without_search(r)`: an upper bound on β_lim, and β*_lim itself; `limits_into(rs, continuous, sliding)`: both limits for a slice of frequency ratios
 /// * `at(r)?.motion(beta)` returns [`TallMotion`], the continuous motion, with `contact()` and `m3()`
 ///
-/// Answers of `at(r)` and of the simulation are non-dimensional: displacements are over P/k₁, with P the amplitude of the force, forces are over P, and the time is τ = ωt.
+/// Answers of `at(r)` are non-dimensional: displacements are over P/k₁, with P the amplitude of the force, and forces over P.  The time is τ = ωt.  A phase is the lag of a maximum behind that of the load, in rad.  In `motion(beta)` τ is 0 at a maximum of the motion in the contact, and elsewhere at a maximum of the load.
 ///
-/// Numbers in brackets are equations of L. Marino, *Dynamic analysis of mechanical systems with Coulomb friction*, Oxford 2021.  Counts of operations do not include operations whose operands are all constants, because the compiler computes them.  An `if` counts as two operations, a comparison and a choice.
+/// Numbers in brackets are equations of L. Marino, *Dynamic analysis of mechanical systems with Coulomb friction*, Oxford 2021.  Counts of operations do not include operations whose operands are all constants, because the compiler computes them.  An expression that stands several times counts once, and an `if` as a comparison and a choice.
 #[::core::prelude::v1::derive(
     ::core::clone::Clone,
     ::core::marker::Copy,
@@ -528,7 +530,7 @@ const _: () = {
                 q: 0.999799979995999,
                 /// 1 − q
                 q_defect: 0.0002000200040010003,
-                /// φᵀp, with p where the load acts
+                /// φᵀp, with p the load on each mass over P
                 load: 0.03030361732426425,
                 /// φᵀw, with w = 1 at the mass that rubs and −1 at its partner
                 contact: 0.06036324774007196,
@@ -754,7 +756,7 @@ const _: () = {
             modes: &Self::MODES,
             /// constants of the chain
             chain: Self::CHAIN,
-            /// limits of β for r → 0 and for r → ∞, also if tables have a smaller range; β_lim for r → 0 is 0
+            /// limits of β for r → 0 and for r → ∞, which a range of tables does not restrict; β_lim for r → 0 is 0
             ends: Ends {
                 /// β*_lim for r → 0
                 sliding_at_rest: 0.5,
@@ -765,7 +767,7 @@ const _: () = {
             },
             /// index of the mass that rubs on a support
             rubbing: Some(1),
-            /// true if V and H may have common zeros; there the force that a stuck contact needs decides the limits
+            /// true if V and H may have a common zero: the chain then absorbs the load, and the limits follow from the force that holds a stuck contact
             absorbs: false,
             /// undamped resonances that the load drives
             unbounded: &[],
@@ -790,7 +792,7 @@ const _: () = {
             let detuning = (x - 1.0) * (x + 1.0);
             /// 2ζx
             let loss = 2.0 * mode.zeta * x;
-            /// |x² − 1| + 2ζx, which vanishes on the undamped resonance
+            /// |x² − 1| + 2ζx, small beside the resonance
             let size = Scalar::abs(detuning) + loss;
             /// a = πζx
             let decay_exponent = PI * mode.zeta * x;
@@ -815,7 +817,7 @@ const _: () = {
             let nearness_re = one_plus_factor * cosine;
             /// (1 − e) sin(πqx/2)
             let nearness_im = decay_complement * sine;
-            /// 1/(|nearness_re| + |nearness_im|): D itself could underflow beside a resonance
+            /// 1/(|nearness_re| + |nearness_im|): with little damping D itself could underflow beside a resonance
             let inverse_nearness = 1.0
                 / (Scalar::abs(nearness_re) + Scalar::abs(nearness_im));
             /// nearness_re·inverse_nearness
@@ -887,10 +889,13 @@ const _: () = {
         /// reversal, of its response to a square wave of friction.  H_c decides whether the contact breaks away there (5.63).
         ///
         /// Sums over the modes, with x = √λ/r = 1/R:
-        /// r²V of residue/(x² − 1 + 2iζx),
-        /// r²H is the sum of (φᵀw)²/(x² − 1 + 2iζx), r²U of (φᵀw)²uR², r²G of (φᵀw)²gR², r²H_c of (φᵀw)²(g + 2ζRu).
+        /// r²V is the sum of residue/(x² − 1 + 2iζx),
+        /// r²H is the sum of (φᵀw)²/(x² − 1 + 2iζx), r²U that of (φᵀw)²uR², r²G that of (φᵀw)²gR², r²H_c that of (φᵀw)²(g + 2ζRu).
         /// Each is returned times E as `v`, `h`, `u`, `g` or `reversal`.  E, the `scale`, is the smallest |x² − 1| + 2ζx of the
         /// modes in contact, so that the sums stay finite on a resonance.
+        /// With `WITH_G` false, g and r²G are 0, for callers that do not use them.
+        /// `sin_cos_pi_minus(a, b)` is the sine and the cosine of π(a − b), `one_minus_sinc_pi(a)` is 1 − sin(πa)/(πa), and
+        /// `scaled_sinh_defect(a)` is 1 − e^(−2a) − 2a·e^(−a).
         ///
         /// Operations: 1513: 918 ×, 306 +, 136 ÷, 85 sign, 17 exp_m1, 17 one_minus_sinc_pi, 17 scaled_sinh_defect, 17 sin_cos_pi.
         #[inline]

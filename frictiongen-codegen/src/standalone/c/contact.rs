@@ -65,10 +65,11 @@ pub(super) fn source<S: Float>(source: &Source<'_, S>, formulas: &Formulas, name
          const {real} share = beta / continuous;\n    \
          const {real} turned = share * quadrature;\n    \
          const {real} product = ({one} - turned) * ({one} + turned);\n    \
-         /* The product is negative only if beta exceeds the exact beta_lim by less than the accuracy of the table. */\n    \
+         /* Only errors of the tables make the product negative. */\n    \
          const {real} in_phase = sqrt{letter}(fabs{letter}(product));\n    \
          *amplitude = fabs{letter}(excitation) * {in_motion};\n    \
-         /* 0 - turned avoids -0 and thus the angle -0.  One turn may not suffice, so the code wraps the lag twice. */\n    \
+         /* 0 - turned avoids -0 and thus the angle -0.  arg V is continuous within a piece and may lie outside (-pi, pi].\n     \
+     * The lag is wrapped twice, which suffices up to 5 pi. */\n    \
          *phase = wrapped(wrapped(atan2{letter}({zero} - turned, in_phase) - {direction}));\n    \
          return {ok};\n}}\n",
         outside = refusal(&outside, &status("OutOfDomain")),

@@ -3,7 +3,7 @@
 use super::super::units::UnitConstants;
 use super::super::{
     CONTINUOUS_EQUATIONS, Language, LoadWords, NumberFormat, STATUSES, STUCK_EQUATIONS, Source,
-    about, domain, meaning, piece_numbers,
+    about, domain, meaning, motion_in_contact, piece_numbers,
 };
 use super::{check, constant, status};
 use crate::standalone::origin::c_text;
@@ -30,6 +30,7 @@ pub fn c_header<S: Float>(source: &Source<'_, S>, name: &str) -> String {
         .collect();
     let head = format!(
         "{origin}/* {about} */\n\
+         /* The number in the include guard is a hash of tables and scene.  It detects two different headers of one name. */\n\
          #if defined({guard}) && ({guard} != {mark})\n\
          #error \"two different tables are both called {name}: compile one of them with --name\"\n#endif\n\
          #ifndef {guard}\n#define {guard} {mark}\n\n\
@@ -37,11 +38,12 @@ pub fn c_header<S: Float>(source: &Source<'_, S>, name: &str) -> String {
         origin = origin.c_comment(scene),
     );
     let functions = format!(
-        "/* Status that every function returns.  A function writes values only with {ok}. */\n\
+        "/* Status of the functions of r and beta.  They write values only with {ok}. */\n\
          enum {name}_status {{\n{statuses}}};\n\n\
          /* Limits of beta = {beta} at the frequency ratio r = omega sqrt(m1/k1).\n \
          * For beta < continuous (beta_lim: {CONTINUOUS_EQUATIONS}) a motion exists in which the contact slides all the time.\n \
-         * For beta >= sliding (beta*_lim: {STUCK_EQUATIONS}) a stuck state exists. */\n\
+         * For beta >= sliding (beta*_lim: {STUCK_EQUATIONS}) a stuck state exists.\n \
+         * Both depend on mu, the ratio of static to kinetic friction: `stiction` in the description. */\n\
          enum {name}_status {name}_limits({real} r, {real} *continuous, {real} *sliding);\n",
         ok = status(name, "Ok"),
         beta = words.beta,
@@ -147,6 +149,7 @@ fn contact<S: Float>(source: &Source<'_, S>, name: &str, words: &LoadWords) -> S
         stuck_beside,
         ..
     } = words;
+    let sign = c_text(&motion_in_contact(source.scene));
     let beside = if stuck_beside.is_empty() {
         String::new()
     } else {
@@ -154,7 +157,8 @@ fn contact<S: Float>(source: &Source<'_, S>, name: &str, words: &LoadWords) -> S
     };
     format!(
         "\n/* Amplitude ({amplitude}) and phase of the relative motion in the contact, if the contact slides all the time.\n \
-         * The phase is the lag of its maximum behind the maximum of the excitation, in rad.\n \
+         * The phase is the lag of its maximum behind the maximum of the excitation, in rad, in (-pi, pi].\n \
+         * {sign}\n \
          * This motion exists for beta = {beta} below beta_lim.{beside} */\n\
          enum {name}_status {name}_contact({real} r, {real} beta, {real} *amplitude, {real} *phase);\n"
     )
@@ -174,13 +178,16 @@ fn stuck<S: Float>(source: &Source<'_, S>, name: &str, words: &LoadWords) -> Str
     });
     let masses: String = masses.collect();
     let LoadWords {
-        amplitude, load, ..
+        amplitude,
+        signal,
+        load,
+        ..
     } = words;
     format!(
         "\n/* Complex amplitude of a mass while the contact is stuck ({STUCK_EQUATIONS}).\n \
-         * Its displacement ({amplitude}) is Re((re + i im) e^(i tau)), with tau = omega t. */\n{masses}\n\
+         * Its absolute displacement ({amplitude}) is Re((re + i im) e^(i tau)) under a {signal}, with tau = omega t. */\n{masses}\n\
          /* Complex amplitude of the force that keeps the contact stuck, divided by {load} ({STUCK_EQUATIONS}).\n \
-         * It is positive against positive sliding.  Its modulus is mu beta*_lim. */\n\
+         * It is positive if it acts against positive sliding.  Its modulus is mu beta*_lim. */\n\
          enum {name}_status {name}_holding_force({real} r, {real} *re, {real} *im);\n"
     )
 }

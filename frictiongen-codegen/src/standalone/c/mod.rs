@@ -11,7 +11,7 @@ pub use header::c_header;
 pub use numbers::c_tables;
 
 use super::formulas::Formulas;
-use super::{Language, NumberFormat, Source, columns, first_step, snake};
+use super::{Language, NumberFormat, Source, columns, first_step, quotient_about, snake};
 use frictiongen_kernel::Float;
 use frictiongen_model::scene::Scene;
 
@@ -83,8 +83,8 @@ pub fn c_source<S: Float>(
     };
     text.push_str(
         "#include <math.h>\n#include <stdbool.h>\n#include <stddef.h>\n#include <stdint.h>\n#include <string.h>\n\n\
-         /* Results have the same bits as those of the Rust file only without fused multiply-add: compile with -std=c99 or\n \
-         * -ffp-contract=off. */\n\n",
+         /* Compile with -ffp-contract=off, and with FLT_EVAL_METHOD 0.  Then results have the same bits as those of\n \
+         * `--format rust`, if Rust links std and both use the same atan2. */\n\n",
     );
     text.push_str(&lookup(source, &formulas));
     text.push_str(&factors(&formulas));
@@ -118,8 +118,9 @@ fn lookup<S: Float>(source: &Source<'_, S>, formulas: &Formulas) -> String {
         )
     };
     format!(
-        "/* Returns the piece that contains r.  The range of r has buckets of equal width, and r gives the bucket.  Their number\n \
-         * is a power of two, so that the mask BUCKETS - 1 keeps the index valid without a comparison. */\n\
+        "/* Returns the piece that contains r.  The range of r has buckets of equal width, and r gives the bucket.  {density} is\n \
+         * rounded down, so that R_MAX is in the last bucket.  The number of buckets is a power of two.  The mask BUCKETS - 1\n \
+         * therefore keeps the index valid without a comparison. */\n\
          static const struct piece *found({real} r)\n{{\n    \
          const size_t bucket = (size_t)((r - {low}) * {density});\n{search}    return &pieces[index];\n}}\n\n\
          /* Returns the sum of c[j] t^j with t = r - origin, by Horner's rule in t^2 over pairs of terms. */\n\
@@ -190,6 +191,7 @@ fn limits<S: Float>(source: &Source<'_, S>, formulas: &Formulas, name: &str) -> 
     let [r_outside, _] = outside(name);
     let column = columns(source.tables);
     let column = column.first().map_or("beta_lim", |(name, _)| *name);
+    let quotient = quotient_about(sliding).replace('\n', "\n * ");
     // If β*_lim is constant, its expression does not contain r.
     let ignored = if sliding.contains("(r") {
         ""
@@ -198,7 +200,7 @@ fn limits<S: Float>(source: &Source<'_, S>, formulas: &Formulas, name: &str) -> 
     };
     format!(
         "/* Returns beta*_lim = |V|/(mu |H|) for an r in the range.  V is the response of the contact to the load, and H its\n \
-         * response to a force in the contact.  mu is the ratio of static to kinetic friction. */\nstatic {real} sliding_limit({real} r)\n{{\n{ignored}    return {sliding};\n}}\n\n\
+         * response to a force in the contact.  mu is the ratio of static to kinetic friction.{quotient} */\nstatic {real} sliding_limit({real} r)\n{{\n{ignored}    return {sliding};\n}}\n\n\
          enum {name}_status {name}_limits({real} r, {real} *continuous, {real} *sliding)\n{{\n{refusal}    \
          const struct piece *const piece = found(r);\n    \
          *continuous = polynomial(piece->{column}, r - piece->origin);\n    \

@@ -77,7 +77,7 @@ fn pieces<S: Float>(source: &Source<'_, S>, numbers: NumberFormat) -> String {
          /* An interval of r with its polynomials.  A polynomial is the sum of c[j] t^j, with t = r - origin.{responses}\n \
          * The generator chooses 4, 6, 8 or 10 coefficients by the accuracy, so that the table is small. */\n\
          struct piece {{\n    {real} from;   /* smallest r of the interval, which ends where the next piece begins */\n    \
-         {real} origin; /* origin of t: near a zero of a function it is the zero, to keep the relative accuracy */\n{fields}}};\n\n\
+         {real} origin; /* origin of t */\n{fields}}};\n\n\
          /* Index of the piece that contains the start of each bucket. */\n\
          static const {narrow} buckets[BUCKETS] = {{\n    {buckets}\n}};\n\n\
          static const struct piece pieces[PIECES] = {{\n{rows}}};\n\n",
@@ -128,13 +128,14 @@ fn known<S: Float>(source: &Source<'_, S>, numbers: NumberFormat, name: &str) ->
         line + "},\n"
     });
     format!(
-        "\n#define KNOWN {count}u\n/* Largest allowed error of an answer: the accuracy of the table plus 64 rounding units.  The 64 units are a margin for\n \
+        "\n#define KNOWN {count}u\n/* Largest allowed error of an answer: the accuracy of the table plus 64 rounding units, each {unit}.  They are a margin for\n \
          * the roundings of the arithmetic, of r and of beta. */\n\
          static const {real} TOLERANCE = {tolerance};\n\n\
          /* Answers of the exact formulas, computed with 32 digits.  At each r, a change of r by 32 rounding units changes an\n \
          * answer by at most 1/8 of the tolerance. */\n\
          struct known {{\n{fields}}};\n\nstatic const struct known known[KNOWN] = {{\n{lines}}};\n",
         count = all.len(),
+        unit = if numbers.single { "2^-23" } else { "2^-52" },
         tolerance = numbers.write(tolerance),
         lines = lines.collect::<String>(),
     )
@@ -143,7 +144,7 @@ fn known<S: Float>(source: &Source<'_, S>, numbers: NumberFormat, name: &str) ->
 /// Writes the checksums of the tables' numbers in C.
 fn checksums<S: Float>(source: &Source<'_, S>, formulas: &Formulas) -> String {
     let numbers = formulas.numbers;
-    let (_, known) = known_answers(source);
+    let (tolerance, known) = known_answers(source);
     let mut sums = vec![
         (
             "BUCKETS",
@@ -160,13 +161,15 @@ fn checksums<S: Float>(source: &Source<'_, S>, formulas: &Formulas) -> String {
         ("UNITS", units::checksum_of_units(source)),
     ];
     if !known.is_empty() {
-        let known = known.iter().flat_map(known_numbers);
+        let known = [tolerance]
+            .into_iter()
+            .chain(known.iter().flat_map(known_numbers));
         sums.push(("KNOWN", checksum::of_numbers(numbers, known)));
     }
     let sums = sums.into_iter();
     let sums = sums.map(|(of, sum)| format!("#define SUM_OF_{of} {sum:#010x}u\n"));
     format!(
-        "\n/* Checksums of the numbers above and of those in the header. */\n{}",
+        "\n/* Checksums of the numbers above and of those in the header, without `status`. */\n{}",
         sums.collect::<String>()
     )
 }

@@ -93,8 +93,15 @@ fn operations(formulas: &Formulas, stuck: &StuckExpressions) -> String {
     let mut source = String::new();
     for (name, takes, body) in operations {
         if formulas.calls(name) {
+            let about = match name {
+                "pair_root" => "/* Returns the factor of two complex roots at s = ir. */\n",
+                "real_root" => {
+                    "/* Returns the factor s - x of a real root at s = ir, with rate = -x. */\n"
+                }
+                _ => "",
+            };
             source.push_str(&format!(
-                "\nstatic inline struct number {name}({takes})\n{{\n{body}}}\n"
+                "\n{about}static inline struct number {name}({takes})\n{{\n{body}}}\n"
             ));
         }
     }

@@ -39,7 +39,9 @@ pub(super) fn numbers<S: Float>(source: &Source<'_, S>, formulas: &Formulas) -> 
     ];
     let mut text = String::new();
     if !known.is_empty() {
-        let all = known.iter().flat_map(known_numbers);
+        let all = [tolerance]
+            .into_iter()
+            .chain(known.iter().flat_map(known_numbers));
         sums.push(("KNOWN", checksum::of_numbers(numbers, all)));
         let lines = rows(numbers, &known).into_iter().zip(&known);
         let lines = lines.map(|([head, motion, stuck], known)| {
@@ -110,9 +112,9 @@ pub(super) fn source<S: Float>(source: &Source<'_, S>, formulas: &Formulas) -> S
     let last = calls.pop().unwrap_or_default();
     calls.push(last.trim_end_matches("?;"));
     text.push_str(&format!(
-        "/// Compares the checksums of all numbers with the expected ones, then the answers at some r with known answers.\n\
-         /// It needs only the stack, so that it can run at power-up.  The checksums cover the constants in memory.  The\n\
-         /// compiler may also copy small constants into the code.  Only the known answers test these copies.\n///\n\
+        "/// Compares the checksums of tables, constants and known answers, then the answers at some r with known answers.\n\
+         /// It needs only the stack, so that it can run at power-up.  The checksums cover the tables in memory, and\n\
+         /// a copy of each constant.  The compiler may copy constants into the code.  Only the known answers test these copies, to `TOLERANCE`.\n///\n\
          /// # Errors\n/// The first fault.\n\
          pub fn self_check() -> Result<(), Fault> {{\n    {}\n}}\n\n{functions}",
         calls.join("\n    ")
@@ -202,6 +204,7 @@ fn checked_numbers<S: Float>(source: &Source<'_, S>, formulas: &Formulas, knows:
         format!(
             "    let known = core::hint::black_box(&numbers::KNOWN).iter();\n    \
              let known = known.flat_map(|known| {fields});\n    \
+             let known = core::iter::once(core::hint::black_box(&numbers::TOLERANCE)).chain(known);\n    \
              compared(sum_of(known), numbers::SUM_OF_KNOWN, \"KNOWN\")?;\n"
         )
     } else {
@@ -241,7 +244,7 @@ fn ratios(numbers: NumberFormat) -> String {
          let both = NATURAL_FREQUENCIES_HZ.iter().zip(&RESONANCES);\n    \
          for (hertz, own) in both {{\n        \
          let r = frequency_ratio(core::{real}::consts::TAU * hertz);\n        \
-         if !is_near(r, *own, roundings * own) {{\n            return Err(Fault::Answer(\"frequency_ratio\"));\n        }}\n    }}\n    Ok(())\n}}\n\n"
+         if !is_near(r, *own, roundings * own) {{\n            return Err(Fault::Answer(\"frequency_ratio\"));\n        }}\n    }}\n    if is_near(friction_ratio(3.0, 2.0), 1.5, roundings) {{ Ok(()) }} else {{ Err(Fault::Answer(\"friction_ratio\")) }}\n}}\n\n"
     )
 }
 

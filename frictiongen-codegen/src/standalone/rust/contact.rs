@@ -1,7 +1,7 @@
 //! Writes the motion of the contact in Rust.
 
 use super::super::formulas::Formulas;
-use super::super::{LoadWords, NumberFormat, Source};
+use super::super::{LoadWords, NumberFormat, Source, motion_in_contact};
 use frictiongen_kernel::Float;
 
 /// Writes the function for the amplitude and the phase of the contact's relative motion.
@@ -37,13 +37,19 @@ pub(super) fn source<S: Float>(
     let LoadWords {
         amplitude, beta, ..
     } = words;
+    let sign = motion_in_contact(source.scene);
     let beside = match words.stuck_beside {
         "" => String::new(),
-        words => format!("\n/// {}", words.replace("beta*_lim", "`β*_lim`")),
+        words => format!(
+            "\n/// {}",
+            words.replace("beta >= beta*_lim", "β ≥ `β*_lim`")
+        ),
     };
     format!(
         "\n/// Returns the amplitude ({amplitude}) and the phase of the relative motion in the contact, if the contact slides all\n\
-         /// the time.  The phase is the lag of its maximum behind the maximum of the excitation, in rad.\n\
+         /// the time.  The phase is the lag of its maximum behind the maximum of the excitation, in rad,\n\
+         /// in (−π, π].\n\
+         /// {sign}\n\
          /// This motion exists for β = {beta} below `β_lim`.{beside}\n///\n\
          /// With ρ = β/`β_lim` the amplitude is |V| (√(1 − ρ²a²) − ρg), by (2.21, 5.35, 7.20).  The phase is\n\
          /// atan2(−ρa, √(1 − ρ²a²)) − arg V, by (5.38, 7.21).  Without damping g is 0.\n///\n\
@@ -59,10 +65,11 @@ pub(super) fn source<S: Float>(
          let excitation = {excitation};\n{shares}    \
          let share = beta / continuous;\n    let turned = share * quadrature;\n    \
          let product = (1.0 - turned) * (1.0 + turned);\n    \
-         // The product is negative only if β exceeds the exact β_lim by less than the accuracy of the table.\n    \
+         // Only errors of the tables make the product negative.\n    \
          let in_phase = {real}::sqrt(product.abs());\n    \
          let amplitude = {real}::abs(excitation) * {in_motion};\n    \
-         // 0 - turned avoids -0 and thus the angle -0.  One turn may not suffice, so the code wraps the lag twice.\n    \
+         // 0 - turned avoids -0 and thus the angle -0.  arg V is continuous within a piece and may lie outside (−π, π].\n    \
+         // The lag is wrapped twice, which suffices up to 5π.\n    \
          let lag = {real}::atan2(0.0 - turned, in_phase) - direction;\n    \
          Ok((amplitude, wrapped(wrapped(lag))))\n}}\n\n\
          const HALF_TURN: {real} = core::{real}::consts::PI;\n\n\

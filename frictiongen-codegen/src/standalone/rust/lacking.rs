@@ -39,7 +39,7 @@ pub(super) fn source(numbers: NumberFormat) -> String {
          reason = \"the generator writes all digits of the arc tangents\"\n)]\n\
          impl Lacking for {real} {{\n    \
          /// Returns the correctly rounded square root of a number that is not negative.  The integer root has one binary\n    \
-         /// digit more than the result, and is rounded to the nearest.  `isqrt` needs Rust 1.84 or newer.\n    \
+         /// digit more than the result, and is rounded to the nearest.\n    \
          fn sqrt(self) -> {real} {{\n        \
          if !(0.0 < self && self < {real}::INFINITY) {{\n            return self;\n        }}\n        \
          let subnormal = self < {real}::MIN_POSITIVE;\n        \
@@ -53,7 +53,7 @@ pub(super) fn source(numbers: NumberFormat) -> String {
          root as {real} * {real}::from_bits((exponent as {bits}) << {fraction})\n    }}\n\n    \
          /// Returns the angle of a point with x ≥ 0.  With s the smaller and l the larger coordinate,\n    \
          /// atan(s/l) = atan(k/{PARTS}) + atan((s − l·k/{PARTS})/(l + s·k/{PARTS})).\n    \
-         /// With k nearest to {PARTS}·s/l, the last argument t is at most 1/16.  Then {terms} terms of its series suffice.\n    \
+         /// With k nearest to {PARTS}·s/l, the modulus of the last argument t is at most 1/16.  Then {terms} terms of its series suffice.\n    \
          fn atan2(self, x: {real}) -> {real} {{\n        \
          const ARCS: [{real}; {one_more}] = [{arcs}];\n        \
          let y = {real}::abs(self);\n        \

@@ -9,7 +9,7 @@ use super::formulas::Formulas;
 use super::units::UnitConstants;
 use super::{
     COLUMNS, CONTINUOUS_EQUATIONS, Language, LoadWords, NumberFormat, RESPONSES, STATUSES,
-    STUCK_EQUATIONS, Source, about, columns, domain, first_step, meaning, wrapped,
+    STUCK_EQUATIONS, Source, about, columns, domain, first_step, meaning, quotient_about, wrapped,
 };
 use frictiongen_kernel::Float;
 use frictiongen_model::table::Tables;
@@ -23,13 +23,14 @@ pub fn rust_source<S: Float>(source: &Source<'_, S>) -> Option<String> {
     let words = LoadWords::of(source.scene);
     let mut text = source.origin.rust_comment(source.scene);
     text.push_str(&format!(
-        "\n//! Limits of the scene `{name}`.\n//!\n//! {about}\n//!\n\
+        "\n//! {title} of the scene `{name}`.\n//!\n//! {about}\n//!\n\
          //! The file needs only `core`.  If std is linked, the file uses the square root and the arc tangent of std.\n\
          //! Like frictiongen, it needs Rust {version} or newer.\n\
          #![allow(dead_code, reason = \"a program may call only some of the functions\")]\n\
          #![allow(non_snake_case, reason = \"functions contain the names of masses from the description\")]\n\n",
         version = env!("CARGO_PKG_RUST_VERSION"),
         name = source.scene.name,
+        title = title(source),
         about = about(source).join("\n//! "),
     ));
     text.push_str(&errors(tables));
@@ -51,6 +52,17 @@ pub fn rust_source<S: Float>(source: &Source<'_, S>) -> Option<String> {
     text.push_str(&numbers(source, &formulas));
     text.push_str(&check::test());
     Some(text)
+}
+
+/// Returns the answers of the file, as the first words of its documentation.
+fn title<S: Float>(source: &Source<'_, S>) -> &'static str {
+    let tables = source.tables;
+    match (tables.moves(), tables.held.is_some()) {
+        (false, false) => "Limits",
+        (true, false) => "Limits and motion of the contact",
+        (false, true) => "Limits and stuck responses",
+        (true, true) => "Limits, motion of the contact and stuck responses",
+    }
 }
 
 /// Writes the error type. Its values have the numbers of the C status.
@@ -122,17 +134,19 @@ fn limits(formulas: &Formulas, words: &LoadWords) -> String {
     let Formulas { sliding, .. } = formulas;
     // If β*_lim is constant, its expression does not contain r.
     let r = if sliding.contains("(r") { "r" } else { "_" };
+    let quotient = quotient_about(sliding).replace('\n', "\n/// ");
     format!(
         "/// Returns the limits `β_lim` and `β*_lim` of β = {beta} at the frequency ratio r = ω√(m₁/k₁).\n///\n\
          /// For β < `β_lim` ({CONTINUOUS_EQUATIONS}) a motion exists in which the contact slides all the time.\n\
-         /// For β ≥ `β*_lim` ({STUCK_EQUATIONS}) a stuck state exists.\n///\n\
+         /// For β ≥ `β*_lim` ({STUCK_EQUATIONS}) a stuck state exists.\n\
+         /// Both depend on μ, the ratio of static to kinetic friction: `stiction` in the description.\n///\n\
          /// # Errors\n/// [`Error::OutOfDomain`] if r is outside its range or not a number.\n\
          pub fn limits(r: {real}) -> Result<({real}, {real}), Error> {{\n    \
          if !(R_MIN..=R_MAX).contains(&r) {{\n        return Err(Error::OutOfDomain);\n    }}\n    \
          let piece = found(r);\n    let continuous = polynomial(&piece.{column}, r - piece.origin);\n    \
          Ok((continuous, sliding_limit(r)))\n}}\n\n\
          /// Returns `β*_lim = |V|/(μ|H|)` for an r in the range.  V is the response of the contact to the load, and H its\n\
-         /// response to a force in the contact.  μ is the ratio of static to kinetic friction.\n\
+         /// response to a force in the contact.  μ is the ratio of static to kinetic friction.{quotient}\n\
          fn sliding_limit({r}: {real}) -> {real} {{\n    {sliding}\n}}\n",
         beta = words.beta,
         column = COLUMNS.first().map_or("beta_lim", |(name, _)| *name),
@@ -209,10 +223,11 @@ fn lookup<S: Float>(formulas: &Formulas, tables: &Tables<S>) -> String {
         "/// An interval of r with its polynomials.  A polynomial is the sum of `c[j] t^j`, with t = r − origin.{responses}\n\
          /// The generator chooses 4, 6, 8 or 10 coefficients by the accuracy, so that the table is small.\n\
          struct Piece {{\n    /// Smallest r of the interval, which ends where the next piece begins.\n    from: {real},\n    \
-         /// Origin of t.  Near a zero of a function the origin is the zero, so that the relative accuracy remains.\n    \
+         /// Origin of t.\n    \
          origin: {real},\n{fields}}}\n\n\
          /// Returns the piece that contains r.  The range of r has buckets of equal width, and r gives the bucket.  Their\n\
-         /// number is a power of two, so that the mask `buckets.len() - 1` keeps the index valid without a comparison.\n\
+         /// density is rounded down, so that `R_MAX` is in the last bucket.  Their number is a power of two.  The mask\n\
+         /// `buckets.len() - 1` therefore keeps the index valid without a comparison.\n\
          #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = \"r is in the range\")]\n\
          fn found(r: {real}) -> &'static Piece {{\n    \
          let (pieces, buckets) = (&numbers::PIECES, &numbers::BUCKETS);\n    \

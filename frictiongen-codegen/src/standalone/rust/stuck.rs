@@ -8,7 +8,7 @@ use super::super::{LoadWords, NumberFormat, STUCK_EQUATIONS};
 pub(super) fn source(formulas: &Formulas, stuck: &StuckExpressions, words: &LoadWords) -> String {
     let NumberFormat { real, .. } = formulas.numbers;
     let mut source = String::new();
-    let (amplitude, load) = (words.amplitude, words.load);
+    let (amplitude, load, signal) = (words.amplitude, words.load, words.signal);
     let resonant = Formulas::on(&stuck.resonances).map_or_else(String::new, |on| {
         format!("    if {on} {{\n        return Err(Error::Unbounded);\n    }}\n")
     });
@@ -21,7 +21,7 @@ pub(super) fn source(formulas: &Formulas, stuck: &StuckExpressions, words: &Load
     let masses = stuck.masses.iter().map(|mass| {
         let about = format!(
             "/// Returns the complex amplitude (re, im) of `{}` while the contact is stuck ({STUCK_EQUATIONS}).\n\
-             /// The displacement ({amplitude}) is `Re((re + i im) e^(iτ))`, with τ = ωt.\n///\n{errors}",
+             /// The absolute displacement ({amplitude}) is `Re((re + i im) e^(i tau))` under a {signal}, with `tau` = ωt.\n///\n{errors}",
             mass.name
         );
         (about, format!("stuck_{}", mass.name), &mass.value)
@@ -29,7 +29,7 @@ pub(super) fn source(formulas: &Formulas, stuck: &StuckExpressions, words: &Load
     let force = (
         format!(
             "/// Returns the complex amplitude (re, im) of the force that keeps the contact stuck, divided by {load}\n\
-             /// ({STUCK_EQUATIONS}).  It is positive against positive sliding.  Its modulus is `μ β*_lim`.\n///\n{errors}"
+             /// ({STUCK_EQUATIONS}).  It is positive if it acts against positive sliding.  Its modulus is `μ β*_lim`.\n///\n{errors}"
         ),
         "holding_force".to_owned(),
         &stuck.force,

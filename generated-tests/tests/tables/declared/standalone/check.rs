@@ -185,7 +185,7 @@ fn faults_in_c() {
         run(&mut Command::new(folder.join("program")))
     };
     assert_eq!(found(), "0\n");
-    let wrong: [Wrong<'_>; 9] = [
+    let wrong: [Wrong<'_>; 11] = [
         (
             "scene_tables.h",
             &|text| with_a_wrong_digit(text, "buckets[BUCKETS] = {"),
@@ -223,8 +223,18 @@ fn faults_in_c() {
             8,
         ),
         (
+            "scene_tables.h",
+            &|text| with_a_wrong_digit(text, "TOLERANCE = "),
+            5,
+        ),
+        (
             "scene.c",
             &|text| text.replace("return omega / ", "return 1.000001 * omega / "),
+            6,
+        ),
+        (
+            "scene.c",
+            &|text| text.replace("return friction / load", "return friction * load"),
             6,
         ),
     ];
@@ -263,12 +273,18 @@ fn faults_in_rust() {
         ("SLIDING_GAIN: f64 = ", "CONSTANTS"),
         ("pub const K1: f64 = ", "UNITS"),
         ("            head: [", "KNOWN"),
+        ("const TOLERANCE: f64 = ", "KNOWN"),
     ];
     for (mark, name) in numbers {
         let wrong = with_a_wrong_digit(&right, mark);
         assert_eq!(found(&wrong), format!("Err(Numbers(\"{name}\"))\n"));
     }
-    let wrong = right.replace("(in_phase - share", "(in_phase + share");
-    assert_ne!(wrong, right);
-    assert_eq!(found(&wrong), "Err(Answer(\"contact\"))\n");
+    for (from, to, function) in [
+        ("(in_phase - share", "(in_phase + share", "contact"),
+        ("friction / load", "friction * load", "friction_ratio"),
+    ] {
+        let wrong = right.replace(from, to);
+        assert_ne!(wrong, right);
+        assert_eq!(found(&wrong), format!("Err(Answer(\"{function}\"))\n"));
+    }
 }
