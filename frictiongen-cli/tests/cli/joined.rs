@@ -428,6 +428,25 @@ fn the_best_share_of_a_contact() {
     }
 }
 
+/// Here a step of Newton's method leads to a state from which events follow each other without any time between them.
+/// The motion itself has no such events, so that the search goes on.
+#[test]
+fn a_step_of_newtons_method_may_stall() {
+    let scene = FRAME.replace(
+        "excitation: base",
+        "excitation: base, friction: stribeck(0.01: 0.9, 0.05: 0.8)",
+    );
+    let line = "--hz 2.6291666666666664 --friction 1.5648546580148726 --base 2e-3";
+    let orbit = output(&scene, &split(&format!("orbit {line} --csv")));
+    assert_ne!(texts(&orbit, "state"), ["no state"], "{orbit}");
+    let best = output(
+        &scene,
+        &split("optimum --hz 2.55:2.65 --of lower --base 2e-3 --json"),
+    );
+    let best: serde_json::Value = serde_json::from_str(&best).expect("JSON");
+    assert!(best["largest_amplitude"].as_f64().expect("a number") > 0.0);
+}
+
 /// With `stribeck`, the answers need a load in units. Steady states are then those of the motion after many cycles, and
 /// the friction of the rigid contact falls below its level.
 #[test]

@@ -59,7 +59,12 @@ impl<S: Float, Z: Size> Search<S, Z> {
         let steps = if follows { STEPS } else { DIFFERENCES };
         for _ in 0..steps {
             let derives = known.is_none() || before > far;
-            let shot = self.shoot(&start, span, derives)?;
+            let shot = match self.shoot(&start, span, derives) {
+                Ok(shot) => shot,
+                // A step may lead to a state whose motion exceeds a bound, although the motion before the step does not.
+                Err(_) if before.is_finite() => return Ok(None),
+                Err(halt) => return Err(halt),
+            };
             if shot.moving != self.moving {
                 (self.moving, known) = (shot.moving, None);
             }
