@@ -57,6 +57,15 @@ fn counts(old: u64, new: u64) -> String {
     }
 }
 
+/// Formats an entry of a step table: a whole number, such as a count of terms, without decimals.
+fn entry(value: f64) -> String {
+    if value.fract() == 0.0 {
+        format!("{value}")
+    } else {
+        computed(value)
+    }
+}
+
 impl Steppers {
     /// Writes the comparison of two steppers as text.
     pub fn write(&self, out: &mut dyn Write) -> Result<(), Failure> {
@@ -122,8 +131,8 @@ impl Steppers {
                         out,
                         ", by {} at most\n    `{place}`: {} -> {}",
                         per_cent(relative(old, new)).trim_start_matches('+'),
-                        computed(old),
-                        computed(new)
+                        entry(old),
+                        entry(new)
                     )?,
                     _ => writeln!(out)?,
                 }
@@ -199,7 +208,7 @@ impl Answers {
         )?;
         writeln!(
             out,
-            "    Load: {WAVES} sine waves with amplitude {}, \
+            "    Load, in the units of the scenes: {WAVES} sine waves with amplitude {}, \
              fixed random phases and logarithmic spacing in Hz.",
             computed(self.amplitude)
         )?;
