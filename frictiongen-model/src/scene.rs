@@ -348,7 +348,9 @@ impl Scene {
     pub fn damping_acts_on(&self) -> Option<&'static str> {
         let differs = self.excitation == Excitation::Base && self.damping != Damping::None;
         differs.then_some(match self.damping_from {
-            DampingFrom::Rest => "damping acts on absolute velocities (damping_from: rest)",
+            DampingFrom::Rest => {
+                "damping acts on absolute velocities (damping_from: rest, the default)"
+            }
             DampingFrom::Base => {
                 "damping acts on velocities relative to the base (damping_from: base)"
             }

@@ -23,7 +23,10 @@ fn what_new_writes_has_no_errors() {
     );
     let at_rest = scene.replace("damping_from: base", "damping_from: rest");
     let checked = output(&at_rest, &["check"]);
-    assert!(checked.contains("\ndamping acts on absolute velocities (damping_from: rest)\n"));
+    assert!(
+        checked
+            .contains("\ndamping acts on absolute velocities (damping_from: rest, the default)\n")
+    );
     let undamped = at_rest.replace("modal[0.010, 0.012]", "none");
     assert!(!output(&undamped, &["check"]).contains("damping acts"));
     assert!(output(&scene, &["limits", "--r", "0.9"]).contains("0.9"));

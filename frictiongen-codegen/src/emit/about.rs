@@ -221,7 +221,7 @@ fn offers(emission: &Emission<'_>) -> Vec<String> {
             "`at(r)` returns [`{at}`], with `limits()` (β_lim and β*_lim), `regime(beta)` (continuous, stick-slip, stuck or bistable) and `margin(beta)` (β/min(β_lim, β*_lim) − 1, negative below both limits), or an error {refused}"
         ));
         items.push(
-            "`limits_without_search(r)`: an upper bound on β_lim, and β*_lim itself; `limits_into(rs, continuous, sliding)`: both limits for a slice of frequency ratios"
+            "`limits_without_search(r)`: an upper bound on β_lim, and β*_lim itself; `limits_into(rs, continuous, sliding)`: both limits for a slice of frequency ratios, into slices of the same length"
                 .to_owned(),
         );
     }

@@ -316,7 +316,7 @@ fn compared(emission: &Emission<'_>, wanted: &Wanted<'_>, allowed: &Allowed) -> 
         ""
     };
     let about = format!(
-        " Largest error of an answer: {accuracy}{} roundings of the arithmetic, of r and of β.",
+        " Largest error of an answer: {accuracy}{} roundings (`EPSILON`) of the arithmetic, of r and of β.  It serves all answers, also those of higher accuracy.",
         allowed.roundings
     );
     let tolerance = emission.literal(allowed.error());

@@ -143,8 +143,12 @@ fn in_lines(emission: &Emission<'_>) -> TokenStream {
     let (statements, amplitude) = arm::chosen(&arms, emission.scene.masses.len());
     let body = code!(#common #statements Some(#amplitude));
     let inputs = emission.inputs(&body);
+    let where_asked = emission
+        .is_tabled()
+        .then(|| code!(#[doc = " The kernel calls it where no table answers."]));
     code! {
         /// x̄* = (V_kH − H_kV)/H, the complex amplitude of mass k (6.11, 6.27, 6.33).
+        #where_asked
         ///
         #[doc = #operations]
         #[inline]

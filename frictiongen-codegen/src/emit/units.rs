@@ -75,8 +75,8 @@ pub(super) fn emit(
         }
     });
     let associated = code! {
-        /// Hash of all fields of the scene (FNV-1a, 64 bits).  Descriptions that differ only in layout have the same hash.  To
-        /// verify it, emit the description again.
+        /// Hash of all fields of the scene and of all names (FNV-1a, 64 bits).  Descriptions that differ only in layout, comments
+        /// or attributes have the same hash.  To verify it, emit the description again.
         pub const SCENE_HASH: ::core::primitive::u64 = #hash;
         #[doc = #k1_about]
         pub const K1: #scalar = #k1;

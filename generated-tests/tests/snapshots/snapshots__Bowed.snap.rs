@@ -124,8 +124,8 @@ pub struct BowedDeclaredStepper(
 const _: () = {
     use ::frictiongen::kernel::emitted::*;
     impl Bowed {
-        /// Hash of all fields of the scene (FNV-1a, 64 bits).  Descriptions that differ only in layout have the same hash.  To
-        /// verify it, emit the description again.
+        /// Hash of all fields of the scene and of all names (FNV-1a, 64 bits).  Descriptions that differ only in layout, comments
+        /// or attributes have the same hash.  To verify it, emit the description again.
         pub const SCENE_HASH: ::core::primitive::u64 = 0xc81b_d2c9_1e74_e45a;
         /// k₁, the stiffness of the spring `base - string`: N/m, if springs are in N/m.
         pub const K1: f64 = 400.0;

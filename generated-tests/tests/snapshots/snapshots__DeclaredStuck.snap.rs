@@ -19,7 +19,7 @@
 ///         }
 /// ```
 ///
-/// The damping acts on absolute velocities (damping_from: rest).
+/// The damping acts on absolute velocities (damping_from: rest, the default).
 ///
 /// The motion in the contact is the displacement of `upper` minus that of `lower`.
 ///
@@ -28,7 +28,7 @@
 /// * `K1`, `M1`, `NATURAL_FREQUENCIES_HZ`, `NATURAL_FREQUENCIES`, `RESONANCES`, `MODE_SHAPES`, `SCENE_HASH`: constants of the chain
 /// * `frequency_ratio(omega)`, `friction_ratio(friction, load)`: r and β from units
 /// * `at(r)` returns [`DeclaredStuckAt`], with `limits()` (β_lim and β*_lim), `regime(beta)` (continuous, stick-slip, stuck or bistable) and `margin(beta)` (β/min(β_lim, β*_lim) − 1, negative below both limits), or an error outside the declared range of r
-/// * `limits_without_search(r)`: an upper bound on β_lim, and β*_lim itself; `limits_into(rs, continuous, sliding)`: both limits for a slice of frequency ratios
+/// * `limits_without_search(r)`: an upper bound on β_lim, and β*_lim itself; `limits_into(rs, continuous, sliding)`: both limits for a slice of frequency ratios, into slices of the same length
 /// * `at(r)?.stuck()` returns [`DeclaredStuckStuck`], the response while the contact is stuck, with `contact_force()`, `lower()` and `upper()`
 ///
 /// Answers of `at(r)` are non-dimensional: displacements are over Y, the amplitude of the base motion, and forces over k₁Y.  The time is τ = ωt.
@@ -98,8 +98,8 @@ const _: () = {
     use ::frictiongen::kernel::emitted::*;
     use ::core::f32::consts::PI;
     impl DeclaredStuck {
-        /// Hash of all fields of the scene (FNV-1a, 64 bits).  Descriptions that differ only in layout have the same hash.  To
-        /// verify it, emit the description again.
+        /// Hash of all fields of the scene and of all names (FNV-1a, 64 bits).  Descriptions that differ only in layout, comments
+        /// or attributes have the same hash.  To verify it, emit the description again.
         pub const SCENE_HASH: ::core::primitive::u64 = 0x3a27_ff1f_8022_4919;
         /// k₁, the stiffness of the spring `base - lower`: N/m, if springs are in N/m.
         pub const K1: f32 = 1.0;
@@ -452,6 +452,7 @@ const _: () = {
     impl ProvidesStuck for DeclaredStuck {
         type Stuck = Stuck<Self>;
         /// x̄* = (V_kH − H_kV)/H, the complex amplitude of mass k (6.11, 6.27, 6.33).
+        /// The kernel calls it where no table answers.
         ///
         /// Operations: 75: 49 ×, 18 +, 5 sign, 3 ÷.
         #[inline]

@@ -20,7 +20,7 @@
 /// * `K1`, `M1`, `NATURAL_FREQUENCIES_HZ`, `NATURAL_FREQUENCIES`, `RESONANCES`, `MODE_SHAPES`, `SCENE_HASH`: constants of the chain
 /// * `frequency_ratio(omega)`, `friction_ratio(friction, load)`: r and β from units
 /// * `at(r)` returns [`PairMassesAt`], with `limits()` (β_lim and β*_lim), `regime(beta)` (continuous, stick-slip, stuck or bistable) and `margin(beta)` (β/min(β_lim, β*_lim) − 1, negative below both limits), or an error if r is negative or not a number
-/// * `limits_without_search(r)`: an upper bound on β_lim, and β*_lim itself; `limits_into(rs, continuous, sliding)`: both limits for a slice of frequency ratios
+/// * `limits_without_search(r)`: an upper bound on β_lim, and β*_lim itself; `limits_into(rs, continuous, sliding)`: both limits for a slice of frequency ratios, into slices of the same length
 /// * `at(r)?.motion(beta)` returns [`PairMassesMotion`], the continuous motion, with `contact()`, `inner()` and `outer()`
 /// * `at(r)?.stuck()` returns [`PairMassesStuck`], the response while the contact is stuck, with `contact_force()`, `inner()` and `outer()`
 ///
@@ -97,8 +97,8 @@ pub struct PairMassesStuck(::frictiongen::kernel::response::Stuck<PairMasses>);
 const _: () = {
     use ::frictiongen::kernel::emitted::*;
     impl PairMasses {
-        /// Hash of all fields of the scene (FNV-1a, 64 bits).  Descriptions that differ only in layout have the same hash.  To
-        /// verify it, emit the description again.
+        /// Hash of all fields of the scene and of all names (FNV-1a, 64 bits).  Descriptions that differ only in layout, comments
+        /// or attributes have the same hash.  To verify it, emit the description again.
         pub const SCENE_HASH: ::core::primitive::u64 = 0x06c7_55b1_a07e_51ab;
         /// k₁, the stiffness of the spring `base - inner`: N/m, if springs are in N/m.
         pub const K1: f64 = 1.0;

@@ -108,8 +108,8 @@ pub struct PushedInput {
 const _: () = {
     use ::frictiongen::kernel::emitted::*;
     impl Pushed {
-        /// Hash of all fields of the scene (FNV-1a, 64 bits).  Descriptions that differ only in layout have the same hash.  To
-        /// verify it, emit the description again.
+        /// Hash of all fields of the scene and of all names (FNV-1a, 64 bits).  Descriptions that differ only in layout, comments
+        /// or attributes have the same hash.  To verify it, emit the description again.
         pub const SCENE_HASH: ::core::primitive::u64 = 0x4122_0f0e_b63f_241c;
         /// k₁, the stiffness of the spring `base - block`: N/m, if springs are in N/m.
         pub const K1: f32 = 200.0;

@@ -14,7 +14,7 @@
 /// }
 /// ```
 ///
-/// The damping acts on absolute velocities (damping_from: rest).
+/// The damping acts on absolute velocities (damping_from: rest, the default).
 ///
 /// The motion in the contact is the displacement of `upper`.
 ///
@@ -125,8 +125,8 @@ pub struct ShakenDeclaredStepper(
 const _: () = {
     use ::frictiongen::kernel::emitted::*;
     impl Shaken {
-        /// Hash of all fields of the scene (FNV-1a, 64 bits).  Descriptions that differ only in layout have the same hash.  To
-        /// verify it, emit the description again.
+        /// Hash of all fields of the scene and of all names (FNV-1a, 64 bits).  Descriptions that differ only in layout, comments
+        /// or attributes have the same hash.  To verify it, emit the description again.
         pub const SCENE_HASH: ::core::primitive::u64 = 0x091f_f501_af35_821c;
         /// k₁, the stiffness of the spring `base - lower`: N/m, if springs are in N/m.
         pub const K1: f64 = 1190.0;

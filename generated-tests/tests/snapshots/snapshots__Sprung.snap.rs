@@ -15,7 +15,7 @@
 /// }
 /// ```
 ///
-/// The damping acts on absolute velocities (damping_from: rest).
+/// The damping acts on absolute velocities (damping_from: rest, the default).
 ///
 /// The motion in the contact is the displacement of `upper`.
 ///
@@ -24,7 +24,7 @@
 /// * `K1`, `M1`, `NATURAL_FREQUENCIES_HZ`, `NATURAL_FREQUENCIES`, `RESONANCES`, `MODE_SHAPES`, `SCENE_HASH`: constants of the chain
 /// * `frequency_ratio(omega)`, `friction_ratio(friction, load)`: r and β from units
 /// * `at(r)` returns [`SprungAt`], with `limits()` (β_lim and β*_lim), `regime(beta)` (continuous, stick-slip, stuck or bistable) and `margin(beta)` (β/min(β_lim, β*_lim) − 1, negative below both limits), or an error if r is negative or not a number
-/// * `limits_without_search(r)`: an upper bound on β_lim, and β*_lim itself; `limits_into(rs, continuous, sliding)`: both limits for a slice of frequency ratios
+/// * `limits_without_search(r)`: an upper bound on β_lim, and β*_lim itself; `limits_into(rs, continuous, sliding)`: both limits for a slice of frequency ratios, into slices of the same length
 /// * `at(r)?.stuck()` returns [`SprungStuck`], the response while the contact is stuck, with `contact_force()`, `lower()` and `upper()`
 /// * `at(r)?.orbit(beta)` returns [`SprungOrbit`], the steady state in any regime, with `contact()`, `lower()` and `upper()`
 /// * `simulation(r, beta)` and `simulation_from(r, beta, state)` return [`SprungSimulation`], the motion in time from event to event, with `next()`, `lower()` and `upper()`
@@ -201,8 +201,8 @@ const _: () = {
     #[allow(dead_code)]
     fn compliance() {}
     impl Sprung {
-        /// Hash of all fields of the scene (FNV-1a, 64 bits).  Descriptions that differ only in layout have the same hash.  To
-        /// verify it, emit the description again.
+        /// Hash of all fields of the scene and of all names (FNV-1a, 64 bits).  Descriptions that differ only in layout, comments
+        /// or attributes have the same hash.  To verify it, emit the description again.
         pub const SCENE_HASH: ::core::primitive::u64 = 0x5f75_8146_e4b6_252c;
         /// k₁, the stiffness of the spring `base - lower`: N/m, if springs are in N/m.
         pub const K1: f64 = 1190.0;

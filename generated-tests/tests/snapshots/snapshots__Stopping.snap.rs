@@ -14,7 +14,7 @@
 /// }
 /// ```
 ///
-/// The damping acts on absolute velocities (damping_from: rest).
+/// The damping acts on absolute velocities (damping_from: rest, the default).
 ///
 /// The motion in the contact is the displacement of `upper`.
 ///
@@ -23,7 +23,7 @@
 /// * `K1`, `M1`, `NATURAL_FREQUENCIES_HZ`, `NATURAL_FREQUENCIES`, `RESONANCES`, `MODE_SHAPES`, `SCENE_HASH`: constants of the chain
 /// * `frequency_ratio(omega)`, `friction_ratio(friction, load)`: r and β from units
 /// * `at(r)` returns [`StoppingAt`], with `limits()` (β_lim and β*_lim), `regime(beta)` (continuous, stick-slip, stuck or bistable) and `margin(beta)` (β/min(β_lim, β*_lim) − 1, negative below both limits), or an error if r is negative or not a number
-/// * `limits_without_search(r)`: an upper bound on β_lim, and β*_lim itself; `limits_into(rs, continuous, sliding)`: both limits for a slice of frequency ratios
+/// * `limits_without_search(r)`: an upper bound on β_lim, and β*_lim itself; `limits_into(rs, continuous, sliding)`: both limits for a slice of frequency ratios, into slices of the same length
 /// * `at(r)?.orbit(beta)` returns [`StoppingOrbit`], the steady state in any regime, with `contact()`, `lower()` and `upper()`
 /// * `simulation(r, beta)` and `simulation_from(r, beta, state)` return [`StoppingSimulation`], the motion in time from event to event, with `next()`, `lower()` and `upper()`
 ///
@@ -111,8 +111,8 @@ const _: () = {
     use ::frictiongen::kernel::emitted::*;
     use ::core::f64::consts::PI;
     impl Stopping {
-        /// Hash of all fields of the scene (FNV-1a, 64 bits).  Descriptions that differ only in layout have the same hash.  To
-        /// verify it, emit the description again.
+        /// Hash of all fields of the scene and of all names (FNV-1a, 64 bits).  Descriptions that differ only in layout, comments
+        /// or attributes have the same hash.  To verify it, emit the description again.
         pub const SCENE_HASH: ::core::primitive::u64 = 0xeedb_e5be_51e3_6513;
         /// k₁, the stiffness of the spring `base - lower`: N/m, if springs are in N/m.
         pub const K1: f64 = 1.0;
