@@ -237,19 +237,13 @@ impl ResultSeries {
 
     /// Returns the ranges of frequencies of the band at which the series has no values.
     fn gaps(&self, band: &[f64]) -> Vec<(f64, f64)> {
-        let has = |hertz: &f64| self.values.iter().any(|(own, ..)| own == hertz);
-        let mut gaps: Vec<(f64, f64)> = Vec::new();
-        let mut open = false;
-        for hertz in band {
-            let missing = !has(hertz);
-            match gaps.last_mut() {
-                Some(last) if missing && open => last.1 = *hertz,
-                _ if missing => gaps.push((*hertz, *hertz)),
-                _ => {}
-            }
-            open = missing;
-        }
-        gaps
+        let is_missing = |hertz: &f64| self.values.iter().all(|(own, ..)| own != hertz);
+        let runs = band.chunk_by(|one, next| is_missing(one) == is_missing(next));
+        let gaps = runs.filter_map(|run| {
+            let (first, last) = (run.first()?, run.last()?);
+            is_missing(first).then_some((*first, *last))
+        });
+        gaps.collect()
     }
 
     fn difference(mut self, band: &[f64]) -> Option<Difference> {

@@ -428,14 +428,19 @@ fn the_best_share_of_a_contact() {
     }
 }
 
+/// Returns the two floors with a friction that depends on the speed.
+fn with_stribeck() -> String {
+    FRAME.replace(
+        "excitation: base",
+        "excitation: base, friction: stribeck(0.01: 0.9, 0.05: 0.8)",
+    )
+}
+
 /// Here a step of Newton's method leads to a state from which events follow each other without any time between them.
 /// The motion itself has no such events, so that the search goes on.
 #[test]
 fn a_step_of_newtons_method_may_stall() {
-    let scene = FRAME.replace(
-        "excitation: base",
-        "excitation: base, friction: stribeck(0.01: 0.9, 0.05: 0.8)",
-    );
+    let scene = with_stribeck();
     let line = "--hz 2.6291666666666664 --friction 1.5648546580148726 --base 2e-3";
     let orbit = output(&scene, &split(&format!("orbit {line} --csv")));
     assert_ne!(texts(&orbit, "state"), ["no state"], "{orbit}");
@@ -451,10 +456,7 @@ fn a_step_of_newtons_method_may_stall() {
 /// the friction of the rigid contact falls below its level.
 #[test]
 fn friction_may_depend_on_the_speed() {
-    let scene = FRAME.replace(
-        "excitation: base",
-        "excitation: base, friction: stribeck(0.01: 0.9, 0.05: 0.8)",
-    );
+    let scene = with_stribeck();
     let told = failure(&scene, &split("orbit --r 0.6 --beta 0.3"));
     assert!(
         told.contains("the amplitude of the load is needed") && told.lines().count() == 1,

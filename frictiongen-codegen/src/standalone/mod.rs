@@ -151,7 +151,7 @@ fn about<S: Float>(source: &Source<'_, S>) -> Vec<String> {
             tables.request.accuracy,
         ),
         format!(
-            "All numbers of the formulas take {} bytes: {} pieces of {piece} bytes with polynomials of degree {}, and {} bytes for the buckets and for products over zeros and poles.",
+            "Tables and products take {} bytes: {} pieces of {piece} bytes with polynomials of degree {}, and {} bytes for the buckets and for products over zeros and poles.",
             report.bytes,
             tables.pieces.len(),
             tables.terms - 1,

@@ -81,8 +81,8 @@ impl Origin<'_> {
 }
 
 /// Returns a text that is safe in a comment of C. The text is in ASCII, without trigraphs and without the marks that
-/// begin or end a comment. Subscript digits become digits, and all other characters become escapes. The function adds a full stop after a backslash at the end of a line, because the compiler
-/// would otherwise join this line with the next.
+/// begin or end a comment. Subscript digits become digits, and all other characters become escapes. The function adds a
+/// full stop after a backslash at the end of a line, because the compiler would otherwise join this line with the next.
 pub fn c_text(text: &str) -> String {
     let mut out = String::new();
     for letter in text.chars() {

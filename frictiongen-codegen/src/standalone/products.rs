@@ -56,11 +56,15 @@ fn zeros_or_poles(name: &str) -> &'static str {
 }
 
 /// Explanation of a gain, for a comment in the file.
-pub(super) const GAIN: &str =
-    "scale that makes the product exact at an r far from all zeros and poles";
+const GAIN: &str = "scale that makes the product exact at an r far from all zeros and poles";
 
 /// Explanation of a response that does not depend on r, for a comment in the file.
 pub(super) const FIXED: &str = "response, which does not depend on r";
+
+/// Returns the explanation of a gain. `is_fixed` is true if the response has no zeros and no poles.
+pub(super) fn gain_about(is_fixed: bool) -> &'static str {
+    if is_fixed { FIXED } else { GAIN }
+}
 
 /// Writes a product, divided by its poles.
 pub(super) fn quotient<S: Float>(
@@ -91,11 +95,7 @@ pub(super) fn quotient_over<S: Float>(
     (poles, root): (Option<String>, &str),
 ) -> String {
     let gain = product.gain.to_f64();
-    let about = if poles.is_none() && product.numerator.is_empty() {
-        FIXED
-    } else {
-        GAIN
-    };
+    let about = gain_about(poles.is_none() && product.numerator.is_empty());
     let gain = constants.add(format!("{name}_GAIN"), ConstantForm::Number, &[gain], about);
     let above = factors(constants, &format!("{name}_ZERO"), &product.numerator);
     let one = constants.numbers.write(1.0);

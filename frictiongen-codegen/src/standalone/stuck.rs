@@ -1,7 +1,7 @@
 //! Expressions for the responses while the contact is stuck. Each expression is valid in C and in Rust.
 
 use super::constants::{ConstantForm, FileConstants};
-use super::products::{FIXED, GAIN, factors, quotient_over, roots};
+use super::products::{FIXED, factors, gain_about, quotient_over, roots};
 use frictiongen_kernel::Float;
 use frictiongen_model::scene::Scene;
 use frictiongen_model::table::{Held, HeldForm};
@@ -132,11 +132,7 @@ fn response<S: Float>(
             denominator,
         } => {
             let gain = [gain.to_f64()];
-            let about = if numerator.is_empty() && denominator.is_empty() {
-                FIXED
-            } else {
-                GAIN
-            };
+            let about = gain_about(numerator.is_empty() && denominator.is_empty());
             let gain = constants.add(format!("{key}_GAIN"), ConstantForm::Number, &gain, about);
             let above = match roots(constants, &format!("{key}_ZERO"), numerator) {
                 Some(product) => format!("scaled({product}, {gain})"),
