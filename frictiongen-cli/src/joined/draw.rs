@@ -109,10 +109,10 @@ pub fn steady(
 }
 
 /// Steady states at one friction for all frequencies.
-pub type Line = (FrictionSetting, Vec<JoinedRow>);
+pub type CurveRows = (FrictionSetting, Vec<JoinedRow>);
 
 /// Computes the steady states of a picture at every frequency and friction.
-pub fn rows(question: &Question<'_>) -> Result<Vec<Line>, Failure> {
+pub fn rows(question: &Question<'_>) -> Result<Vec<CurveRows>, Failure> {
     let frequencies: Vec<Frequency> = question.frequencies.all(question.system).collect();
     let frictions: Vec<FrictionSetting> = question.frictions.all().collect();
     interrupt::watch();
@@ -139,7 +139,7 @@ pub fn rows(question: &Question<'_>) -> Result<Vec<Line>, Failure> {
 pub fn steady_figure(
     question: &Question<'_>,
     picture: Picture,
-    rows: &[Line],
+    rows: &[CurveRows],
 ) -> Result<Figure, Failure> {
     let frequencies: Vec<Frequency> = question.frequencies.all(question.system).collect();
     let frictions: Vec<FrictionSetting> = question.frictions.all().collect();
@@ -176,7 +176,7 @@ pub fn steady_figure(
 /// fraction of the period during which each contact sticks.
 fn curves(
     question: &Question<'_>,
-    rows: &[Line],
+    rows: &[CurveRows],
     scales: &Scales,
 ) -> (Vec<(Label, Label)>, Vec<JoinedCurve>) {
     let names = question.table().parts();
@@ -218,7 +218,7 @@ fn curves(
 /// Returns the contents of a map's cells, row by row from the lowest friction to the highest.
 fn cells(
     question: &Question<'_>,
-    rows: &[Line],
+    rows: &[CurveRows],
     shade: ShadeArgument,
     scales: &Scales,
 ) -> JoinedCells {

@@ -45,13 +45,13 @@ pub(super) fn scene_struct(description: &Description, lines: Vec<String>) -> Tok
 }
 
 /// A field of an emitted structure: its documentation, its name and its type.
-pub(super) struct Field {
+pub(super) struct NumberField {
     about: String,
     name: Ident,
     of: TokenStream,
 }
 
-impl Field {
+impl NumberField {
     pub(super) fn new(about: impl Into<String>, name: &Ident, of: &impl ToTokens) -> Self {
         Self {
             about: about.into(),
@@ -66,11 +66,11 @@ pub(super) fn numbers_struct(
     description: &Description,
     name: &Ident,
     about: &str,
-    fields: &[Field],
+    fields: &[NumberField],
 ) -> TokenStream {
     let (visibility, facade) = (&description.visibility, &description.facade);
     let names: Vec<_> = fields.iter().map(|field| &field.name).collect();
-    let fields = fields.iter().map(|Field { about, name, of }| {
+    let fields = fields.iter().map(|NumberField { about, name, of }| {
         code! {
             #[doc = #about]
             pub #name: #of,

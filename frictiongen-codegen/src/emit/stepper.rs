@@ -1,6 +1,6 @@
 //! Emits the stepper, which advances in steps of fixed physical time under any input.
 
-use super::about::{Field, numbers_struct};
+use super::about::{NumberField, numbers_struct};
 use super::declared;
 use super::dynamics::{DynamicsConstants, count};
 use super::emission::{Checked, Emission, EmittedCode, rounded};
@@ -347,12 +347,12 @@ fn types(
     let mut fields = Vec::new();
     if steps.on_base {
         fields.extend([
-            Field::new(
+            NumberField::new(
                 " Absolute displacement of the base.",
                 &local("displacement"),
                 &scalar,
             ),
-            Field::new(
+            NumberField::new(
                 " Absolute velocity of the base, in the unit of displacement per second.",
                 &local("velocity"),
                 &scalar,
@@ -362,7 +362,7 @@ fn types(
     let forces = force_fields(emission, steps);
     fields.extend(forces.iter().zip(&steps.forces).map(|(field, mass)| {
         let mass = scene.masses.get(*mass).map_or("", |mass| &mass.name);
-        Field::new(format!(" Force on mass `{mass}`."), field, &scalar)
+        NumberField::new(format!(" Force on mass `{mass}`."), field, &scalar)
     }));
     let law_in_types = emission.law_in_types();
     let friction = if steps.law.is_empty() {
@@ -370,7 +370,7 @@ fn types(
     } else {
         " Kinetic friction force F at vanishing speed, not negative.  A stuck contact holds up to μF."
     };
-    fields.push(Field::new(friction, &local("friction"), &scalar));
+    fields.push(NumberField::new(friction, &local("friction"), &scalar));
     let input = numbers_struct(description, input, &input_about, &fields);
     code! {
         #[doc = #about]

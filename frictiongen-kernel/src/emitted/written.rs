@@ -1,8 +1,8 @@
 //! Writes and reads, by serde, structures of emitted code whose fields are numbers or structures of numbers.
 //!
 //! A derived implementation would name serde and types of the prelude in the user's module, where other items may have
-//! these names. The macro [`written`](crate::written) therefore implements [`Fields`] with absolute paths. The
-//! functions of this module use `Fields`.
+//! these names. The macro [`written`](crate::written) therefore implements [`WrittenFields`] with absolute paths. The
+//! functions of this module use `WrittenFields`.
 
 use core::fmt;
 use core::marker::PhantomData;
@@ -11,7 +11,7 @@ use serde::ser::SerializeStruct;
 pub use serde::{Deserialize, Deserializer, Serialize, Serializer, ser};
 
 /// A structure whose fields can be written and read by name.
-pub trait Fields: Default {
+pub trait WrittenFields: Default {
     /// Name of the structure.
     const NAME: &'static str;
     /// Names of the fields, in their order.
@@ -63,7 +63,7 @@ pub const fn plain(name: &'static str) -> &'static str {
 ///
 /// # Errors
 /// Errors of the format.
-pub fn write<T: Fields, S: Serializer>(fields: &T, to: S) -> Result<S::Ok, S::Error> {
+pub fn write<T: WrittenFields, S: Serializer>(fields: &T, to: S) -> Result<S::Ok, S::Error> {
     let mut form = to.serialize_struct(T::NAME, T::NAMES.len())?;
     fields.write(&mut form)?;
     form.end()
@@ -73,13 +73,13 @@ pub fn write<T: Fields, S: Serializer>(fields: &T, to: S) -> Result<S::Ok, S::Er
 ///
 /// # Errors
 /// Errors of the format, and an error for a field that is missing, unknown or given twice.
-pub fn read<'de, T: Fields, D: Deserializer<'de>>(from: D) -> Result<T, D::Error> {
+pub fn read<'de, T: WrittenFields, D: Deserializer<'de>>(from: D) -> Result<T, D::Error> {
     from.deserialize_struct(T::NAME, T::NAMES, FieldsVisitor(PhantomData))
 }
 
 struct FieldsVisitor<T>(PhantomData<T>);
 
-impl<'de, T: Fields> Visitor<'de> for FieldsVisitor<T> {
+impl<'de, T: WrittenFields> Visitor<'de> for FieldsVisitor<T> {
     type Value = T;
 
     fn expecting(&self, to: &mut fmt::Formatter<'_>) -> fmt::Result {
@@ -105,7 +105,7 @@ impl<'de, T: Fields> Visitor<'de> for FieldsVisitor<T> {
     fn visit_map<A: MapAccess<'de>>(self, mut from: A) -> Result<T, A::Error> {
         let (mut fields, mut flags) = (T::default(), T::flags());
         let read = flags.as_mut();
-        while let Some((index, name)) = from.next_key_seed(Key(T::NAMES))? {
+        while let Some((index, name)) = from.next_key_seed(FieldName(T::NAMES))? {
             match read.get_mut(index) {
                 Some(read) if !*read => *read = true,
                 _ => return Err(A::Error::duplicate_field(name)),
@@ -126,7 +126,7 @@ struct NextOfList<'a, A, T> {
     of: PhantomData<T>,
 }
 
-impl<'de, A: SeqAccess<'de>, T: Fields> Next<'de> for NextOfList<'_, A, T> {
+impl<'de, A: SeqAccess<'de>, T: WrittenFields> Next<'de> for NextOfList<'_, A, T> {
     type Error = A::Error;
 
     fn value<V: Deserialize<'de>>(self) -> Result<V, A::Error> {
@@ -146,9 +146,9 @@ impl<'de, A: MapAccess<'de>> Next<'de> for NextOfMap<'_, A> {
 }
 
 /// Reads the name or the index of a field, and returns the index and the name.
-struct Key(&'static [&'static str]);
+struct FieldName(&'static [&'static str]);
 
-impl<'de> DeserializeSeed<'de> for Key {
+impl<'de> DeserializeSeed<'de> for FieldName {
     type Value = (usize, &'static str);
 
     fn deserialize<D: Deserializer<'de>>(self, from: D) -> Result<Self::Value, D::Error> {
@@ -156,7 +156,7 @@ impl<'de> DeserializeSeed<'de> for Key {
     }
 }
 
-impl Visitor<'_> for Key {
+impl Visitor<'_> for FieldName {
     type Value = (usize, &'static str);
 
     fn expecting(&self, to: &mut fmt::Formatter<'_>) -> fmt::Result {
@@ -189,7 +189,7 @@ impl Visitor<'_> for Key {
 #[macro_export]
 macro_rules! written {
     ($name:ident, $($field:ident),*) => {
-        impl $crate::emitted::written::Fields for $name {
+        impl $crate::emitted::written::WrittenFields for $name {
             const NAME: &'static ::core::primitive::str = ::core::stringify!($name);
             const NAMES: &'static [&'static ::core::primitive::str] =
                 &[$($crate::emitted::written::plain(::core::stringify!($field))),*];

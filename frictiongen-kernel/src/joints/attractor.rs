@@ -3,7 +3,7 @@
 use super::model::{Contact, Model};
 use super::run::Motion;
 use super::size::{Size, at};
-use super::slid::Reach;
+use super::slid::LargestDisplacement;
 use super::state::State;
 use super::steady::{Search, Steady, modulus};
 use crate::errors::Halt;
@@ -42,7 +42,7 @@ impl<S: Float, Z: Size> Search<S, Z> {
         }
         let mut trial = motion.clone();
         self.advance(&mut trial, SOON - 1, &mut ())?;
-        let mut reach = Reach(S::constant(0.0));
+        let mut reach = LargestDisplacement(S::constant(0.0));
         self.advance(&mut trial, 1, &mut reach)?;
         self.place = if reach.0 > S::constant(0.0) {
             reach.0

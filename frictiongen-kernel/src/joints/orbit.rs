@@ -7,7 +7,7 @@
 use super::cycle::ContactCycle;
 use super::model::Model;
 use super::run::{Bounds, Motion};
-use super::simulation::{MAX_EVENTS, MAX_STRETCHES, Reference, Start};
+use super::simulation::{MAX_EVENTS, MAX_STRETCHES, Reference, StartState};
 use super::size::{Size, at};
 use super::steady::Steady;
 use super::stuck::StuckResponse;
@@ -79,7 +79,7 @@ impl<S: Float, Z: Size> At<S, Z> {
     ///
     /// [`NoOrbit::OutOfDomain`] if β is negative or not finite, if the given state is not finite, or, with its cause,
     /// if the motion exceeds a bound. [`NoOrbit::Unsettled`] if the motion does not settle.
-    pub fn orbit(&self, beta: S, state: Option<Start<'_, S>>) -> Result<Orbit<S, Z>, NoOrbit> {
+    pub fn orbit(&self, beta: S, state: Option<StartState<'_, S>>) -> Result<Orbit<S, Z>, NoOrbit> {
         let model = self.model.clone();
         let start = self.reference.start(model, (self.r, beta), state);
         let (mut motion, omega) = start.map_err(NoOrbit::OutOfDomain)?;

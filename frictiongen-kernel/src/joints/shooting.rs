@@ -8,7 +8,7 @@ use super::run::Motion;
 use super::size::{Size, set};
 use super::state::FREE;
 use super::steady::{Search, Steady, from_one, modulus};
-use super::tangent::{Span, Tangent};
+use super::tangent::{ShotSpan, Tangent};
 use super::unknowns::Unknowns;
 use crate::Float;
 use crate::errors::Halt;
@@ -68,8 +68,8 @@ impl<S: Float, Z: Size> Search<S, Z> {
             if shot.moving != self.moving {
                 (self.moving, known) = (shot.moving, None);
             }
-            if span == Span::Half && !self.is_centred(&start) {
-                (span, known) = (Span::Cycles(period), None);
+            if span == ShotSpan::Half && !self.is_centred(&start) {
+                (span, known) = (ShotSpan::Cycles(period), None);
                 continue;
             }
             if shot.end.state().phases != start.state().phases {
@@ -145,7 +145,7 @@ impl<S: Float, Z: Size> Search<S, Z> {
     fn found(
         &self,
         start: &Motion<S, Z>,
-        (matrix, span): (&mut Z::Square<S>, Span),
+        (matrix, span): (&mut Z::Square<S>, ShotSpan),
         (period, residual): (usize, S),
         watch: Watch<S, Z>,
     ) -> Steady<S, Z> {
@@ -154,7 +154,7 @@ impl<S: Float, Z: Size> Search<S, Z> {
         let mut multipliers = model.size.unknowns(Complex::new(zero, zero));
         let count = multipliers.as_ref().len();
         SquareMatrix::new(matrix.as_mut(), count).eigenvalues(multipliers.as_mut());
-        if span == Span::Half {
+        if span == ShotSpan::Half {
             for multiplier in multipliers.as_mut() {
                 *multiplier = mul(*multiplier, *multiplier, true);
             }

@@ -6,7 +6,7 @@ use super::size::{Size, add, at};
 use super::slid::Slips;
 use super::state::FREE;
 use super::steady::{BOUNDS, Search};
-use super::tangent::{Both, Span, Tangent};
+use super::tangent::{Both, ShotSpan, Tangent};
 use crate::Float;
 use crate::errors::Halt;
 
@@ -24,16 +24,16 @@ impl<S: Float, Z: Size> Search<S, Z> {
     /// Returns the duration of a shot. Half a cycle is enough under two conditions. The first is that the equations
     /// half a cycle later are the same equations with all signs changed. The second is that all contacts are elastic
     /// with μ = 1. Then only one steady state exists, and it has this symmetry.
-    pub(super) fn span(&self, motion: &Motion<S, Z>, period: usize) -> Span {
+    pub(super) fn span(&self, motion: &Motion<S, Z>, period: usize) -> ShotSpan {
         let model = motion.model();
         let mut loads = model.loads.as_ref().iter();
         let is_odd =
             loads.all(|(_, load)| load.is_odd(self.omega)) && model.base.is_odd(self.omega);
         let halves = period == 1 && is_odd && Tangent::follows(model);
         if halves && neutral(model, |_| false) == 0 {
-            Span::Half
+            ShotSpan::Half
         } else {
-            Span::Cycles(period)
+            ShotSpan::Cycles(period)
         }
     }
 
@@ -60,7 +60,7 @@ impl<S: Float, Z: Size> Search<S, Z> {
     pub(super) fn shoot(
         &self,
         start: &Motion<S, Z>,
-        span: Span,
+        span: ShotSpan,
         derives: bool,
     ) -> Result<Shot<S, Z>, Halt> {
         let model = start.model();
@@ -86,12 +86,12 @@ impl<S: Float, Z: Size> Search<S, Z> {
     fn pass(
         &self,
         motion: &mut Motion<S, Z>,
-        span: Span,
+        span: ShotSpan,
         watch: &mut impl Observe<S, Z>,
     ) -> Result<(), Halt> {
         match span {
-            Span::Cycles(cycles) => self.advance(motion, cycles, watch),
-            Span::Half => {
+            ShotSpan::Cycles(cycles) => self.advance(motion, cycles, watch),
+            ShotSpan::Half => {
                 let state = motion.state().clone();
                 motion.restart(state);
                 motion.run(S::constant(0.5) * self.cycle, BOUNDS, watch)?;
@@ -108,7 +108,7 @@ impl<S: Float, Z: Size> Search<S, Z> {
         &self,
         start: &Motion<S, Z>,
         to: &Z::Unknowns<S>,
-        span: Span,
+        span: ShotSpan,
     ) -> Result<Z::Square<S>, Halt> {
         if Tangent::follows(start.model())
             && let Some(derivatives) = self.shoot(start, span, true)?.derivatives

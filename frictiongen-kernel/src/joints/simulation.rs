@@ -84,7 +84,7 @@ impl<S: Float> Reference<S> {
         &self,
         mut model: Model<S, Z>,
         (r, beta): (S, S),
-        state: Option<Start<'_, S>>,
+        state: Option<StartState<'_, S>>,
     ) -> Result<(Motion<S, Z>, S), OutOfDomain> {
         let zero = S::constant(0.0);
         let omega = self.omega(r)?;
@@ -122,7 +122,7 @@ pub struct Simulation<S: Float, Z: Size> {
 
 /// Initial state of a motion. The first slice contains the displacements of all masses, and the second their
 /// velocities.
-pub(super) type Start<'s, S> = (&'s [S], &'s [S]);
+pub(super) type StartState<'s, S> = (&'s [S], &'s [S]);
 
 impl<S: Float, Z: Size> Simulation<S, Z> {
     /// Starts a motion at a maximum of the load, from rest or from a given state. In `model`, the level (kinetic
@@ -136,7 +136,7 @@ impl<S: Float, Z: Size> Simulation<S, Z> {
         model: Model<S, Z>,
         reference: Reference<S>,
         ratios: (S, S),
-        state: Option<Start<'_, S>>,
+        state: Option<StartState<'_, S>>,
     ) -> Result<Self, OutOfDomain> {
         let (motion, omega) = reference.start(model, ratios, state)?;
         Ok(Self {
@@ -157,7 +157,7 @@ impl<S: Float, Z: Size> Simulation<S, Z> {
         mut model: Model<S, Z>,
         reference: Reference<S>,
         (r, beta, amplitude): (S, S, S),
-        state: Option<Start<'_, S>>,
+        state: Option<StartState<'_, S>>,
     ) -> Result<Self, OutOfDomain> {
         reference.scale_law(&mut model, amplitude)?;
         Self::new(model, reference, (r, beta), state)

@@ -100,9 +100,9 @@ impl<S: Float, Z: Size> Observe<S, Z> for Count {
 
 /// Observer of a motion. It measures the largest displacement of all masses at the starts of the stretches (time
 /// intervals of one power series).
-pub(super) struct Reach<S>(pub(super) S);
+pub(super) struct LargestDisplacement<S>(pub(super) S);
 
-impl<S: Float, Z: Size> Observe<S, Z> for Reach<S> {
+impl<S: Float, Z: Size> Observe<S, Z> for LargestDisplacement<S> {
     fn stretch(&mut self, series: &Series<S, Z>, _: S, state: &State<S, Z>) {
         for mass in 0..state.x.as_ref().len() {
             self.0 = Scalar::max(self.0, series.displacement_at_start(mass).abs());

@@ -17,7 +17,7 @@ use crate::Float;
 
 /// Duration of a shot (a motion that the shooting method follows).
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) enum Span {
+pub(super) enum ShotSpan {
     /// The shot lasts half a cycle of the load. The state at its end is multiplied by −1. A motion that repeats with
     /// the opposite sign after half a cycle therefore ends in its initial state.
     Half,
@@ -97,9 +97,13 @@ impl<'m, S: Float, Z: Size> Tangent<'m, S, Z> {
 
     /// Returns the derivatives of the unknowns at the end of a shot, column by column. The position of a contact that
     /// does not slide is not an unknown.
-    pub(super) fn derivatives(&self, unknowns: &Unknowns<'_, S, Z>, span: Span) -> Z::Square<S> {
+    pub(super) fn derivatives(
+        &self,
+        unknowns: &Unknowns<'_, S, Z>,
+        span: ShotSpan,
+    ) -> Z::Square<S> {
         let zero = S::constant(0.0);
-        let turn = S::constant(if span == Span::Half { -1.0 } else { 1.0 });
+        let turn = S::constant(if span == ShotSpan::Half { -1.0 } else { 1.0 });
         let mut matrix = self.model.size.square(zero);
         let masses = self.model.wall();
         let size = self.model.size.unknowns(zero).as_ref().len().max(1);

@@ -39,7 +39,7 @@ impl<'de> Deserialize<'de> for Version {
 /// version.
 #[derive(Serialize, Deserialize)]
 #[serde(rename = "Saved", deny_unknown_fields)]
-struct Form<S, V> {
+struct StepperForm<S, V> {
     version: Version,
     scene: u64,
     steps: u64,
@@ -56,7 +56,7 @@ struct Form<S, V> {
 impl<S: Float + Serialize, V: Serialize> Serialize for Saved<S, V> {
     fn serialize<T: Serializer>(&self, to: T) -> Result<T::Ok, T::Error> {
         let status = &self.status;
-        let form = Form {
+        let form = StepperForm {
             version: Version,
             scene: self.mark,
             steps: status.steps,
@@ -79,7 +79,7 @@ where
     V: Deserialize<'de>,
 {
     fn deserialize<D: Deserializer<'de>>(from: D) -> Result<Self, D::Error> {
-        let form = Form::<S, V>::deserialize(from)?;
+        let form = StepperForm::<S, V>::deserialize(from)?;
         if !form.numbers.iter().all(|number| number.is_finite()) {
             return Err(D::Error::custom(NOT_FINITE));
         }
@@ -107,7 +107,7 @@ pub const NOT_FINITE: &str = "a number of the saved state is not finite, so that
 /// The written form of the states of all oscillators and of the last forces.
 #[derive(Serialize, Deserialize)]
 #[serde(rename = "Store", deny_unknown_fields)]
-struct StoreForm<M, H, L> {
+struct FixedStoreForm<M, H, L> {
     modes: M,
     held: H,
     last: L,
@@ -120,7 +120,7 @@ where
 {
     fn serialize<T: Serializer>(&self, to: T) -> Result<T::Ok, T::Error> {
         let store = self.read();
-        let form = StoreForm {
+        let form = FixedStoreForm {
             modes: store.modes,
             held: store.held,
             last: store.last,
@@ -135,8 +135,11 @@ where
     S: Float + Default + Deserialize<'de>,
 {
     fn deserialize<T: Deserializer<'de>>(from: T) -> Result<Self, T::Error> {
-        let form: StoreForm<List<[S; 2], MODES>, List<[S; 2], HELD>, List<S, INPUTS>> =
-            StoreForm::deserialize(from)?;
+        let form: FixedStoreForm<
+            WrittenList<[S; 2], MODES>,
+            WrittenList<[S; 2], HELD>,
+            WrittenList<S, INPUTS>,
+        > = FixedStoreForm::deserialize(from)?;
         let mut store = Self::new();
         let numbers = store.change();
         numbers.modes.copy_from_slice(&form.modes.0);
@@ -150,19 +153,21 @@ where
 }
 
 /// A list of N values, which serde can read for every N.
-struct List<V, const N: usize>([V; N]);
+struct WrittenList<V, const N: usize>([V; N]);
 
-impl<'de, V: Copy + Default + Deserialize<'de>, const N: usize> Deserialize<'de> for List<V, N> {
+impl<'de, V: Copy + Default + Deserialize<'de>, const N: usize> Deserialize<'de>
+    for WrittenList<V, N>
+{
     fn deserialize<T: Deserializer<'de>>(from: T) -> Result<Self, T::Error> {
         from.deserialize_seq(Values::<V, N>(PhantomData))
     }
 }
 
-/// Reads the values of a [`List`].
+/// Reads the values of a [`WrittenList`].
 struct Values<V, const N: usize>(PhantomData<V>);
 
 impl<'de, V: Copy + Default + Deserialize<'de>, const N: usize> Visitor<'de> for Values<V, N> {
-    type Value = List<V, N>;
+    type Value = WrittenList<V, N>;
 
     fn expecting(&self, to: &mut fmt::Formatter<'_>) -> fmt::Result {
         write!(to, "a list of {N} values, as this scene has them")
@@ -177,6 +182,6 @@ impl<'de, V: Copy + Default + Deserialize<'de>, const N: usize> Visitor<'de> for
         if from.next_element::<V>()?.is_some() {
             return Err(A::Error::invalid_length(N + 1, &self));
         }
-        Ok(List(values))
+        Ok(WrittenList(values))
     }
 }

@@ -7,7 +7,7 @@ mod words;
 use frictiongen::System;
 use frictiongen::study::scene::{Excitation, FrictionLaw, Provide};
 use frictiongen_codegen::{SizeLimits, StepFacts, parse_text, step_facts};
-use run::{Answer, Load, Run};
+use run::{Answer, SineSum, StepperRun};
 use std::f64::consts::TAU;
 
 /// Number of time steps in the shortest natural period of both scenes, if no scene description declares a step.
@@ -51,7 +51,7 @@ impl StepDifference {
 
 /// Results of the steppers of two scenes in the compared run.
 #[derive(Clone, Debug, Default, PartialEq)]
-pub struct Answers {
+pub struct RunDifferences {
     /// Time step of both steppers, in s.
     pub step: f64,
     /// Number of steps in the compared run.
@@ -75,7 +75,7 @@ pub struct Steppers {
     /// scenes has several contacts or no emitted code.
     pub facts: Option<(StepFacts, StepFacts)>,
     /// Results of both steppers in a run of steps. `None` if the runs were not compared.
-    pub answers: Option<Answers>,
+    pub answers: Option<RunDifferences>,
     /// Reasons why the command has not compared some properties of the steppers.
     pub left_out: Vec<String>,
 }
@@ -122,7 +122,7 @@ fn facts(texts: &[String; 2]) -> Option<(StepFacts, StepFacts)> {
 }
 
 /// Compares the results of the steppers of both scenes under the same input.
-fn answers(old: &System, new: &System) -> Result<Answers, String> {
+fn answers(old: &System, new: &System) -> Result<RunDifferences, String> {
     let scenes = [old.scene(), new.scene()];
     let [on_base, on_base_new] = scenes.map(|scene| scene.excitation == Excitation::Base);
     if on_base != on_base_new {
@@ -158,24 +158,28 @@ fn answers(old: &System, new: &System) -> Result<Answers, String> {
         reason = "between the bounds of `STEPS`"
     )]
     let steps = (PERIODS * longest / step).ceil().clamp(STEPS.0, STEPS.1) as u32;
-    let mut load = Load::over(&rates);
+    let mut load = SineSum::over(&rates);
     let (amplitude, frictions) = levels(old, &load, (step, steps), &names)?;
     load.amplitude = amplitude;
-    let mut answers = Answers {
+    let mut answers = RunDifferences {
         step,
         steps,
         amplitude,
         frictions,
-        ..Answers::default()
+        ..RunDifferences::default()
     };
     follow([old, new], &load, &mut answers)?;
     Ok(answers)
 }
 
 /// Runs both steppers under the same load, and stores the largest difference of each result in `answers`.
-fn follow([old, new]: [&System; 2], load: &Load, answers: &mut Answers) -> Result<(), String> {
+fn follow(
+    [old, new]: [&System; 2],
+    load: &SineSum,
+    answers: &mut RunDifferences,
+) -> Result<(), String> {
     let which = |which: &str, reason: String| format!("the {which} stepper stops: {reason}");
-    let start = |system| Run::start(system, load, answers.step, &answers.frictions);
+    let start = |system| StepperRun::start(system, load, answers.step, &answers.frictions);
     let mut one = start(old).map_err(|reason| which("old", reason))?;
     let mut other = start(new).map_err(|reason| which("new", reason))?;
     let mut differences = named(old, new, &answers.frictions);
@@ -257,14 +261,14 @@ fn named(
 /// from a run without friction.
 fn levels(
     old: &System,
-    load: &Load,
+    load: &SineSum,
     (step, steps): (f64, u32),
     contacts: &[String],
 ) -> Result<(f64, Vec<(String, f64)>), String> {
-    let run = |load: &Load, force: f64| -> Result<Vec<[f64; 2]>, String> {
+    let run = |load: &SineSum, force: f64| -> Result<Vec<[f64; 2]>, String> {
         let named = |contact: &String| (contact.clone(), force);
         let frictions: Vec<(String, f64)> = contacts.iter().map(named).collect();
-        let mut run = Run::start(old, load, step, &frictions)?;
+        let mut run = StepperRun::start(old, load, step, &frictions)?;
         let mut largest = vec![[0.0_f64; 2]; contacts.len()];
         for _ in 0..steps {
             let answer = run.step()?;

@@ -18,13 +18,13 @@ const SEED: u64 = 0x9E37_79B9_7F4A_7C15;
 /// A load that is a sum of sine waves with pseudo-random phases. The load has a value and a time derivative at every
 /// time.
 #[derive(Clone, Debug)]
-pub struct Load {
+pub struct SineSum {
     waves: Vec<(f64, f64)>,
     /// Amplitude of each sine wave.
     pub amplitude: f64,
 }
 
-impl Load {
+impl SineSum {
     /// Creates a load whose sine waves cover the range of the natural frequencies `frequencies`, in rad/s.
     pub fn over(frequencies: &[f64]) -> Self {
         let moving = || frequencies.iter().copied().filter(|rate| *rate > 0.0);
@@ -73,42 +73,42 @@ pub struct Answer {
 }
 
 /// A stepper of a scene with one contact, or of a scene with several contacts.
-enum Kind<'a> {
+enum AnyStepper<'a> {
     One(Box<SystemStepper<'a>>),
     Several(Box<JoinedStepper<'a>>),
 }
 
 /// A run of a stepper that starts from rest.
-pub struct Run<'a> {
-    kind: Kind<'a>,
+pub struct StepperRun<'a> {
+    stepper: AnyStepper<'a>,
     scene: &'a Scene,
-    load: &'a Load,
+    load: &'a SineSum,
     frictions: Vec<(&'a str, f64)>,
     dt: f64,
     steps: u32,
 }
 
-impl<'a> Run<'a> {
+impl<'a> StepperRun<'a> {
     /// Starts a run from rest. `frictions` contains the friction force of each contact.
     pub fn start(
         system: &'a System,
-        load: &'a Load,
+        load: &'a SineSum,
         dt: f64,
         frictions: &'a [(String, f64)],
     ) -> Result<Self, String> {
         let scene = system.scene();
-        let kind = if scene.is_joined() {
+        let stepper = if scene.is_joined() {
             let joined = system.joined().map_err(|error| error.to_string())?;
             let stepper = joined.stepper(dt).map_err(|error| error.to_string())?;
-            Kind::Several(Box::new(stepper))
+            AnyStepper::Several(Box::new(stepper))
         } else {
-            Kind::One(Box::new(
+            AnyStepper::One(Box::new(
                 system.stepper(dt).map_err(|error| error.to_string())?,
             ))
         };
         let frictions = frictions.iter();
         let mut run = Self {
-            kind,
+            stepper,
             scene,
             load,
             frictions: frictions
@@ -125,8 +125,8 @@ impl<'a> Run<'a> {
     pub fn step(&mut self) -> Result<Answer, String> {
         self.steps += 1;
         let events = self.input(false)?;
-        let answer = match &self.kind {
-            Kind::One(stepper) => {
+        let answer = match &self.stepper {
+            AnyStepper::One(stepper) => {
                 let now = stepper.contact();
                 let masses = stepper.all_masses();
                 Answer {
@@ -135,7 +135,7 @@ impl<'a> Run<'a> {
                     events,
                 }
             }
-            Kind::Several(stepper) => {
+            AnyStepper::Several(stepper) => {
                 let contacts = stepper.contacts().into_iter();
                 Answer {
                     masses: stepper.masses().iter().map(|[place, _]| *place).collect(),
@@ -161,8 +161,8 @@ impl<'a> Run<'a> {
             Excitation::Base => None,
             Excitation::Force(mass) => self.scene.masses.get(mass),
         };
-        match &mut self.kind {
-            Kind::One(stepper) => {
+        match &mut self.stepper {
+            AnyStepper::One(stepper) => {
                 let input = match excited {
                     None => SystemInput::base(value, rate),
                     Some(_) => SystemInput::force(value),
@@ -176,7 +176,7 @@ impl<'a> Run<'a> {
                 let stepped = stepper.advance(input).map_err(|error| error.to_string())?;
                 Ok(stepped.events.into())
             }
-            Kind::Several(stepper) => {
+            AnyStepper::Several(stepper) => {
                 let force = excited.map(|mass| (mass.name.as_str(), value));
                 let input = JoinedInput {
                     base: if force.is_none() {

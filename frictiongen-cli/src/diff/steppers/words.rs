@@ -2,7 +2,7 @@
 
 use super::super::{ROUNDINGS, per_cent, relative};
 use super::run::{BAND, WAVES};
-use super::{Answers, FRICTION, Steppers};
+use super::{FRICTION, RunDifferences, Steppers};
 use crate::failure::Failure;
 use crate::number::{Cell, Lossless as _, computed};
 use frictiongen_codegen::StepFacts;
@@ -10,7 +10,7 @@ use serde_json::{Value as Json, json};
 use std::io::Write;
 
 /// Comparison of the numbers in the step tables of two steppers.
-struct Tables<'f> {
+struct TableDifferences<'f> {
     /// Number of compared numbers in the tables.
     count: usize,
     /// Number of compared numbers that differ.
@@ -20,7 +20,10 @@ struct Tables<'f> {
 }
 
 /// Compares the numbers in the step tables of two steppers. Returns the reason if the tables cannot be compared.
-fn tables<'f>(old: &'f StepFacts, new: &'f StepFacts) -> Result<Option<Tables<'f>>, String> {
+fn tables<'f>(
+    old: &'f StepFacts,
+    new: &'f StepFacts,
+) -> Result<Option<TableDifferences<'f>>, String> {
     let (before, after) = (&old.numbers, &new.numbers);
     if before.is_empty() && after.is_empty() {
         return Ok(None);
@@ -41,7 +44,7 @@ fn tables<'f>(old: &'f StepFacts, new: &'f StepFacts) -> Result<Option<Tables<'f
     }
     let pairs = || before.iter().zip(after);
     let pairs = || pairs().map(|((place, old), (_, new))| (place.as_str(), *old, *new));
-    Ok(Some(Tables {
+    Ok(Some(TableDifferences {
         count: before.len(),
         differing: pairs().filter(|(_, old, new)| old != new).count(),
         largest: pairs().max_by(|a, b| relative(a.1, a.2).total_cmp(&relative(b.1, b.2))),
@@ -119,7 +122,7 @@ impl Steppers {
             Err(reason) => writeln!(out, "  not compared: {reason}")?,
             Ok(None) => {}
             Ok(Some(found)) => {
-                let Tables {
+                let TableDifferences {
                     count, differing, ..
                 } = found;
                 write!(
@@ -179,7 +182,7 @@ impl Steppers {
             "step_s": { "old": self.declared.0.map(number), "new": self.declared.1.map(number) },
             "operations": operations,
             "tables": tables,
-            "answers": self.answers.as_ref().map(Answers::json),
+            "answers": self.answers.as_ref().map(RunDifferences::json),
             "not_compared": self.reasons(),
         })
     }
@@ -194,7 +197,7 @@ impl Steppers {
     }
 }
 
-impl Answers {
+impl RunDifferences {
     fn write(&self, out: &mut dyn Write) -> Result<(), Failure> {
         let frictions = self.frictions.iter();
         let frictions =

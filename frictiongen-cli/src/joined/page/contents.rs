@@ -8,7 +8,7 @@ use crate::frequency::{Band, Frequencies};
 use crate::friction::Frictions;
 use crate::interrupt;
 use crate::joined::Question;
-use crate::joined::draw::{self, Line, Picture};
+use crate::joined::draw::{self, CurveRows, Picture};
 use crate::measure::{self, Measure};
 use crate::report::asked::{FRACTIONS, PLACES, RANGE, given_band, given_frictions};
 use crate::report::words::number;
@@ -25,7 +25,7 @@ const CURVE: usize = 40;
 const MAP: (usize, usize) = (24, 10);
 
 /// The steady state in which no contact slides, at one frequency.
-pub struct Stuck {
+pub struct StuckAnswers {
     /// Frequency ratio r of the steady state.
     pub r: f64,
     /// Smallest common friction ratio β of the contacts at which no contact slides.
@@ -59,9 +59,9 @@ pub(super) struct Contents<'a> {
     /// Range of frequencies that the page shows.
     pub band: &'a Band,
     /// States in which no contact slides, at frequencies over the range.
-    pub stuck: Vec<Stuck>,
+    pub stuck: Vec<StuckAnswers>,
     /// Steady states on the response curves, with one curve for each friction.
-    pub curves: Vec<Line>,
+    pub curves: Vec<CurveRows>,
     /// Figures of the page, each with its name: closed forms, curves, map and hysteresis loops.
     pub figures: Vec<(&'static str, Figure)>,
     /// The steady state whose hysteresis loops the page shows, if one was found.
@@ -248,13 +248,13 @@ fn levels(betas: &[f64], measure: &Measure) -> Result<Frictions, Failure> {
 }
 
 /// Computes the state in which no contact slides, at each frequency of the range.
-fn stuck(question: &Question<'_>) -> Result<Vec<Stuck>, Failure> {
+fn stuck(question: &Question<'_>) -> Result<Vec<StuckAnswers>, Failure> {
     let mut all = Vec::new();
     for frequency in question.frequencies.all(question.system) {
         let at = question.table().at(frequency).map_err(Failure::new)?;
         // At a resonance of an undamped chain, no state exists in which no contact slides.
         if let Ok(stuck) = at.stuck() {
-            all.push(Stuck {
+            all.push(StuckAnswers {
                 r: frequency.r,
                 limit: stuck.limit(),
                 first: stuck.first().to_owned(),
@@ -266,7 +266,7 @@ fn stuck(question: &Question<'_>) -> Result<Vec<Stuck>, Failure> {
 
 /// Returns two values of `limit`, the friction ratio from which no contact slides. The first value is the median, and
 /// nine tenths of the limits do not exceed the second value.
-fn middle(stuck: &[Stuck]) -> (f64, f64) {
+fn middle(stuck: &[StuckAnswers]) -> (f64, f64) {
     let limits = stuck.iter().map(|stuck| stuck.limit);
     let mut limits: Vec<f64> = limits
         .filter(|limit| 0.0 < *limit && limit.is_finite())
@@ -277,7 +277,10 @@ fn middle(stuck: &[Stuck]) -> (f64, f64) {
 }
 
 /// Finds the steady state with the largest amplitude of any mass, on the curve with the middle friction.
-fn loops<'q>(question: &'q Question<'_>, curves: &[Line]) -> Result<Option<Loops<'q>>, Failure> {
+fn loops<'q>(
+    question: &'q Question<'_>,
+    curves: &[CurveRows],
+) -> Result<Option<Loops<'q>>, Failure> {
     let contacts = question.joined.contact_names().len();
     let Some((friction, line)) = curves.get(curves.len() / 2) else {
         return Ok(None);

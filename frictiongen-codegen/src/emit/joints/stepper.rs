@@ -1,7 +1,7 @@
 //! Emits the stepper of a scene with several contacts.
 
 use super::{JointsEmission, wrapper};
-use crate::emit::about::{Field, numbers_struct};
+use crate::emit::about::{NumberField, numbers_struct};
 use crate::emit::names::{TypeNames, local};
 use frictiongen_kernel::joints::MAX_STEP_EVENTS;
 use frictiongen_model::scene::{Excitation, StepInput};
@@ -31,18 +31,18 @@ fn types(emission: &JointsEmission<'_>) -> TokenStream {
     if scene.excitation == Excitation::Base {
         let (displacement, velocity) = (local("displacement"), local("velocity"));
         let about = " Displacement of the base at the end of the step.";
-        fields.push(Field::new(about, &displacement, scalar));
+        fields.push(NumberField::new(about, &displacement, scalar));
         let about =
             " Velocity of the base at the end of the step, in the unit of displacement per second.";
-        fields.push(Field::new(about, &velocity, scalar));
+        fields.push(NumberField::new(about, &velocity, scalar));
     }
     fields.extend(emission.loads.iter().map(|(mass, field)| {
         let mass = scene.masses.get(*mass).map_or("", |mass| &mass.name);
         let about = format!(" Force on mass `{mass}` at the end of the step.");
-        Field::new(about, field, scalar)
+        NumberField::new(about, field, scalar)
     }));
     let about = " Kinetic friction force of each contact during the step.";
-    fields.push(Field::new(about, &local("friction"), friction));
+    fields.push(NumberField::new(about, &local("friction"), friction));
     let about = format!(
         " Loads on [`{name}`] and friction forces, in the units of the scene: the input of a step."
     );
@@ -51,7 +51,7 @@ fn types(emission: &JointsEmission<'_>) -> TokenStream {
         let about = format!(
             " Kinetic friction force of contact `{contact}`, not negative.  A contact with 0 has no effect."
         );
-        Field::new(about, contact, scalar)
+        NumberField::new(about, contact, scalar)
     });
     let about = format!(" Friction forces of [`{name}`], by contact.");
     let fields: Vec<_> = contacts.collect();
