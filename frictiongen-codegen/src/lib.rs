@@ -1,7 +1,8 @@
 //! Emits specialised Rust solvers for scene descriptions.
 //!
 //! `tokens` passes a macro's tokens to the parser of `frictiongen-syntax`. `lower` converts the parsed description to a
-//! scene with its tables. `graph` records the closed forms as code, and `emit` writes the items of a solver.
+//! scene with its tables. `graph` records the closed forms as code, and `emit` writes the items of a solver. With the
+//! feature `pretty`, `standalone` writes files in C and Rust that need no other crate.
 
 /// Emits code as `quote!` does, but with another name resolution. Names in the user's code and local names in the
 /// emitted code cannot refer to each other.
@@ -11,6 +12,7 @@ macro_rules! code {
     };
 }
 
+mod comment;
 mod diagnostics;
 mod emit;
 mod expand;
@@ -19,8 +21,10 @@ mod header;
 pub mod known;
 mod lower;
 mod quoted;
+#[cfg(feature = "pretty")]
 pub mod standalone;
 mod tokens;
+mod units;
 
 pub use diagnostics::{Errors, MacroErrors, Partial};
 pub use emit::{PASSES_FROM, emit, emit_in_passes, traces};

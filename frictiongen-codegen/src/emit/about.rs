@@ -4,7 +4,7 @@ use super::emission::Emission;
 use super::fingerprint::fingerprint;
 use super::names::TypeNames;
 use crate::Description;
-use crate::standalone::rust_text;
+use crate::comment::rust_text;
 use frictiongen_model::scene::{Beyond, Excitation, FrictionLaw, Node, Scene};
 use proc_macro2::{Ident, TokenStream};
 use quote::ToTokens;

@@ -1,13 +1,9 @@
 //! Checksums of emitted tables. A reviewer sees from the checksum whether a table has changed.
 
-use crate::graph::literal::literal;
-use frictiongen_kernel::Float;
-use frictiongen_model::scene::Precision;
-use frictiongen_model::table::Tables;
-use proc_macro2::{Literal, TokenStream, TokenTree};
+use proc_macro2::{TokenStream, TokenTree};
 
 /// Returns the documentation line with the checksum of a table.
-pub(super) fn about(table: &TokenStream) -> String {
+pub(crate) fn about(table: &TokenStream) -> String {
     let mut numbers = Vec::new();
     collect(table, &mut numbers);
     let plural = if numbers.len() == 1 { "" } else { "s" };
@@ -16,28 +12,6 @@ pub(super) fn about(table: &TokenStream) -> String {
         numbers.len(),
         crc(numbers.join(",").as_bytes())
     )
-}
-
-/// Returns the documentation line with the checksum of the constant `TABLE`, which the macro emits from `tables`. Files
-/// in C and Rust contain the same line, so that a reader can compare a file with the macro's code.
-pub(crate) fn about_table<S: Float>(tables: &Tables<S>) -> String {
-    let precision = if S::EPSILON > f64::EPSILON {
-        Precision::F32
-    } else {
-        Precision::F64
-    };
-    let number = |value: &S| literal(value.to_f64() + 0.0, precision);
-    let index = &tables.index;
-    let (low, density) = (number(&index.low), number(&index.density));
-    let halvings = Literal::u32_unsuffixed(index.halvings);
-    let buckets = index.buckets.iter();
-    let buckets = buckets.map(|place| Literal::usize_unsuffixed(*place));
-    let pieces = tables.pieces.iter().flat_map(|piece| {
-        let coefficients = piece.coefficients.iter().flatten();
-        [&piece.from, &piece.origin].into_iter().chain(coefficients)
-    });
-    let pieces = pieces.map(number);
-    about(&code!(#low, #density, #halvings, #(#buckets,)* #(#pieces),*))
 }
 
 /// Collects the texts of all number literals, each with its sign, in the order of the tokens.

@@ -40,12 +40,13 @@ use names::TypeNames;
 use proc_macro2::{Ident, TokenStream};
 use quote::format_ident;
 
-pub(crate) use about::motion_in_contact;
-pub(crate) use checksum::about_table;
-pub(crate) use fingerprint::fingerprint;
 #[cfg(feature = "pretty")]
 pub use step_facts::{StepFacts, step_facts};
 pub use trace::traces;
+#[cfg(feature = "pretty")]
+pub(crate) use {
+    about::motion_in_contact, checksum::about as about_numbers, fingerprint::fingerprint,
+};
 
 /// Smallest number of modes from which the emitted frequency stage consists of passes over an array of modes. For fewer
 /// modes the frequency stage is straight-line code, which is faster but grows with the number of modes.

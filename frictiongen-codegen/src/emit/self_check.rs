@@ -4,7 +4,7 @@ use super::checksum;
 use super::emission::{Checked, Emission, EmittedCode, Wanted, rounded};
 use super::fields::fields;
 use crate::known::{AnswersRequest, KnownAnswers, MotionKind, POINTS, TAU, known};
-use crate::standalone;
+use crate::units::domain;
 use frictiongen_kernel::emitted::check;
 use frictiongen_kernel::number::dd::Dd;
 use frictiongen_model::scene::Precision;
@@ -106,12 +106,8 @@ fn answers(emission: &Emission<'_>, wanted: &Wanted<'_>) -> (Allowed, Vec<KnownA
     };
     let tables = emission.description.tables.as_ref();
     let (accuracy, [r, beta]) = match tables {
-        Some(SceneTables::Double(tables)) => {
-            (tables.request.accuracy, standalone::domain(scene, tables))
-        }
-        Some(SceneTables::Single(tables)) => {
-            (tables.request.accuracy, standalone::domain(scene, tables))
-        }
+        Some(SceneTables::Double(tables)) => (tables.request.accuracy, domain(scene, tables)),
+        Some(SceneTables::Single(tables)) => (tables.request.accuracy, domain(scene, tables)),
         None => {
             let resonances = emission.modal.resonances.iter();
             let resonances: Vec<f64> = resonances.map(|own| own.hi).collect();

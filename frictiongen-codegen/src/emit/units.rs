@@ -2,7 +2,7 @@
 
 use super::emission::{Checked, Emission, EmittedCode};
 use super::fingerprint::fingerprint;
-use crate::standalone::UnitConstants;
+use crate::units::UnitConstants;
 use frictiongen_model::scene::{Excitation, Precision};
 use proc_macro2::{Literal, TokenStream};
 

@@ -1,7 +1,8 @@
 //! Known answers. The self-check of an emitted file compares its own answers with them.
 
-use super::{NumberFormat, Source, domain};
+use super::{NumberFormat, Source};
 use crate::known::{AnswersRequest, KnownAnswers, MotionKind, known};
+use crate::units::domain;
 use frictiongen_kernel::Float;
 use frictiongen_model::modal::Modal;
 use frictiongen_model::scene::Precision;

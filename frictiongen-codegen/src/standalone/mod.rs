@@ -18,13 +18,14 @@ mod units;
 
 pub use c::{c_header, c_name, c_source, c_tables, c_tables_name};
 pub use known::known_answers;
-pub(crate) use origin::rust_text;
 pub use origin::{NOTICE, Origin, c_text, scene_hash};
 pub use rust::rust_source;
 pub use stepping::StepperShape;
-pub use units::UnitConstants;
 
-use crate::emit::{about_table, motion_in_contact};
+pub use crate::units::UnitConstants;
+
+use crate::emit::motion_in_contact;
+use checksum::about_table;
 use constants::{ConstantForm, FileConstants};
 use frictiongen_kernel::Float;
 use frictiongen_model::scene::{Excitation, Provide, Scene};
@@ -369,24 +370,6 @@ impl LoadWords {
             },
         }
     }
-}
-
-/// Returns the declared ranges of r and of β, as numbers of the file's scalar type.
-pub(crate) fn domain<S: Float>(scene: &Scene, tables: &Tables<S>) -> [(f64, f64); 2] {
-    let round = |value: f64| S::constant(value).to_f64();
-    let (low, high) = tables.request.r;
-    let largest = if S::EPSILON > f64::EPSILON {
-        f64::from(f32::MAX)
-    } else {
-        f64::MAX
-    };
-    let declared = scene.declared.range;
-    let (least, most) = declared.map_or((0.0, largest), |range| range.beta);
-    // The domain excludes an infinite friction ratio, so the largest finite number replaces infinity.
-    [
-        (round(low), round(high)),
-        (round(least), round(most.min(largest))),
-    ]
 }
 
 /// Returns a name in snake case: `TwoStorey` becomes `two_storey`.

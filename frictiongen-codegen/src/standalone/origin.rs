@@ -1,6 +1,7 @@
 //! Writes the origin of an emitted file: its description, the command that made it, the version, and the hash of the
 //! scene.
 
+use crate::comment::rust_text;
 use crate::emit::fingerprint;
 use frictiongen_model::scene::Scene;
 
@@ -113,19 +114,4 @@ pub fn c_text(text: &str) -> String {
 fn digit(subscript: char) -> char {
     let value = u32::from(subscript) - u32::from('₀');
     char::from_digit(value, 10).unwrap_or(subscript)
-}
-
-/// Returns a text that is safe in a comment of Rust. The text contains no control characters, and no characters that
-/// change the text direction, which the compiler refuses.
-pub(crate) fn rust_text(text: &str) -> String {
-    let turns = |letter| matches!(letter, '\u{202a}'..='\u{202e}' | '\u{2066}'..='\u{2069}');
-    let mut out = String::new();
-    for letter in text.chars() {
-        match letter {
-            '\t' => out.push_str("    "),
-            _ if letter.is_control() || turns(letter) => out.extend(letter.escape_unicode()),
-            _ => out.push(letter),
-        }
-    }
-    out
 }

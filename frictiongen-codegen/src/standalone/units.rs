@@ -1,75 +1,16 @@
-//! Constants that convert between ratios and units.
+//! The numbers of an emitted file that its checksum of the units reads.
 
-use super::{Source, domain};
+use super::Source;
+use crate::units::{UnitConstants, domain};
 use frictiongen_kernel::Float;
-use frictiongen_model::modal::Modal;
-use frictiongen_model::rounded;
-use frictiongen_model::scene::Scene;
-
-/// Constants that convert between ratios and units, rounded to a scalar type.
-#[derive(Clone, Debug, PartialEq)]
-pub struct UnitConstants {
-    /// k₁, the stiffness of the first spring, in N/m if springs are in N/m.
-    pub k1: f64,
-    /// The two nodes of the first spring.
-    pub spring: String,
-    /// m₁, the first mass, in kg if masses are in kg.
-    pub m1: f64,
-    /// Name of the first mass of the scene.
-    pub mass: String,
-    /// √(k₁/m₁), the divisor of angular frequencies, in rad/s.
-    pub reference: f64,
-    /// Natural frequencies ω_i/(2π) in Hz, ascending.
-    pub hertz: Vec<f64>,
-    /// Frequency ratios r of the undamped resonances, ascending.
-    pub resonances: Vec<f64>,
-}
-
-impl UnitConstants {
-    /// Returns the constants of a scene, rounded to the scalar type `S`.
-    #[must_use]
-    pub fn of<S: Float>(scene: &Scene) -> Self {
-        let modal = Modal::of(scene);
-        let round = |value: f64| S::constant(value).to_f64();
-        let spring = scene.springs.first();
-        let mass = scene.masses.first();
-        let ends = spring.map(|spring| {
-            format!(
-                "{} - {}",
-                scene.node_name(spring.from),
-                scene.node_name(spring.to)
-            )
-        });
-        let hertz = modal.natural_frequencies().into_iter();
-        let hertz = hertz.map(|omega| round(omega.to_f64() / core::f64::consts::TAU));
-        Self {
-            k1: round(scene.first_stiffness()),
-            spring: ends.unwrap_or_default(),
-            m1: round(mass.map_or(1.0, |mass| mass.value)),
-            mass: mass.map(|mass| mass.name.clone()).unwrap_or_default(),
-            reference: rounded::<S>(modal.reference).to_f64(),
-            hertz: hertz.collect(),
-            resonances: modal
-                .resonances
-                .iter()
-                .map(|value| round(value.to_f64()))
-                .collect(),
-        }
-    }
-
-    /// Returns all numbers, in the order in which the checksum reads them.
-    fn numbers(&self) -> Vec<f64> {
-        let mut numbers = vec![self.k1, self.m1, self.reference];
-        numbers.extend(&self.hertz);
-        numbers.extend(&self.resonances);
-        numbers
-    }
-}
 
 /// Returns the constants of an emitted file, in the order of their checksum. The constants of [`UnitConstants`] come
 /// first, then the bounds of the ranges of r and β.
 pub(super) fn unit_numbers<S: Float>(source: &Source<'_, S>) -> Vec<f64> {
-    let mut all = UnitConstants::of::<S>(source.scene).numbers();
+    let constants = UnitConstants::of::<S>(source.scene);
+    let mut all = vec![constants.k1, constants.m1, constants.reference];
+    all.extend(constants.hertz);
+    all.extend(constants.resonances);
     let [r, beta] = domain(source.scene, source.tables);
     all.extend([r.0, r.1]);
     if source.tables.moves() {

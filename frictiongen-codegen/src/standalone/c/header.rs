@@ -1,12 +1,12 @@
 //! Writes the header of the C file.
 
-use super::super::units::UnitConstants;
 use super::super::{
     CONTINUOUS_EQUATIONS, Language, LoadWords, NumberFormat, STATUSES, STUCK_EQUATIONS, Source,
-    about, domain, meaning, motion_in_contact, piece_numbers,
+    about, meaning, motion_in_contact, piece_numbers,
 };
 use super::{check, constant, status};
 use crate::standalone::origin::c_text;
+use crate::units::{UnitConstants, domain};
 use frictiongen_kernel::Float;
 
 /// Writes the header with the declarations. Its functions and constants begin with `name`.

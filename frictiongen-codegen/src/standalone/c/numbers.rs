@@ -2,12 +2,12 @@
 
 use super::super::formulas::Formulas;
 use super::super::known::{known_answers, numbers as known_numbers, rows, status as known_status};
-use super::super::units::UnitConstants;
 use super::super::{
     Language, NumberFormat, RESPONSES, Source, about, checksum, columns, piece_numbers, wrapped,
 };
 use super::{status, units};
 use crate::standalone::origin::c_text;
+use crate::units::UnitConstants;
 use frictiongen_kernel::Float;
 
 /// Writes the file that `frame.c` includes as `frame_tables.h`. Returns `None` if β*_lim is not stored as a product.

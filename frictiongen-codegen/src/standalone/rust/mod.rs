@@ -6,11 +6,11 @@ mod lacking;
 mod stuck;
 
 use super::formulas::Formulas;
-use super::units::UnitConstants;
 use super::{
     COLUMNS, CONTINUOUS_EQUATIONS, Language, LoadWords, NumberFormat, RESPONSES, STATUSES,
-    STUCK_EQUATIONS, Source, about, columns, domain, first_step, meaning, quotient_about, wrapped,
+    STUCK_EQUATIONS, Source, about, columns, first_step, meaning, quotient_about, wrapped,
 };
+use crate::units::{UnitConstants, domain};
 use frictiongen_kernel::Float;
 use frictiongen_model::table::Tables;
 
