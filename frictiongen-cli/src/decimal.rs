@@ -42,8 +42,8 @@ impl Decimal {
         text.parse().unwrap_or(f64::NAN)
     }
 
-    /// Returns the digits that represent the same number with the smaller exponent of 10 `exponent`. Returns `None` if
-    /// the digits do not fit into the type.
+    /// Returns the digits of the same number for another exponent of 10. Returns `None` if `exponent` is larger than
+    /// the exponent of this number, or if the digits do not fit into the type.
     fn scaled(self, exponent: i32) -> Option<i128> {
         let by = u32::try_from(self.exponent.checked_sub(exponent)?).ok()?;
         self.digits.checked_mul(10_i128.checked_pow(by)?)

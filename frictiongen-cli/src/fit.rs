@@ -196,7 +196,8 @@ fn heading<R>(column: &Column<'_, R>, layout: Layout) -> Vec<String> {
     part.chain(&column.title).cloned().collect()
 }
 
-/// Keeps the same columns for every motion as for the first motion. `kept` is true for each column of the table.
+/// Keeps the same columns for every motion as for the first motion. `kept` has a flag for each column, which is true
+/// if the table contains the column.
 fn follow_first<R>(columns: &[Column<'_, R>], kept: &mut [bool]) {
     let first = columns.iter().find_map(|column| column.part.as_ref());
     let of_first: Vec<(String, bool)> = columns

@@ -20,7 +20,7 @@ pub struct Band {
     pub from: f64,
     /// Highest frequency ratio r of the range.
     pub to: f64,
-    /// Largest distance between neighbouring points, in r.
+    /// Largest distance between neighbouring points, in r. `None` if the user gave no step.
     pub widest: Option<f64>,
     unit: Unit,
 }

@@ -5,7 +5,7 @@ use crate::failure::Failure;
 use crate::hint;
 use std::fmt;
 
-/// Largest number of points of a grid. For two grids, their numbers of points multiplied must not exceed this number.
+/// Largest number of points of a grid. With two grids, it is the largest product of their numbers of points.
 pub const MOST_POINTS: usize = 10_000_000;
 
 /// Number of equal steps in a range `a:b` without a step.

@@ -103,7 +103,7 @@ impl FileArgument {
     }
 
     /// Reads and parses a scene description for a command that requires constant kinetic friction. Fails for any other
-    /// friction law.
+    /// friction law, and for a scene with several contacts or dashpots.
     pub fn constant_level(&self, limits: &SizeLimits) -> Result<Description, Failure> {
         Ok(self.constant_level_with_text(limits)?.0)
     }
@@ -120,7 +120,8 @@ impl FileArgument {
         Ok((description, text))
     }
 
-    /// Reads and parses a scene description within the limits that the macro sets, and returns it with its text.
+    /// Reads and parses a scene description, and returns it with its text. Fails for a scene with several contacts or
+    /// dashpots.
     pub fn exported(&self, limits: &SizeLimits) -> Result<(Description, String), Failure> {
         let text = self.text()?;
         let description = self.single(self.parsed(&text, limits)?)?;

@@ -42,7 +42,7 @@ pub trait ResultTable {
     fn preamble(&self) -> Vec<(&'static str, String)> {
         Vec::new()
     }
-    /// Returns an additional JSON field for a row with its name, or `None`.
+    /// Returns the name and the value of an additional JSON field for a row, or `None`.
     fn more(&self, _row: &Self::Row) -> Option<(&'static str, serde_json::Value)> {
         None
     }

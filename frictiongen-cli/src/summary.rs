@@ -31,7 +31,7 @@ pub struct Summary {
 }
 
 impl Summary {
-    /// Collects the contents of the lines for a system.
+    /// Collects the contents of the lines before a table, for a system.
     pub fn of(system: &System, physical: bool, measure: Measure) -> Self {
         let scene = system.scene();
         let natural_frequencies = system.natural_frequencies();

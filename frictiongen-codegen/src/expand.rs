@@ -25,7 +25,7 @@ pub fn expand(input: TokenStream) -> TokenStream {
     }
 }
 
-/// Returns the literal and its value, which is the path of a file. Returns `None` if the input is not a single string.
+/// Returns the literal and its value, the path of a file, if the input is a single string. Otherwise returns `None`.
 fn file(input: &TokenStream) -> Option<(Literal, String)> {
     let mut trees = input.clone().into_iter();
     match (trees.next()?, trees.next()) {

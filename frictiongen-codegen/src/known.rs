@@ -1,5 +1,5 @@
-//! Known answers of a scene, computed in double-double. The self-check of emitted code compares the answers of that
-//! code with the known answers.
+//! Known answers of a scene: reference results that are computed in double-double. The self-check of emitted code
+//! compares its own results with the known answers.
 
 use frictiongen_kernel::Float;
 use frictiongen_kernel::number::dd::Dd;
@@ -44,7 +44,7 @@ pub struct AnswersRequest {
     /// Largest relative error that the code may allow instead of `tolerance`. A part of the range of r may need it,
     /// because every answer in the part depends on rounding.
     pub widest: f64,
-    /// True if the request includes the continuous motion at a friction ratio.
+    /// True if the answers contain the motion at one friction ratio.
     pub motion: bool,
     /// True if the answers contain the responses while the contact is stuck.
     pub stuck: bool,

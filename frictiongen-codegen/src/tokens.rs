@@ -7,7 +7,8 @@ use frictiongen_syntax::{
 };
 use proc_macro2::{Group, Ident, Literal, Punct, Spacing, Span, TokenStream, TokenTree};
 
-/// The compiler's tokens. A [`TokenPosition`] is an index in this list. The list is empty for a text.
+/// The compiler's tokens. The field `token` of a [`TokenPosition`] is an index in this list. The list is empty for a
+/// text.
 #[derive(Default)]
 pub(crate) struct Sources {
     list: Vec<TokenSource>,

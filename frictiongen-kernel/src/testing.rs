@@ -71,7 +71,7 @@ fn free(x: f64, zeta: f64, tau: f64, last: usize) -> [f64; ORDERS] {
     out
 }
 
-/// Returns the derivatives (cos τ)⁽ⁿ⁾ and (sin τ)⁽ⁿ⁾ at τ, for n = `order`.
+/// Returns the derivatives of cos τ and sin τ with respect to τ, of the order `order`.
 fn turning(tau: f64, order: usize) -> (f64, f64) {
     let (s, c) = tau.sin_cos();
     [(c, s), (-s, c), (-c, -s), (s, -c)][order % 4]
@@ -127,8 +127,8 @@ pub fn sum_derivative(sum: &Sum<'_, f64, Damped<f64>>, tau: f64, order: usize) -
 
 /// Returns four or five test waves, each with a name. A wave is the term of one mode in a modal sum.
 ///
-/// In each of the first four waves, one coefficient is 1 and the others are 0. For a slow mode, a fifth wave contains
-/// the whole response.
+/// In each of the first four waves, one coefficient is 1 and the others are 0. For a mode that resonates far below the
+/// excitation frequency, a fifth wave contains the whole response.
 pub fn parts(x: f64, zeta: f64) -> Vec<(&'static str, TestWave)> {
     let at_rest = at_rest(x, zeta);
     let mut parts = vec![
@@ -172,9 +172,9 @@ pub fn parts(x: f64, zeta: f64) -> Vec<(&'static str, TestWave)> {
     parts
 }
 
-/// Returns random waves in ascending order of natural frequency. A wave is the term of one mode in a modal sum. Either
-/// each mode has its own damping, or no mode is damped. If `rise` is false, a wave has only the terms that occur in the
-/// velocity constraint.
+/// Returns random waves in ascending order of natural frequency. A wave is the term of one mode in a modal sum. If
+/// `undamped` is true, no mode is damped. Otherwise each mode has its own damping ratio. If `rise` is false, a wave
+/// has only the terms that occur in the velocity constraint.
 pub fn random_waves(
     random: &mut Lcg,
     (low, high): (f64, f64),
@@ -259,11 +259,11 @@ pub fn random_motion(
     (waves, cosine, sine)
 }
 
-/// Returns a random velocity constraint: the waves of the modes, the coefficient of sin τ, and the limit of the
-/// constraint for τ → 0.
+/// Returns a random velocity constraint: the waves of the modes, the coefficient of sin τ in their sum, and the limit
+/// of the constraint for τ → 0.
 ///
-/// A wave is the term of one mode. The sum of the waves vanishes at τ = 0 and at τ = π, and so does sin τ. Without
-/// damping the sum is odd about τ = π/2.
+/// A wave is the term of one mode. The sum of the waves vanishes at τ = 0 and at τ = π. Without damping, the sum of
+/// the waves plus the limit times sin τ is odd about τ = π/2.
 pub fn random_constraint(
     random: &mut Lcg,
     (low, high): (f64, f64),

@@ -4,11 +4,11 @@ use crate::modal::Modal;
 use crate::scene::{Damping, Node, Scene};
 use frictiongen_kernel::number::dd::Dd;
 
-/// Natural frequencies of at most this fraction of the largest natural frequency count as 0. They belong to motions of
-/// the chain without deformation.
+/// Natural frequencies of at most this fraction of the largest natural frequency count as 0. They belong to rigid-body
+/// modes, in which no spring deforms.
 const RIGID: f64 = 1e-13;
 
-/// Returns the modal data with natural frequencies of exactly 0 for motions of the chain without deformation.
+/// Returns the modal data with natural frequencies of exactly 0 for rigid-body modes, in which no spring deforms.
 #[must_use]
 pub fn at_rest(scene: &Scene, mut modal: Modal) -> Modal {
     let most = modal.resonances.iter().map(|root| root.to_f64());
@@ -25,7 +25,8 @@ pub fn at_rest(scene: &Scene, mut modal: Modal) -> Modal {
 }
 
 /// Returns the damping matrix of the field `damping` by rows, in the units of the description. Without damping the
-/// list is empty. A motion without deformation has no modal damping. `modal` is the result of [`at_rest`].
+/// list is empty. Modal damping has no effect on a rigid-body mode, in which no spring deforms. `modal` is the result
+/// of [`at_rest`].
 #[must_use]
 pub fn damping_matrix(scene: &Scene, modal: &Modal) -> Vec<Vec<f64>> {
     let matrix = match scene.damping {
@@ -92,9 +93,10 @@ fn rayleigh(scene: &Scene, mass: f64, stiffness: f64) -> Vec<Vec<Dd>> {
     matrix
 }
 
-/// Returns the numbers of the two nodes of a spring, dashpot or contact. The masses count first, then the wall, then
-/// the base. The node whose motion counts as positive comes first: the later mass, or the mass if the other node is a
-/// support. Returns `None` unless the two names are nodes of the chain, and at least one node is a mass.
+/// Returns the numbers of the two nodes of a spring, dashpot or contact. The numbers of the masses are their indices.
+/// The wall and the base have the next two numbers. The node whose motion counts as positive comes first: the later
+/// mass, or the mass if the other node is a support. Returns `None` if a node does not exist, if both nodes are the
+/// same, or if neither is a mass.
 #[must_use]
 pub fn numbered(masses: usize, from: Node, to: Node) -> Option<(usize, usize)> {
     let number = |node| match node {

@@ -49,14 +49,14 @@ pub struct Modal<T = Dd> {
     /// wᵀK̄⁻¹w, the static relative displacement of the contact under a unit force in the contact. w is the contact
     /// direction, and K̄ the stiffness matrix.
     pub static_receptance: T,
-    /// True if the contact slides on the moving base. Its relative displacement is then z̄ = wᵀx̄ − cos τ, with the
-    /// contact direction w.
+    /// True if the contact slides on the moving base. Its relative displacement is then z̄ = wᵀx̄ − cos τ_e, with the
+    /// contact direction w and the phase τ_e of the base.
     pub on_moving_base: bool,
     /// √(k₁/m₁), the reference frequency of all frequency ratios, in rad/s in the scene's own units.
     pub reference: T,
     /// μ, the ratio of static to kinetic friction force.
     pub stiction: T,
-    /// ρ = k₁/k, the compliance of an elastic contact. `None` for a rigid contact.
+    /// k₁/k, the non-dimensional compliance of an elastic contact with the stiffness k. `None` for a rigid contact.
     pub compliance: Option<T>,
     /// The contact's masses by index: the two masses in ascending order, or a single mass and `None`.
     pub contact: (usize, Option<usize>),

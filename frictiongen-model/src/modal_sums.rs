@@ -1,18 +1,19 @@
-//! Sums over the modes: projections, static displacements, and the drag of a moving base. A sum that is only rounding
-//! noise becomes zero.
+//! Sums over the modes: projections, static displacements, and the acceleration of the contact that damping relative
+//! to a moving base causes. A sum that is only rounding noise becomes zero.
 
 use crate::jacobi::dot;
 use frictiongen_kernel::Float;
 use frictiongen_kernel::number::dd::Dd;
 
-/// Returns the scalar product of a unit vector and another vector, or exactly zero if the product is only rounding
-/// noise.
+/// Returns the scalar product of the unit vector `vector` and the vector `on`. A product of at most `noise` times the
+/// length of `on` is only rounding noise, and becomes exactly zero.
 pub(crate) fn projected(vector: &[Dd], on: &[Dd], noise: f64) -> Dd {
     cleaned(dot(vector, on), dot(on, on).sqrt(), noise)
 }
 
-/// Returns wᵀK̄⁻¹p − s and wᵀK̄⁻¹w, the static relative displacements of the contact under a unit load and under a unit
-/// force in the contact.
+/// Returns the static relative displacements of the contact: wᵀK̄⁻¹p − s under a unit load, and wᵀK̄⁻¹w under a unit
+/// force in the contact. w is the contact direction, K̄ the stiffness matrix and p the load vector. s (`carried`) is 1
+/// if the contact slides on the moving base, otherwise 0.
 pub(crate) fn static_sums<T: Float>(
     carried: T,
     resonances: &[T],

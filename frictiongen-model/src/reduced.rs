@@ -25,7 +25,7 @@ pub struct Reduced<S> {
     pub chain: Chain<S>,
     /// Limiting values of β_lim and β*_lim at r = 0 and r = ∞.
     pub ends: Ends<S>,
-    /// ρ = k₁/k, the compliance of an elastic contact. `None` for a rigid contact.
+    /// k₁/k, the non-dimensional compliance of an elastic contact with the stiffness k. `None` for a rigid contact.
     pub compliance: Option<S>,
     /// Index of the mass that slides on a support. `None` if two masses slide on each other.
     pub rubbing: Option<usize>,
@@ -117,8 +117,9 @@ impl<T: Float> Modal<T> {
 }
 
 impl<T: Float> Modal<T> {
-    /// Returns the load in quadrature on one mode in another number type, in the form of the kernel's `Quadrature`.
-    /// Both numbers are 0 unless damping acts on velocities relative to the moving base.
+    /// Returns the load on one mode in quadrature with the motion of the base, in another number type. The two numbers
+    /// have the meaning of the kernel's `Quadrature`. Both numbers are 0 unless damping acts on velocities relative to
+    /// the moving base.
     #[must_use]
     pub fn quadrature<S>(&self, mode: usize, to: &impl Fn(T) -> S) -> [S; 2] {
         let pick = |of: &[T]| of.get(mode).copied().unwrap_or(T::constant(0.0));
@@ -131,7 +132,8 @@ impl<T: Float> Modal<T> {
     }
 }
 
-/// Returns the load in quadrature on one mode, in the form of the kernel's `Quadrature`. `to` rounds each number once.
+/// Returns the load on one mode in quadrature with the motion of the base. The two numbers have the meaning of the
+/// kernel's `Quadrature`. `to` rounds each number once.
 pub(crate) fn quadrature<T: Float, S>(
     (resonance, zeta): (T, T),
     contact: T,

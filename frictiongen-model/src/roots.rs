@@ -1,7 +1,7 @@
-//! Natural frequencies of the chain with its contact stuck. They are the roots s of 1/κ + Σ c_i/(s² + 2ζ_iσ_i s + λ_i)
-//! over the modes i of the sliding chain. Mode i has the resonance σ_i = √λ_i, the damping ratio ζ_i and the
-//! contribution c_i to the inverse effective mass of the contact. κ is the stiffness of the contact divided by k₁, and
-//! 1/κ is the *compliance* of the contact. The compliance of a rigid contact is 0.
+//! Modes of the chain with its contact stuck. A mode is a pair of roots s of 1/κ + Σ c_i/(s² + 2ζ_iσ_i s + λ_i) over
+//! the modes i of the sliding chain. Mode i has the resonance σ_i = √λ_i, the damping ratio ζ_i and the contribution
+//! c_i to the inverse effective mass of the contact. κ is the stiffness of the contact divided by k₁, and 1/κ is the
+//! *compliance* of the contact. The compliance of a rigid contact is 0.
 //!
 //! Without damping, one root lies between each pair of neighbouring resonances. With an elastic contact, another root
 //! lies above the last resonance. With damping, the simultaneous iteration of Aberth and Ehrlich starts from the
@@ -197,11 +197,10 @@ pub(crate) fn converge(modes: &[DrivenMode], direct: Dd, roots: &mut [Complex<Dd
     steps::<Dd>(modes, direct, roots, known, LAST_STEPS);
 }
 
-/// Upper bound on the number of iteration steps, and the relative correction at which the iteration ends. These values
-/// are for the first part of the iteration, in double precision. `LAST_STEPS` are for the second part, in
-/// double-double.
+/// Largest number of steps in double precision, and the relative correction at which these steps end. The search for
+/// roots begins with these steps. The steps in double-double follow (`LAST_STEPS`).
 const FIRST_STEPS: (usize, f64) = (100, 1e-14);
-/// Upper bound on the number of steps in double-double, and the relative correction at which the iteration ends.
+/// Largest number of steps in double-double, and the relative correction at which the search for roots ends.
 const LAST_STEPS: (usize, f64) = (60, 1e-29);
 
 /// A root counts as real if its imaginary part is at most this fraction of its modulus. Rounding alone can cause an
@@ -289,9 +288,9 @@ fn slope_over_value<S: Float>(modes: &[[S; 4]], direct: S, s: Complex<S>) -> Com
     Complex::new(others.re - own.re, others.im - own.im)
 }
 
-/// Joins two conjugate roots into a pair, and joins real roots into pairs by size. Two real roots that started as a
-/// conjugate pair stay together. A pair of real roots from two different modes would make the modal contributions
-/// nearly linearly dependent.
+/// Joins two conjugate roots into a pair, and joins real roots into pairs by size. Two real roots whose starting
+/// values come from one undamped frequency stay together. A pair of real roots from two different modes would make the
+/// modal contributions nearly linearly dependent.
 fn paired(started: Vec<Complex<Dd>>) -> Vec<Pair> {
     let is_real = |root: &Complex<Dd>| {
         let size = complex::modulus(*root, true);

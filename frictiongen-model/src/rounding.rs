@@ -1,4 +1,4 @@
-//! Rounds double-double numbers once.
+//! Rounds a double-double number, the sum of two doubles, to another number type in one step.
 
 use frictiongen_kernel::Float;
 use frictiongen_kernel::number::dd::Dd;

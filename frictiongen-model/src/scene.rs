@@ -304,7 +304,7 @@ pub struct Scene {
     /// The settings of the stepper.
     #[cfg_attr(feature = "serde", serde(default))]
     pub stepping: StepperOptions,
-    /// Several contacts, and dashpots.
+    /// The contacts of the field `contacts`, and the dashpots.
     #[cfg_attr(feature = "serde", serde(default))]
     #[doc(hidden)]
     pub joints: Joints,
@@ -321,8 +321,8 @@ impl Scene {
     }
 
     /// Returns true if the emitted code has a method that depends on the frequency of excitation. The stepper does not
-    /// depend on this frequency. If the kinetic friction depends on the speed, the simulation does not depend on it
-    /// either.
+    /// depend on this frequency. If the kinetic friction depends on the speed, the simulation does not depend on this
+    /// frequency either.
     #[must_use]
     pub fn needs_frequency(&self) -> bool {
         let constant = self.friction == FrictionLaw::Coulomb;

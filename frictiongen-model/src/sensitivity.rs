@@ -1,10 +1,10 @@
 //! Derivatives of the modal data with respect to the quantities of a scene. The module computes them by first-order
 //! perturbation of the modes, in double-double.
 //!
-//! The modes are the eigenvectors of GᵀG, the stiffness matrix scaled by the masses. γ and κ are the mass and stiffness
-//! ratios, Γ is the diagonal matrix of γ, and λ are the squared resonances. With v = √Γφ, the change of GᵀG between
-//! modes i and j is vᵢᵀ(dGᵀG)vⱼ = Σ_e (dκ/κ)ₑ κₑδᵢₑδⱼₑ − ½(λ_i + λ_j) Σ_m (dγ/γ)_m vᵢₘvⱼₘ. δᵢₑ is the elongation of
-//! spring e in mode i.
+//! The modes are the eigenvectors of GᵀG, the stiffness matrix scaled by the masses. γ and κ are the mass and
+//! stiffness ratios, Γ is the diagonal matrix of γ, and λ are the squared resonances. With v = √Γφ, the change of GᵀG
+//! has, for the modes i and j, the entry vᵢᵀ(dGᵀG)vⱼ = Σ_e (dκ/κ)ₑ κₑδᵢₑδⱼₑ − ½(λ_i + λ_j) Σ_m (dγ/γ)_m vᵢₘvⱼₘ. δᵢₑ is
+//! the elongation of spring e in mode i.
 
 mod base;
 mod equal;
@@ -157,7 +157,8 @@ impl Modal<Dual<Dd>> {
     }
 }
 
-/// Returns the factors a and b of Rayleigh damping. Factor a or b may be the variable of the derivative.
+/// Returns the factors a and b of Rayleigh damping. If `along` names one of these factors, this factor is the variable
+/// of the derivative.
 fn factors(scene: &Scene, along: Option<Quantity>) -> Option<(Dual<Dd>, Dual<Dd>)> {
     let Damping::Rayleigh { mass, stiffness } = scene.damping else {
         return None;

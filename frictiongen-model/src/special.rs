@@ -47,8 +47,9 @@ impl<T: Float> Modal<T> {
         Some((0..masses).map(start).collect())
     }
 
-    /// Returns an estimate of the peak amplitude of a mass at a damped resonance, for small ζ (7.60). The estimate
-    /// contains sinh x/(cosh x − 1), which the code evaluates as coth(x/2). Returns `None` for a mode without damping.
+    /// Returns an estimate of the peak amplitude of a mass at a damped resonance, for small ζ (7.60). `beta` is the
+    /// friction ratio β. The estimate contains sinh x/(cosh x − 1) with x = πζ, which the code evaluates as coth(x/2).
+    /// Returns `None` for a mode without damping.
     #[must_use]
     pub fn resonant_peak_estimate(&self, mode: usize, mass: usize, beta: T) -> Option<T> {
         let zeta = *self.damping_ratios.get(mode)?;

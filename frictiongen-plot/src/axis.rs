@@ -63,8 +63,8 @@ impl Axis {
     }
 
     /// Creates a linear axis that shows all finite values, with a margin of 4 % of their range at each end. The axis
-    /// begins at zero if no value is negative and the smallest is at most 0.3 of the largest. The axis ends at zero
-    /// under the same conditions for the negated values.
+    /// begins at zero if no value is negative and the smallest is at most 0.3 of the largest. The axis ends at zero if
+    /// no value is positive and the smallest |value| is at most 0.3 of the largest |value|.
     #[must_use]
     pub fn fitted(label: impl Into<Label>, values: impl IntoIterator<Item = f64>) -> Self {
         let Some((low, high)) = ends(values, f64::MIN) else {
@@ -107,9 +107,9 @@ impl Axis {
         }
     }
 
-    /// Returns the lower and upper end of the axis as it is drawn. If the given ends cannot be drawn, the function
-    /// changes them. The result is finite and ascending, wider than rounding errors, and positive on a logarithmic
-    /// axis.
+    /// Returns the lower and upper end of the axis as the figure draws it. If the given ends cannot be drawn, the
+    /// function changes them. The ends in the result are finite and ascending, and positive on a logarithmic axis.
+    /// Their distance is larger than rounding errors.
     pub(crate) fn range(&self) -> (f64, f64) {
         if !self.low.is_finite() || !self.high.is_finite() {
             return if self.scale == Scale::Log {

@@ -25,7 +25,7 @@ const MARGIN: f64 = 8.0;
 pub(crate) const ALONE: f64 = 1000.0;
 
 impl Sketch {
-    /// Returns the sketch as a separate SVG document. Returns `None` if there are no masses or too many.
+    /// Returns the sketch as a separate SVG document. Returns `None` if the sketch has no masses or too many.
     #[must_use]
     pub fn svg(&self) -> Option<String> {
         let (width, height) = self.size(ALONE)?;

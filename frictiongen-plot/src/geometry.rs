@@ -25,8 +25,8 @@ impl Rect {
         self.left <= x && x <= self.right() && self.top <= y && y <= self.bottom()
     }
 
-    /// Returns the piece of the segment from a to b that lies inside the rectangle. The two numbers are the start and
-    /// the end of the piece, as fractions of the segment. Returns `None` if no piece lies inside.
+    /// Returns the start and the end of the piece of the segment from a to b that lies inside the rectangle, as
+    /// fractions of the segment. Returns `None` if no piece lies inside.
     fn within(&self, a: Point, b: Point) -> Option<(f64, f64)> {
         let (dx, dy) = (b.0 - a.0, b.1 - a.1);
         let (mut from, mut to) = (0.0_f64, 1.0_f64);

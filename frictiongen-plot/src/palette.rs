@@ -19,7 +19,7 @@ pub enum Colour {
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Fill {
     /// Pale colour of the class with this index. The colours repeat after [`Fill::CLASSES`] classes. The first three
-    /// are blue, orange and grey.
+    /// colours are blue, orange and grey.
     Class(usize),
     /// A pale tint of a line's colour.
     Tint(Colour),

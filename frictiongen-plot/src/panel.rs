@@ -15,7 +15,7 @@ const TOLERANCE: f64 = 0.05;
 /// Size of a text inside the panel, in pixels.
 const NOTE: f64 = 13.5;
 
-/// Draws a panel with its layers and insets, and adds its visible layers to the legend.
+/// Draws a panel with its layers and insets, and adds the names of its visible layers to the legend.
 pub(crate) fn draw_panel(canvas: &mut Canvas, panel: &Panel, frame: &Frame, legend: &mut Legend) {
     let mut areas = false;
     for layer in &panel.layers {

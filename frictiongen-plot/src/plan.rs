@@ -225,7 +225,7 @@ impl<'a> Plan<'a> {
         (wall.max(force), self.top() + HEIGHT + self.under())
     }
 
-    /// Returns true if the sketch shows nothing to the right of a mass. `mass` is its index from 0.
+    /// Returns true if the sketch shows nothing to the right of a mass. `mass` is the index of the mass, from 0.
     pub(crate) fn is_free(&self, mass: usize) -> bool {
         mass + 1 == self.count() && !self.wall
     }

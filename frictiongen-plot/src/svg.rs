@@ -97,8 +97,8 @@ impl Canvas {
         }
     }
 
-    /// Draws rectangles of one colour, which meet without a seam. The coordinates count cells of the grid, so that most
-    /// of them are small integers. The file is therefore two thirds shorter.
+    /// Draws rectangles of one colour, which meet without a seam. The coordinates count cells of the grid. Most
+    /// coordinates are therefore small integers, which make the file two thirds shorter.
     pub(crate) fn cells(&mut self, cells: &[Rect], grid: CellGrid, fill: Rgb) {
         let mut data = String::new();
         let mut pen = (0.0, 0.0);

@@ -1,5 +1,5 @@
-//! Writes texts as SVG elements. SVG has no elements for subscripts and bars. The module replaces them by offsets and
-//! extra characters.
+//! Writes texts as SVG elements. SVG has no elements for subscripts, superscripts and bars. The module shifts the
+//! letters of a subscript or superscript, and draws a bar as an extra character.
 
 use crate::face::Face;
 use crate::geometry::Point;

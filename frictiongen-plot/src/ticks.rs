@@ -127,9 +127,9 @@ fn plain(low: f64, high: f64, count: usize) -> Vec<Tick> {
         .to_vec()
 }
 
-/// Returns the ticks of a logarithmic axis. Powers of ten have labels, or only every n-th power in a long range. In a
-/// range of less than two decades, 2 and 5 times a power of ten also have labels. A range of less than 0.7 decades has
-/// the ticks of a linear axis.
+/// Returns the ticks of a logarithmic axis. Powers of ten have labels. In a long range, only every n-th power has a
+/// label. In a range of less than two decades, 2 and 5 times a power of ten also have labels. A range of less than 0.7
+/// decades has the ticks of a linear axis.
 fn log(low: f64, high: f64, count: usize) -> Vec<Tick> {
     let (first, last) = (exponent(low), exponent(high));
     let decades = libm::log10(high) - libm::log10(low);

@@ -15,21 +15,21 @@ use std::f64::consts::PI;
 /// velocity constraint, as a function of r. The value is tuned. Each instant takes the work of a search. Five
 /// instants give a polynomial of degree 4 in r.
 const NODES: usize = 5;
-/// Distance in half-turns of τ. Two instants that are farther apart belong to different maxima of the velocity
-/// constraint, and so not to one witness. The value is tuned. A polynomial through instants of two maxima would be far
-/// from both maxima.
+/// Distance of two instants in half-turns of τ. Instants that are farther apart belong to different maxima of the
+/// velocity constraint, and so not to one witness. The value is tuned. A polynomial through instants of two maxima
+/// would be far from both maxima.
 const JUMP: f64 = 0.05;
-/// Angle of an instant from the start of the half period, in rad, for the fastest mode. If a witness (an instant near
-/// the largest velocity constraint) is closer, a Taylor series in τ may give its constraint (module `early`). The
-/// series is valid at all instants up to this angle.
+/// Phase of the fastest mode, in rad, counted from the start of the half period. If a witness (an instant near the
+/// largest velocity constraint) has a smaller phase, a Taylor series in τ may give its constraint (module `early`).
+/// The series is valid at all instants up to this phase.
 const EARLY: f64 = 1.2;
-/// Angle of an instant from the start of the half period, in rad, for the fastest mode. If a witness (an instant near
-/// the largest velocity constraint) is closer, only a Taylor series in τ gives its constraint (module `early`). The
-/// value is tuned. So close to the start, the constraint F/sin τ would be a quotient of two small intervals.
+/// Phase of the fastest mode, in rad, counted from the start of the half period. If a witness (an instant near the
+/// largest velocity constraint) has a smaller phase, only a Taylor series in τ gives its constraint (module `early`).
+/// The value is tuned. So close to the start, the constraint F/sin τ would be a quotient of two small intervals.
 const SURELY: f64 = 0.3;
-/// Angle of an instant from the start of the half period, in rad, for the fastest mode. If the instant of the largest
-/// velocity constraint is closer, the start itself is also a candidate for the witness. The value is tuned. The maximum
-/// may then reach the start within the interval of r.
+/// Phase of the fastest mode, in rad, counted from the start of the half period. If the instant of the largest
+/// velocity constraint has a smaller phase, the start itself is also a candidate for the witness. The maximum may then
+/// reach the start within the interval of r. The value is tuned.
 const START: f64 = 0.05;
 
 /// Returns the candidates for the `Witness` over an interval of r, from exact searches for the largest velocity
@@ -90,7 +90,7 @@ pub(crate) fn candidates(
         if early {
             witnesses.push(Witness::Early(path.clone()));
         }
-        // If an instant's angle is between `SURELY` and `EARLY`, the code adds two candidates. One uses the Taylor
+        // If the largest phase is between `SURELY` and `EARLY`, the code adds two candidates. One uses the Taylor
         // series in τ, the second does not.
         if !(early && latest < SURELY) {
             witnesses.push(Witness::Instant(path));

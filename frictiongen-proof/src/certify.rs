@@ -17,7 +17,7 @@ use crate::witness::Witness;
 use frictiongen_model::interval::Interval;
 use std::f64::consts::PI;
 
-/// Length of the first cell (an interval of τ) before and after the `Witness`, as an angle of the fastest mode, in rad.
+/// Length of the first cell (an interval of τ) before and after the `Witness`, as a phase of the fastest mode in rad.
 /// The value is tuned. A longer cell gives wider bounds of D″, where D(τ) is the function that must be positive
 /// ([`HalfPeriodCells`]).
 const CELL: f64 = 1.0;
@@ -31,7 +31,7 @@ const MORE_BENT: f64 = 0.5;
 /// Shortest cell (an interval of τ), as a fraction of the half period before or after the `Witness`. The value is
 /// tuned. It limits the work of a proof that fails. The prover then halves the interval of r.
 const SHORTEST: f64 = 1e-3;
-/// Length of a cell (an interval of τ), as an angle of the fastest mode, in rad. If a cell becomes shorter, the code
+/// Length of a cell (an interval of τ), as a phase of the fastest mode in rad. If a cell becomes shorter, the code
 /// searches for another instant whose velocity constraint is nearly that of the witness. The value is tuned. Cells
 /// become short where the function D of [`HalfPeriodCells`] is small.
 const COMPETE: f64 = 0.1;
@@ -41,8 +41,9 @@ const MOST_TRIED: usize = 4;
 /// Factor by which the next cell (an interval of τ) is longer after a proven cell. The value is tuned. Fast growth
 /// saves cells, but a failed cell is lost work.
 const LONGER: f64 = 1.4;
-/// First length of a range of τ from the start of the half period, as an angle of the fastest mode, in rad. A single
-/// bound covers the range. The value is tuned. A longer range saves cells, but its bound is wider.
+/// First length of a range of τ from the start of the half period, as a phase of the fastest mode in rad. A single
+/// bound on D‴ covers the range, where D is the function of [`HalfPeriodCells`]. The value is tuned. A longer range
+/// saves cells, but its bound is wider.
 const EARLY: f64 = 0.3;
 /// Largest number of lengths that the code tries for the range of [`EARLY`]. The value is tuned. The last length is
 /// about a sixth of the first length.
@@ -62,8 +63,8 @@ pub(crate) fn certified(part: &CellData<'_>, budget: &mut Budget) -> bool {
         return true;
     }
     let cells = HalfPeriodCells::of(part);
-    // `spare` is the margin of N above the break-away term. N is a number slightly above the velocity constraint of the
-    // `Witness`. This term limits β_lim as a velocity constraint does, so N must exceed it too.
+    // `spare` is the margin of N above the break-away term. N is a number slightly above the velocity constraint of
+    // the `Witness`. The break-away term limits β_lim as a velocity constraint does, so N must exceed this term too.
     let spare = IntervalSeries::joined(
         &(cells.full_at - part.at.break_away),
         &(cells.full_over - part.over.break_away),
@@ -128,8 +129,8 @@ impl HalfPeriodCells<'_> {
         ])
     }
 
-    /// Returns N − Q, computed as (N² − Q²)/(N + Q). Q is the velocity constraint of the `Witness`, and N is a number
-    /// slightly above Q.
+    /// Returns N − Q, computed without cancellation as (N² − Q²)/(N + Q). Q is the velocity constraint of the
+    /// `Witness`, and N is a number slightly above Q.
     fn above(&self) -> Interval {
         let seen = self.part.seen_over;
         let share = Interval::point(self.part.share);

@@ -35,7 +35,7 @@ const WIDTH: f64 = 1e-11;
 /// Number of frequency ratios at which the test compares each chain.
 const RATIOS: usize = 300;
 
-/// Number of compared values, and the relative width of the widest interval.
+/// Number of values that the test has compared, and the relative width of the widest interval.
 #[derive(Default)]
 struct ComparedFormulas {
     values: usize,

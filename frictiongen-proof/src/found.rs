@@ -1,4 +1,4 @@
-//! Results of a proof so far, and the work that the proof may still do.
+//! Results of a proof so far, and the budget of its work.
 
 use crate::compare::ComparedLimit;
 use frictiongen_model::table::Worst;

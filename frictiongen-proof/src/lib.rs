@@ -8,11 +8,11 @@
 //! including all rounding errors of its evaluation. Both modules use intervals with outward rounding. `motion` proves
 //! amplitude and phase of the contact in the same way.
 //!
-//! If the proof of an interval fails, the prover halves the interval. If the proofs of short intervals fail too, they
-//! stay *open*: the table is checked at points of these intervals, but not proven.
+//! If the proof of an interval fails, the prover halves the interval. A short interval without a proof stays *open*:
+//! the table is checked at points of this interval, but not proven.
 //!
-//! A value called *tuned* determines the work of a proof, and how much of r stays open. The correctness of a proof
-//! does not depend on it.
+//! Some constants are called *tuned*. A tuned value changes the work of a proof, and how much of r stays open. The
+//! correctness of a proof does not depend on this value.
 //!
 //! The products over zeros and poles for β*_lim and |V| need no proof here. The builder of the tables, in
 //! `frictiongen-model`, bounds their errors.
@@ -80,8 +80,8 @@ pub fn prove_if_small<S: Float>(tables: &mut Tables<S>, modal: &Modal, work: Pro
     }
 }
 
-/// Proves β_lim in one piece of the tables. If the tables contain amplitude and phase of the contact, the function also
-/// proves amplitude and phase in this piece.
+/// Proves the accuracy of β_lim in one piece of the tables. If the tables contain amplitude and phase of the contact,
+/// the function also proves their accuracy in this piece.
 #[must_use]
 pub fn prove_piece<S: Float>(
     tables: &Tables<S>,
@@ -92,7 +92,7 @@ pub fn prove_piece<S: Float>(
     of_pieces(tables, modal, place..place + 1, work)
 }
 
-/// Proves β_lim, and amplitude and phase, in the pieces with the given indices.
+/// Proves the accuracy of β_lim, and of amplitude and phase, in the pieces with the given indices.
 fn of_pieces<S: Float>(
     tables: &Tables<S>,
     modal: &Modal,

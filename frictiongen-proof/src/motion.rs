@@ -61,7 +61,8 @@ pub(crate) struct MotionProof<'a, S> {
 struct MotionCell {
     /// Errors of the polynomials a and g.
     off: [Interval; 2],
-    /// Exact values α = β_lim·U/|V| and γ = β_lim·G/|V|. V, U and G are sums of the contact over the modes.
+    /// Exact values α = β_lim·U/|V| and γ = β_lim·G/|V|. V is the response of the contact to the load. Friction causes
+    /// the velocity U and the displacement G of the contact at a reversal.
     exact: [Interval; 2],
     /// Relative error of the table's |V|. V is the response of the contact to the load.
     size: Interval,
@@ -73,11 +74,13 @@ struct MotionCell {
 
 /// Errors and exact values of a table's functions, as series in r.
 struct Functions {
-    /// Error of the table's polynomial a, and its exact value α = β_lim·U/|V|. The error is a·b/β_table − α, where b is
-    /// the β_lim from the `Witness` and β_table that of the table. U and V are sums of the contact over the modes.
+    /// Error of the table's polynomial a, and its exact value α = β_lim·U/|V|. The error is a·b/β_table − α, where b
+    /// is the β_lim from the `Witness` and β_table that of the table. V is the response of the contact to the load,
+    /// and U its velocity at a reversal that friction causes.
     quadrature: [IntervalSeries<SHORT>; 2],
-    /// Error of the table's polynomial g, and its exact value γ = β_lim·G/|V|. The error is g·b/β_table − γ, where b is
-    /// the β_lim from the `Witness` and β_table that of the table. G and V are sums of the contact over the modes.
+    /// Error of the table's polynomial g, and its exact value γ = β_lim·G/|V|. The error is g·b/β_table − γ, where b
+    /// is the β_lim from the `Witness` and β_table that of the table. V is the response of the contact to the load,
+    /// and G its displacement at a reversal that friction causes.
     displacement: [IntervalSeries<SHORT>; 2],
     /// Error of the angle arg V, in rad: the table's polynomial minus the exact value. V is the response of the contact
     /// to the load.
@@ -374,7 +377,7 @@ impl<S: Float> MotionProof<'_, S> {
         Some(([turning(own, value), turning(all, value)], uncertain))
     }
 
-    /// Returns the error of an angle without whole turns, including rounding and the uncertain position of a zero.
+    /// Returns the error `angle` without whole turns, widened by rounding and by the uncertain position of a zero.
     fn turned(&self, angle: Interval, uncertain: f64) -> Interval {
         if !self.is_damped() {
             return Interval::ZERO;

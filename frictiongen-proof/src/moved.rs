@@ -68,7 +68,7 @@ fn agreeing<S: Float>(accuracy: f64, side: Side) -> usize {
         assert!(proof.evidence != Evidence::Checked, "{name}");
         assert!(proof.bound.error <= accuracy, "{name}");
         // In an undamped chain, the proof may omit only neighbourhoods of zeros. If only some modes are damped, it may
-        // also omit the motion over short intervals of r near sub-harmonics.
+        // also omit the motion over short intervals of r near a resonance divided by 3, 5, 7 and so on.
         let most = if zeta > 0.0 {
             0.0
         } else if zeta < 0.0 {

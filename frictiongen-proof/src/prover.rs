@@ -32,8 +32,8 @@ const FIRST: f64 = 4.0;
 /// Factor by which the next interval of r is longer after a proven interval. The value is tuned. Fast growth saves
 /// intervals, but a failed interval is lost work.
 const LONGER: f64 = 1.15;
-/// Shortest interval of r that the prover tries after an open (not proven) interval, as a fraction of the length that
-/// stays open if the trial fails. The value is tuned. It limits the trials to four halvings of that length.
+/// Shortest interval of r that the prover tries after an open (not proven) interval. It is a fraction of the length
+/// that stays open if the trial fails. The value is tuned. It limits the trials to four halvings of that length.
 const FINER: f64 = 1.0 / 16.0;
 /// The next interval of r covers the whole rest of a piece if the rest is shorter than this factor times the interval.
 /// The value is tuned. A short last interval would take as much work as a long one.
@@ -191,7 +191,8 @@ impl<'a, 'm> Prover<'a, 'm> {
         }
     }
 
-    /// Returns the error bounds that the proof finds over an interval of r, or `None` if the proof fails.
+    /// Returns the error bounds that the proof finds over an interval of r, or `None` if the proof fails. If `insists`
+    /// is true, an interval without a proof of amplitude and phase fails, unless `excitation` is `None`.
     fn part<S: Float>(
         &mut self,
         piece: &Fitted<S>,

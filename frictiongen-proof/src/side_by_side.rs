@@ -2,7 +2,7 @@
 //! simultaneously.
 //!
 //! The result does not depend on the number of threads. It contains the answers in the order of the questions, until
-//! their work exceeds the permitted work.
+//! their work reaches the permitted work.
 
 use std::num::NonZero;
 use std::sync::{Mutex, MutexGuard, PoisonError};
@@ -42,7 +42,7 @@ impl<A> Shared<A> {
         }
     }
 
-    /// Returns the answers before the first missing one, until their work exceeds the permitted work `most`.
+    /// Returns the answers before the first missing one, until their work reaches the permitted work `most`.
     fn counted(self, most: usize) -> Vec<A> {
         let mut spent = 0;
         let known = self.answers.into_iter().map_while(|answer| answer);
@@ -61,8 +61,8 @@ fn locked<T>(shared: &Mutex<T>) -> MutexGuard<'_, T> {
     shared.lock().unwrap_or_else(PoisonError::into_inner)
 }
 
-/// Computes the answers to `questions` in parallel, and returns them in the order of the questions. The list ends
-/// when the work of the earlier answers exceeds `most`.
+/// Computes the answers to `questions` in parallel, and returns them in the order of the questions. The list ends when
+/// the work of the answers so far reaches `most`, or at a question without an answer.
 ///
 /// `begin` creates the data that a thread needs. `one` returns the answer to a question, with the work that it took.
 pub(crate) fn answered<State, A: Send>(

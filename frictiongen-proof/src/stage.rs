@@ -1,9 +1,9 @@
 //! All functions from which the limits follow, as Taylor series in r with intervals as coefficients (section 3 of
 //! `docs/derivation.md`).
 //!
-//! All functions are multiplied by r². Near a pole of U at an undamped mode, the functions are also multiplied by κ. κ
-//! is the product of cos(πx/2), with x = √λ/r, over the undamped modes with a pole of U nearby. The limits are
-//! quotients, in which κ cancels.
+//! All functions are multiplied by r². An undamped mode gives U, the velocity of the contact at a reversal that
+//! friction causes, a pole wherever cos(πx/2) = 0, with x = √λ/r. Near such poles the functions are also multiplied by
+//! κ, the product of these cosines. The limits are quotients, in which κ cancels.
 
 use crate::series::IntervalSeries;
 use frictiongen_kernel::number::dd::Dd;
@@ -146,12 +146,13 @@ pub(crate) struct ChainStage<const N: usize> {
     pub break_away: IntervalSeries<N>,
 }
 
-/// Absolute value of cos(πx/2) for an undamped mode, with x = √λ/r. If the cosine is smaller, it becomes a factor of κ,
-/// by which all functions are multiplied. The value is tuned. A quotient by a smaller cosine is wide over an interval
-/// of r, but each factor of κ takes more products.
+/// Bound on |cos(πx/2)| of an undamped mode, with x = √λ/r. A cosine below this bound becomes a factor of κ, by which
+/// all functions are multiplied. The value is tuned. A quotient by a smaller cosine is wide over an interval of r, but
+/// each factor of κ takes more products.
 const SINGULAR: f64 = 0.2;
-/// Distance |x − 1| from a resonance, with x = √λ/r. At a smaller distance the code uses a form in which the pole of
-/// V and the zero of cos(πx/2) cancel. At a larger distance it can divide by x² − 1.
+/// Bound on the distance |x − 1| from a resonance, with x = √λ/r. Below this bound the code uses a form in which the
+/// pole of V, the response of the contact to the load, and the zero of cos(πx/2) cancel. At a larger distance the code
+/// can divide by x² − 1.
 const RESONANT: f64 = 0.5;
 
 /// Returns one flag for each mode. It is true if κ, the product of cosines of `ChainStage`, contains the cosine of

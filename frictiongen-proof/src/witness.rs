@@ -9,8 +9,8 @@ use frictiongen_model::interval::Interval;
 /// An instant that the proof takes for the position of the largest velocity constraint, for all r of an interval.
 #[derive(Clone, Debug)]
 pub(crate) enum Witness {
-    /// The break-away term takes the place of the velocity constraint at an instant. For μ = 1 this term equals the
-    /// velocity constraint at the start of the half period.
+    /// No instant: the break-away term takes the place of the largest velocity constraint. For μ = 1 this term equals
+    /// the velocity constraint at the start of the half period.
     BreakAway,
     /// The instant τ = πt, where t is a polynomial in r − r₀ with these coefficients. The velocity constraint at this
     /// instant is F/sin τ, where F is a sum over the modes.
@@ -63,7 +63,7 @@ pub(crate) struct WitnessInstant<const N: usize> {
     /// `Witness`. U is the part of the contact's velocity at a reversal that the friction force causes.
     pub size: IntervalSeries<N>,
     /// The slope in τ of D = N sin τ − F, with the velocity constraint of the `Witness` in place of N. F/sin τ is the
-    /// velocity constraint. For a witness near the start of the half period, the slope of D/τ.
+    /// velocity constraint. For a witness near the start of the half period, this field has the slope of D/τ.
     pub rise: IntervalSeries<N>,
 }
 

@@ -88,7 +88,7 @@ fn fields(scene: &Scene) -> Vec<(&'static str, String)> {
     fields
 }
 
-/// Adds the fields for damping, contact stiffness and friction, as a description has them.
+/// Adds the fields for damping, contact stiffness and friction to `fields`, in the notation of a description.
 fn law(scene: &Scene, fields: &mut Vec<(&'static str, String)>) {
     match &scene.damping {
         Damping::None => {}
@@ -118,7 +118,7 @@ fn law(scene: &Scene, fields: &mut Vec<(&'static str, String)>) {
     }
 }
 
-/// Adds the fields of a declared accuracy, as a description has them.
+/// Adds the fields that declare the accuracy of tables to `fields`, in the notation of a description.
 fn declared(declared: &Declared, fields: &mut Vec<(&'static str, String)>) {
     if let Accuracy::Relative(error) = declared.accuracy {
         fields.push(("accuracy", format!("{error:?}")));
@@ -142,7 +142,7 @@ fn declared(declared: &Declared, fields: &mut Vec<(&'static str, String)>) {
     fields.extend(written.map(|(name, word, _)| (name, word.to_owned())));
 }
 
-/// Adds the fields about emitted code and about the stepper, as a description has them.
+/// Adds the fields about emitted code and about the stepper to `fields`, in the notation of a description.
 fn emitted(scene: &Scene, fields: &mut Vec<(&'static str, String)>) {
     let name = |mass: &usize| scene.node_name(Node::Mass(*mass)).to_owned();
     if scene.precision == Precision::F32 {

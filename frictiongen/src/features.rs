@@ -1,5 +1,5 @@
-//! Features of the response for emitted and run-time systems, computed without allocation: thresholds, limits for r → 0
-//! and r → ∞, and changes of the regime.
+//! Features of the response for emitted and run-time systems, computed without allocation: friction thresholds of the
+//! resonances, limits for the frequency ratio r → 0 and r → ∞, and changes of the regime.
 //!
 //! `System::features` (feature `study`) finds more features. It also needs the mode shapes of the scene, and it says
 //! which of its lists are complete.
@@ -40,8 +40,8 @@ use crate::sweep::SweepError;
 use crate::{FrictionSystem, Limits, LimitsAt, OutOfDomain, Regime};
 use frictiongen_kernel::{Float, Scalar};
 
-/// Writes the limit of continuous motion β_lim at every resonance into the caller's slice. The entries follow the
-/// resonances in ascending order.
+/// Writes the limit of continuous motion β_lim at every resonance into the caller's slice. The entries have the order
+/// of the resonances, which is ascending in frequency.
 ///
 /// Without damping, β_lim at resonance i is the threshold β_n,i (6.2, 6.26). At a smaller friction ratio the amplitude
 /// of the steady state is unbounded. With damping, (7.62) estimates β_lim. If the contact does not drive a mode, the
@@ -107,7 +107,7 @@ pub struct RegimeChanges<'s, F: FrictionSystem> {
 }
 
 /// Finds the changes of the regime over a range of frequency ratios at the friction ratio β, in ascending order.
-/// Bisection locates each change to the last digits.
+/// Bisection locates each change to the last digit of the number type.
 ///
 /// The search evaluates the regime at `steps` + 1 frequency ratios. It misses a regime whose whole range lies between
 /// two neighbouring frequency ratios. `System::features` misses fewer regimes, and says whether its list is complete.

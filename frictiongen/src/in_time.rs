@@ -86,8 +86,8 @@ pub trait SteadyState {
     /// Returns the Floquet multipliers: the complex factors by which small deviations from the motion change in a
     /// period.
     fn multipliers(&self) -> &[Complex<Self::Scalar>];
-    /// Calls `question` with the motion of the contact or of a mass, and returns its result. Returns `None` if the
-    /// scene does not have the mass.
+    /// Calls `question` with the motion of the contact or of a mass, and returns the result of `question`. Returns
+    /// `None` if the scene does not have the mass.
     fn ask<T>(
         &self,
         of: Of,
@@ -95,8 +95,8 @@ pub trait SteadyState {
     ) -> Option<T>;
 }
 
-/// Methods of the kernel's type of a steady state. [`SteadyState`] is implemented for every type that derefs to a type
-/// with `KernelSteady`. Without this separate trait, a later `Deref` of the kernel's type would cause two conflicting
+/// Methods of a steady state in the kernel. [`SteadyState`] is implemented for every type that derefs to a type with
+/// `KernelSteady`. Without this separate trait, a later `Deref` of the kernel's type would cause two conflicting
 /// implementations of [`SteadyState`].
 #[doc(hidden)]
 pub trait KernelSteady {

@@ -1,5 +1,5 @@
-//! Traits for the exact motion in time, from event to event. Emitted solvers and the run-time `System` implement these
-//! traits.
+//! Traits for the exact motion in time, from one event of the contact (stop, break-away or reversal) to the next.
+//! Emitted solvers and the run-time `System` implement these traits.
 
 use crate::{FrictionSystem, OutOfDomain};
 use core::ops::DerefMut;
@@ -7,7 +7,8 @@ use frictiongen_kernel::Float;
 use frictiongen_kernel::motion::{Contact, ContactChain, KineticLaw, Part};
 use frictiongen_kernel::simulation::{Moment, Segment, Simulation};
 
-/// A scene that provides its exact motion in time, from event to event, in addition to the limits.
+/// A scene that provides its exact motion in time, in addition to the limits. The motion advances from one event of
+/// the contact (stop, break-away or reversal) to the next.
 ///
 /// ```
 /// use frictiongen::{FrictionSystem, OutOfDomain, Run, Simulates, friction_system};
@@ -84,13 +85,14 @@ pub trait SimulatesUnder {
     ) -> Result<Self::Run<'_>, OutOfDomain>;
 }
 
-/// An exact simulation in time, which advances from event to event.
+/// An exact simulation in time, which advances from one event of the contact (stop, break-away or reversal) to the
+/// next.
 pub trait Run {
     /// Number type of the scene, such as `f64` or `f32`.
     type Scalar: Float;
 
-    /// Advances to the next event, but by at most `reach` (rad) in the phase τ = ωt. If `reach` is 0, the simulation
-    /// does not advance.
+    /// Advances to the next event of the contact, but by at most `reach` (rad) in the phase τ = ωt. If `reach` is 0,
+    /// the simulation does not advance.
     ///
     /// # Errors
     /// [`OutOfDomain`] for a reach that is negative, infinite or NaN. The simulation then stays unchanged.

@@ -1,4 +1,4 @@
-//! The continuous motion of the contact or of a mass, as a trait.
+//! Trait for the continuous motion of the contact or of a mass.
 
 use crate::Complex;
 use frictiongen_kernel::Float;
@@ -46,11 +46,11 @@ pub trait Steady {
     /// Number type of the scene, such as `f64` or `f32`.
     type Scalar: Float;
 
-    /// Returns the largest |x̄| and its phase, both from one search, and the work of that search.
+    /// Returns the largest |x̄| and its phase, both from one search, and the number of evaluations in this search.
     fn largest(&self) -> Largest<Self::Scalar>;
     /// Returns the exact maximum of |x̄| in a period of the motion.
     fn amplitude(&self) -> Self::Scalar;
-    /// Returns the monoharmonic estimate of the amplitude (5.50, 7.33).
+    /// Returns the monoharmonic estimate of the amplitude, from the fundamental harmonic alone (5.50, 7.33).
     fn amplitude_monoharmonic(&self) -> Self::Scalar;
     /// Returns the lag of the maximum of x̄ behind the maximum of the excitation, in rad, in (−π, π].
     fn phase(&self) -> Self::Scalar;

@@ -135,7 +135,8 @@ pub trait Stepping {
     fn work(&self) -> Work<Self::Scalar>;
     /// Returns the number of steps that the stepper has taken.
     fn steps(&self) -> u64;
-    /// Returns the number of steps that had more contact events than the stepper follows.
+    /// Returns the number of steps in which the contact had more events (stops, break-aways and reversals) than the
+    /// stepper follows.
     fn exceeded(&self) -> u64;
     /// Returns the time step of the stepper, in s.
     fn dt(&self) -> Self::Scalar;
@@ -163,7 +164,8 @@ macro_rules! emitted_stepper {
         }
 
         impl $name {
-            /// Creates a stepper from an image, with the step and the state of the stepper that wrote it.
+            /// Creates a stepper from the bytes of an image. The stepper has the step and the state of the stepper
+            /// that wrote the image.
             ///
             /// # Errors
             /// `OutOfDomain` for an image of another scene or version, and for an image of which a bit has changed.
@@ -184,8 +186,8 @@ macro_rules! emitted_stepper {
             pub const IMAGE: ::core::primitive::usize =
                 <<Self as ::core::ops::Deref>::Target>::IMAGE;
 
-            /// Returns the state as bytes, for a file or for flash memory. `stepper_from_image` continues from them.
-            /// The bytes contain a hash of the scene, the step, a version and a checksum.
+            /// Returns the state as bytes, for a file or for flash memory. `stepper_from_image` continues from these
+            /// bytes. The bytes contain a hash of the scene, the step, a version and a checksum.
             #[must_use]
             pub fn image(&self) -> [::core::primitive::u8; <<$stepper as ::core::ops::Deref>::Target>::IMAGE] {
                 let mut bytes = [0; <<$stepper as ::core::ops::Deref>::Target>::IMAGE];

@@ -67,8 +67,8 @@ pub trait FrictionSystem {
     /// Computes [`limits_without_search`](Self::limits_without_search) at each frequency ratio of a slice, and writes
     /// β_lim and β*_lim to two slices of the same length.
     ///
-    /// The results are equal to those of single calls, to the last bit. The call takes less time than single calls if
-    /// all modes are undamped, or if all modes are lightly damped. It then computes several frequencies at once.
+    /// The results are equal to those of single calls, to the last bit. If all modes are undamped, or all are lightly
+    /// damped, the call takes less time than single calls, because it computes several frequencies at once.
     ///
     /// ```
     /// use frictiongen::{FrictionSystem, friction_system};
@@ -175,8 +175,8 @@ pub trait LimitsAt {
     /// # Errors
     /// [`OutOfDomain`] for NaN, negative and infinite β.
     fn regime(&self, beta: Self::Scalar) -> Result<Regime, OutOfDomain>;
-    /// Returns the margin β/min(β_lim, β*_lim) − 1. If it is negative, β is less than β_lim and β*_lim, and the contact
-    /// can slide all the time.
+    /// Returns the margin β/min(β_lim, β*_lim) − 1. If the margin is negative, β is less than β_lim and β*_lim. A
+    /// continuous motion then exists, and no stuck state.
     ///
     /// # Errors
     /// [`OutOfDomain`] for NaN, negative and infinite β.

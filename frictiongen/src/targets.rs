@@ -1,5 +1,5 @@
-//! Internal traits of the kernel's types for a scene at one frequency ratio, and for the motion of that scene. The
-//! kernel computes the results by exact formulas or from tables.
+//! Internal traits of the kernel's types: scenes at one frequency ratio, and motions of such scenes. The kernel
+//! computes the results by exact formulas or from tables.
 //!
 //! The types of emitted scenes and of a `System` deref to one of the kernel's types. One implementation of each public
 //! trait therefore serves all types.

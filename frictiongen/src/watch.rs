@@ -1,5 +1,6 @@
-//! Evaluates one frequency of a signal, sample by sample, in a fixed amount of memory. A device can use it to monitor
-//! its own friction.
+//! Computes the amplitude and phase of a signal at one frequency, sample by sample, in a fixed amount of memory. A
+//! device can monitor its own friction in this way.
+//!
 //! A [`Watch`] is a sliding Goertzel filter. It computes the Fourier sum of its last N samples at one frequency. This
 //! frequency must have a whole number of cycles in N samples. Two filters, one for the base and one for a mass, give
 //! the displacement transmissibility. [`friction_ratio`] computes the friction ratio from the transmissibility. The
@@ -124,8 +125,8 @@ pub fn transmissibility<S: Float>(mass: Complex<S>, base: Complex<S>) -> Option<
 ///
 /// If the contact slides all the time, the fundamental is X = V − (4iβ/π)e^{−iφ}H. Therefore |X − V| = 4β|H|/π (thesis
 /// 4.5, 6.4.2). V is the fundamental without friction, and H the response to a harmonic unit force in the contact.
-/// Friction therefore shifts the fundamental by a distance proportional to β. The scene's response at one known β gives
-/// the factor.
+/// Friction therefore shifts the fundamental in the complex plane, by a distance proportional to β. The scene's
+/// response at one known β gives the factor of proportion.
 ///
 /// `measured` is the measured fundamental, and `still` the scene's fundamental without friction. `known` is the scene's
 /// fundamental at the friction ratio `beta`. If β exceeds β_lim, which `continuous_limit` returns, the contact stops,

@@ -17,8 +17,8 @@ use frictiongen::study::{
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
 
-/// Python arguments of a curve: accuracy, largest step, highest order of harmonics, a flag for velocities, and initial
-/// states.
+/// Python arguments of a curve: accuracy, largest step, highest order of harmonics, a flag for velocities and
+/// accelerations, and initial states.
 type Fineness<'py> = (
     Optional<'py>,
     Optional<'py>,
@@ -83,7 +83,8 @@ pub fn curve<'py>(
     };
     let columns = table.columns();
     let frictions = frictions.all();
-    // The refinement determines the number of points, so the size can be checked only now.
+    // The refinement determines the number of points. Before the computation, the check therefore assumes 1000 points
+    // for each curve.
     check_size(
         frictions.len().saturating_mul(1000 * starts.len()),
         columns.len(),

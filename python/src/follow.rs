@@ -68,12 +68,13 @@ pub struct Course {
     pub start: RunStart,
     /// Ratio μ of static to kinetic friction. `None` means the ratio in the scene description.
     pub stiction: Option<f64>,
-    /// Largest number of events that the stepper follows in one step. The value 0 means no limit. `None` means the
-    /// limit of the previous run that this run continues, or no limit for a new run.
+    /// Largest number of events (stops, break-aways and reversals) that the stepper follows in one step. The value 0
+    /// means no limit. `None` means the limit of the run that this run continues, or no limit for a new run.
     pub budget: Option<u8>,
 }
 
-/// Reads an event budget, which is the largest number of events that the stepper follows in one step.
+/// Reads an event budget, which is the largest number of stops, break-aways and reversals that the stepper follows in
+/// one step.
 pub fn event_budget(given: &Bound<'_, PyAny>) -> PyResult<u8> {
     let events = whole("budget", given, 0..=u8::MAX.into())?;
     // The conversion cannot fail, because `whole` has checked the range.
@@ -81,7 +82,8 @@ pub fn event_budget(given: &Bound<'_, PyAny>) -> PyResult<u8> {
 }
 
 /// Returns a stepper in the initial state of a run, and a flag. The flag is true if the run continues an earlier run.
-/// The first sample is then at the end of the first step. Otherwise the first sample is at the start of the first step.
+/// In this case the first sample is at the end of the first step. Otherwise the first sample is at the start of the
+/// first step.
 fn ready<'s>(
     py: Python<'_>,
     system: &'s Bound<'_, NativeSystem>,

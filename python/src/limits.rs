@@ -31,8 +31,9 @@ fn all(
     Ok(portions.into_iter().flatten().collect())
 }
 
-/// Computes β_lim (limit of continuous motion) and β*_lim (limit of sliding) over frequency. With `estimates` the
-/// answer also has the two bounds on β_lim. Without `search` the answer has no limit that needs a search.
+/// Computes β_lim (limit of continuous motion) and β*_lim (limit of sliding) over frequency. If `estimates` is true,
+/// the answer also has the two bounds on β_lim. If `search` is false, the answer has β*_lim and the upper bound on
+/// β_lim that needs no search.
 #[pyfunction]
 pub fn limits<'py>(
     py: Python<'py>,

@@ -1,6 +1,6 @@
-//! Finds the friction that minimises the largest amplitude over a frequency range, also while other quantities stay
-//! within bounds. For several quantities, finds the friction that minimises the largest quotient of a quantity and its
-//! value.
+//! Finds the friction that minimises the largest amplitude over a frequency range. Bounds on other quantities may
+//! restrict this friction. For several quantities, the module finds the friction that minimises the largest quotient
+//! of a quantity and its divisor.
 
 use crate::asked::{
     FrequencyKeywords, FrequencyRange, LoadKeywords, Measure, MovingPart, measure, one, quantity,
@@ -19,7 +19,8 @@ use frictiongen::study::response::MotionQuantity;
 use pyo3::prelude::*;
 use pyo3::types::{PyDict, PyString};
 
-/// Names of the lists of several quantities and of kept quantities in the library's lines about an optimum.
+/// Names of two lists in the library's lines about an optimum: the quantities with divisors, and the quantities with
+/// bounds.
 const LISTS: [&str; 2] = ["weighted", "kept"];
 
 /// An argument that is a dict of quantities and their values.
@@ -30,19 +31,21 @@ struct ValuedArgument {
     value: &'static str,
 }
 
-/// Quantities of which the search minimises the largest quotient.
+/// The argument `of`: quantities with their divisors. The search minimises the largest quotient of a quantity and its
+/// divisor.
 const OF: ValuedArgument = ValuedArgument {
     name: "of",
     value: "the value that divides a quantity",
 };
 
-/// Quantities that the search keeps within bounds.
+/// The argument `keep`: quantities that the search keeps within bounds.
 const KEEP: ValuedArgument = ValuedArgument {
     name: "keep",
     value: "the bound of a quantity",
 };
 
-/// A quantity with its divisor or its bound. The value has the unit in which an optimum gives amplitudes.
+/// A quantity with its divisor or its bound. The value is non-dimensional, as the amplitudes of an optimum are, and
+/// refers to the load at r = 1.
 struct Valued {
     part: MovingPart,
     value: f64,
@@ -203,7 +206,7 @@ fn failure(
     }
 }
 
-/// Returns each quantity with its divisor or bound and its largest value over the band.
+/// Returns each quantity with its divisor or bound and its largest value over the frequency range.
 fn largest_of(all: &[Valued], largest: &[f64]) -> Vec<(MovingPart, f64, f64)> {
     let values = all.iter().zip(largest);
     values
@@ -267,7 +270,7 @@ fn valued(
     given.iter().map(read).collect()
 }
 
-/// Finds the friction that minimises the largest quotient of a quantity and its value.
+/// Finds the friction that minimises the largest quotient of a quantity and its divisor.
 fn weighted<'py>(
     py: Python<'py>,
     system: &System,

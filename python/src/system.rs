@@ -11,8 +11,8 @@ use std::sync::Arc;
 /// A scene with its modal analysis.
 #[pyclass(frozen, module = "frictiongen._native", name = "System")]
 pub struct NativeSystem {
-    /// The system, as a type of the Rust library. A computation that continues after its Python call has ended shares
-    /// the system.
+    /// The system, as a type of the Rust library. It is shared, because a computation may continue after its Python
+    /// call has ended.
     pub system: Arc<System>,
 }
 

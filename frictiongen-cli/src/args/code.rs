@@ -21,8 +21,8 @@ pub struct CompileArguments {
     /// Argument for the scene description.
     #[command(flatten)]
     pub file: FileArgument,
-    /// Largest relative error of a result, for a phase the largest error in rad; for example 1e-4 [default: as in the
-    /// description]
+    /// Largest error of a result from the tables: relative, or in rad for a phase; for example 1e-4 [default: as in
+    /// the description]
     #[arg(long, value_name = "NUMBER", allow_hyphen_values = true)]
     pub accuracy: Option<String>,
     /// Largest size of the tables in bytes, for example 4096, instead of --accuracy; the command then chooses the best
@@ -103,7 +103,7 @@ pub struct ExportArguments {
     /// Prefix of all names in C and name of the header, or model identifier of the FMU [default: the scene's name]
     #[arg(long, value_name = "NAME")]
     pub name: Option<String>,
-    /// Folder of the crate `frictiongen` that the library needs [default: this version from the registry]
+    /// Folder with the crate `frictiongen` that the exported code uses [default: this version from the crate registry]
     #[arg(long, value_name = "PATH")]
     pub library: Option<PathBuf>,
 }
@@ -144,8 +144,8 @@ pub struct PlayArguments {
     /// Argument for the scene description.
     #[command(flatten)]
     pub file: FileArgument,
-    /// File with the playground, which scripts/playground creates [default: playground.html in the folder of this
-    /// program]
+    /// File with the playground, an interactive page that scripts/playground creates [default: playground.html in the
+    /// folder of this program]
     #[arg(long, value_name = "PAGE")]
     pub page: Option<PathBuf>,
     /// Write to this file instead of standard output
@@ -156,7 +156,7 @@ pub struct PlayArguments {
 /// Arguments of `frictiongen setup`.
 #[derive(Debug, Args)]
 pub struct SetupArguments {
-    /// Folder in which the command creates the folders of the scripts and pages [default: XDG_DATA_HOME, else
+    /// Folder below which the command installs the completion scripts and manual pages [default: XDG_DATA_HOME, else
     /// .local/share in HOME]
     #[arg(long, value_name = "FOLDER")]
     pub share: Option<PathBuf>,
@@ -172,6 +172,6 @@ pub struct CompletionsArguments {
 /// Arguments of `frictiongen man`.
 #[derive(Debug, Args)]
 pub struct ManArguments {
-    /// Command whose manual page to print [default: all commands]
+    /// Command whose manual page to print [default: the page of the whole program]
     pub command: Option<String>,
 }

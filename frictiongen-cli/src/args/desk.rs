@@ -51,12 +51,13 @@ pub struct CurveArguments {
     /// Options for the scene, the frequencies, the frictions and the load.
     #[command(flatten)]
     pub point: PointArguments,
-    /// Print only this quantity: a mass, `contact`, a difference such as `roof-first`, `spring(a-b)`, `shear`,
-    /// `vel(roof)`, `accel(roof)`, `force(contact)`, `energy(contact)`, `zeta_eq`; may be given more than once
-    /// [default: contact and every mass]
+    /// Print only this quantity: a mass, `contact`, a difference of two masses such as `roof-first`, a spring force
+    /// `spring(a-b)`, the base shear `shear`, `vel(roof)`, `accel(roof)`, `force(contact)`, `energy(contact)`, the
+    /// equivalent damping ratio `zeta_eq`; may be given more than once [default: contact and every mass]
     #[arg(long, value_name = "NAME")]
     pub of: Vec<String>,
-    /// Largest deviation between the curve and straight lines through its points, relative to the curve [default: 5e-4]
+    /// Largest deviation between the curve and the straight lines through its points, relative to the value of the
+    /// curve [default: 5e-4]
     #[arg(long, value_name = "NUMBER", allow_hyphen_values = true)]
     pub accuracy: Option<String>,
     /// Print also the harmonics X_1, X_2, ... of each motion up to order N, for example 5
@@ -99,12 +100,13 @@ pub struct MapArguments {
     /// Options for the scene, the frequencies, the frictions and the load.
     #[command(flatten)]
     pub point: PointArguments,
-    /// Print only the amplitude of this quantity: a mass, `contact`, a difference such as `roof-first`, `spring(a-b)`,
-    /// `shear`; may be given more than once [default: contact and every mass]
+    /// Print only the amplitude of this quantity: a mass, `contact`, a difference of two masses such as `roof-first`,
+    /// a spring force `spring(a-b)`, the base shear `shear`; may be given more than once [default: contact and every
+    /// mass]
     #[arg(long, value_name = "NAME")]
     pub of: Vec<String>,
-    /// Print the frictions at the boundaries between the regions instead of the points, to this many significant
-    /// digits, from 1 to 12
+    /// Print, instead of the points, the frictions at the boundaries between the regions of the map (such as
+    /// continuous and stuck), with this many significant digits, from 1 to 12
     #[arg(long, value_name = "DIGITS", allow_hyphen_values = true)]
     pub boundaries: Option<String>,
     /// Quantity that the colours of a picture show
@@ -141,8 +143,8 @@ pub struct TimeArguments {
     /// Print one period of the steady state instead of a run from the initial state
     #[arg(long, conflicts_with_all = ["cycles", "skip", "from"])]
     pub steady: bool,
-    /// Print only this quantity: a mass, `contact`, a difference such as `roof-first`, `spring(a-b)`, `shear`; may be
-    /// given more than once [default: contact and every mass]
+    /// Print only this quantity: a mass, `contact`, a difference of two masses such as `roof-first`, a spring force
+    /// `spring(a-b)`, the base shear `shear`; may be given more than once [default: contact and every mass]
     #[arg(long, value_name = "NAME")]
     pub of: Vec<String>,
     /// Print the events of the contact (stops, break-aways, reversals) instead of samples
@@ -166,8 +168,8 @@ pub struct SensitivityArguments {
     /// Options for the scene, the frequency, the friction and the load.
     #[command(flatten)]
     pub point: PointArguments,
-    /// Motion whose derivatives the command prints: a mass, `contact`, `roof-base`, `roof-first`. With several
-    /// contacts: a mass, or a contact for the energy that it dissipates
+    /// Motion whose derivatives the command prints: a mass, `contact`, or a difference such as `roof-base` or
+    /// `roof-first`. With several contacts: a mass, or a contact for the energy that it dissipates
     #[arg(long, value_name = "NAME")]
     pub of: String,
     /// Arguments for the format of the output.
@@ -187,16 +189,18 @@ pub struct OptimumArguments {
     /// Options for the amplitude of the load.
     #[command(flatten)]
     pub load: LoadArguments,
-    /// Quantity whose largest value the command minimises: a mass, `contact`, `roof-base`, `roof-first`, `spring(a-b)`,
-    /// `shear`, `vel(roof)`, `accel(roof)`, `slip(contact)`, `force(contact)`. Given more than once, each with a value
-    /// as in `roof/5mm`, the command minimises the largest quotient
+    /// Quantity whose largest value the command minimises: a mass, `contact`, a difference such as `roof-base`, a
+    /// spring force `spring(a-b)`, the base shear `shear`, `vel(roof)`, `accel(roof)`, `slip(contact)`,
+    /// `force(contact)`. Given more than once, each with a value as in `roof/5mm`, the command minimises the largest
+    /// quotient of a quantity and its value
     #[arg(long, value_name = "NAME", required = true)]
     pub of: Vec<String>,
     /// Keep the largest value of another quantity within a bound, for example `roof-base <= 5mm`; may be given more than
     /// once
     #[arg(long, value_name = "NAME<=BOUND")]
     pub keep: Vec<String>,
-    /// Find also the best value of one number of the description between a and b, for example `k base - lower=a:b`
+    /// Find also the best value, between a and b, of one number of the description. For example, `k base - lower=a:b`
+    /// varies the stiffness of the spring between base and lower
     #[arg(long, value_name = "NAME=a:b", allow_hyphen_values = true)]
     pub vary: Option<String>,
     /// Arguments for the format of the output.
@@ -240,8 +244,9 @@ pub struct FeaturesArguments {
     /// Options for the amplitude of the load.
     #[command(flatten)]
     pub load: LoadArguments,
-    /// Print only this quantity: a mass, `contact`, a difference such as `roof-first`, `spring(a-b)`, `shear`,
-    /// `vel(roof)`, `accel(roof)`; may be given more than once [default: contact and every mass]
+    /// Print only this quantity: a mass, `contact`, a difference of two masses such as `roof-first`, a spring force
+    /// `spring(a-b)`, the base shear `shear`, `vel(roof)`, `accel(roof)`; may be given more than once [default:
+    /// contact and every mass]
     #[arg(long, value_name = "NAME")]
     pub of: Vec<String>,
     /// Write to this file. The file extension sets the format: .csv, .json, .svg, or .png if the program has the

@@ -378,7 +378,7 @@ With --to c the folder is a crate of Rust without std, which cargo builds to a s
   Cargo.toml      the crate, with the library `frictiongen` of this version, or that of --library
   main.c          an example, which a later export does not overwrite
   Makefile, CMakeLists.txt
-The functions are those of `provide`: limits, motion, stuck, orbit, stepper, self_check.
+The functions are those of `provide`: limits, motion, stuck, orbit, simulation, stepper, self_check.
 
 With --to fmu the command writes an FMU for co-simulation, which FMI 3.0 defines, of a scene with
 `provide: [stepper]` and a `step`. It builds the binary for this machine with cargo. The crate stays

@@ -26,8 +26,9 @@ pub struct PeriodicArguments {
     /// Keep each force of the table constant until the next sample, as in a square wave
     #[arg(long)]
     pub hold: bool,
-    /// Print only this quantity: a mass, `contact`, a difference such as `roof-first`, `spring(a-b)`, `shear`; may be
-    /// given more than once [default: the contact and every mass, relative to the base if the base moves]
+    /// Print only this quantity: a mass, `contact`, a difference of two masses such as `roof-first`, a spring force
+    /// `spring(a-b)`, the base shear `shear`; may be given more than once [default: the contact and every mass,
+    /// relative to the base if the base moves]
     #[arg(long, value_name = "NAME")]
     pub of: Vec<String>,
     /// Print the motion over one period instead of the smallest and largest values

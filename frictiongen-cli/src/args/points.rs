@@ -29,8 +29,8 @@ pub struct ResponseArguments {
     /// Options for the scene, the frequencies, the frictions and the load.
     #[command(flatten)]
     pub point: PointArguments,
-    /// Print this quantity instead of every mass: a mass, a difference such as `roof-first`, or another name of
-    /// `curve`; may be given more than once. The contact is always printed
+    /// Print this quantity instead of every mass: a mass, a difference such as `roof-first`, or another quantity that
+    /// `curve --of` accepts; may be given more than once. The contact is always printed
     #[arg(long, visible_alias = "mass", value_name = "NAME")]
     pub of: Vec<String>,
     /// Print also the odd harmonics X_1, X_3, ... of each motion up to order N, for example 5
@@ -47,8 +47,8 @@ pub struct OrbitArguments {
     /// Options for the scene, the frequencies, the frictions and the load.
     #[command(flatten)]
     pub point: PointArguments,
-    /// Print this quantity instead of every mass: a mass, a difference such as `roof-first`, or another name of
-    /// `curve`; may be given more than once. The contact is always printed
+    /// Print this quantity instead of every mass: a mass, a difference such as `roof-first`, or another quantity that
+    /// `curve --of` accepts; may be given more than once. The contact is always printed
     #[arg(long, visible_alias = "mass", value_name = "NAME")]
     pub of: Vec<String>,
     /// Print also the mean value X_0 and the harmonics X_1, X_2, ... of each motion up to order N, for example 5

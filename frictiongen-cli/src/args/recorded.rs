@@ -67,16 +67,16 @@ pub struct IdentifyArguments {
     /// Arguments for the description and the recordings.
     #[command(flatten)]
     pub recordings: RecordingArguments,
-    /// Quantities of the motion to compare with the recording
+    /// Compare the amplitude, the phase or both with the recording
     #[arg(long, value_enum, default_value_t)]
     pub by: By,
-    /// Use only this mass; may be given more than once [default: every recorded mass]
+    /// Use only the recorded motion of this mass; may be given more than once [default: every recorded mass]
     #[arg(long, value_name = "NAME")]
     pub mass: Vec<String>,
     /// Fit this unknown together with the friction force; may be given more than once
     #[arg(long, value_enum)]
     pub also: Vec<Also>,
-    /// Compare also the odd harmonics up to order N, for example 5
+    /// Compare also the odd harmonics of the motion up to order N, for example 5
     #[arg(long, value_name = "N", allow_hyphen_values = true)]
     pub harmonics: Option<String>,
     /// Range of friction forces to search, in N [default: from 0 to the force at which the contact is stuck]
@@ -130,8 +130,9 @@ pub struct DriveArguments {
     /// Kinetic friction force F in N, constant over time [default: the channel `friction` of the recording]
     #[arg(long, value_name = "F", allow_hyphen_values = true)]
     pub friction: Option<String>,
-    /// Print only this quantity: a mass, `contact`, a difference such as `roof-first`, `spring(a-b)`, `shear`; may be
-    /// given more than once [default: the contact and every mass, relative to the base if the base moves]
+    /// Print only this quantity: a mass, `contact`, a difference of two masses such as `roof-first`, a spring force
+    /// `spring(a-b)`, the base shear `shear`; may be given more than once [default: the contact and every mass,
+    /// relative to the base if the base moves]
     #[arg(long, value_name = "NAME")]
     pub of: Vec<String>,
     /// Print the response spectrum of the recorded base motion instead of the motion, for the damping ratio ZETA, for

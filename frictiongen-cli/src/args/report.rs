@@ -56,11 +56,11 @@ pub struct ReportArguments {
     /// Show only this mass, or `contact`; may be given more than once [default: see `motions` below]
     #[arg(long, value_name = "NAME")]
     pub of: Vec<String>,
-    /// Add the playground with this scene to the page; the page then has about 2 MB
+    /// Add the playground, an interactive page with this scene, to the report; the report then has about 2 MB
     #[arg(long)]
     pub live: bool,
-    /// File with the playground for --live, which scripts/playground creates [default: playground.html in the folder of
-    /// this program]
+    /// File with the playground for --live, an interactive page that scripts/playground creates [default:
+    /// playground.html in the folder of this program]
     #[arg(long, value_name = "PAGE", requires = "live")]
     pub page: Option<PathBuf>,
     /// Write to this file instead of standard output

@@ -61,7 +61,7 @@ fn shortest(value: f64) -> Option<f64> {
     (read == single).then_some(short)
 }
 
-/// Converts the constants that relate non-dimensional ratios to physical units to JSON.
+/// Returns, as JSON, the constants that convert between non-dimensional ratios and physical units.
 fn units<S: frictiongen::scalar::Float>(scene: &Scene) -> Value {
     let units = UnitConstants::of::<S>(scene);
     json!({
@@ -73,7 +73,7 @@ fn units<S: frictiongen::scalar::Float>(scene: &Scene) -> Value {
     })
 }
 
-/// Converts the known answers, with which a reader can check an evaluation of the tables, to JSON.
+/// Returns, as JSON, the known answers with which a reader can check an evaluation of the tables.
 fn known<S: frictiongen::scalar::Float>(source: &Source<'_, S>) -> Value {
     let (tolerance, all) = known_answers(source);
     let motion = |motion: &MotionAnswers| {

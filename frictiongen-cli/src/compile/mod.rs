@@ -20,7 +20,7 @@ use frictiongen_codegen::{SceneTables, SizeLimits};
 use std::io::Write;
 use std::path::Path;
 
-/// Size limits of the macro for a scene description, without the macro's tables. The command builds the tables itself,
+/// Size limits for a scene description: those of the macro, but without tables. The command builds the tables itself,
 /// with the accuracy from its options.
 const LIMITS: SizeLimits = SizeLimits {
     tables: false,

@@ -1,4 +1,5 @@
-//! Table of curves, with one line for each point. Each line contains the number of the continuous piece of the curve.
+//! Table of curves, with one line for each point. A curve consists of continuous pieces, and each line contains the
+//! number of its piece.
 
 #[cfg(feature = "pictures")]
 use crate::args::LogAxes;

@@ -8,8 +8,8 @@ use frictiongen::study::units::{Load, hertz};
 
 /// Number of frequencies at which the command compares two scenes.
 pub const FREQUENCIES: u32 = 400;
-/// Range of the compared frequencies. The range begins at 0.2 times the lowest natural frequency, and ends at 1.5 times
-/// the highest natural frequency.
+/// Range of the compared frequencies. The range begins at 0.2 times the lowest natural frequency of both scenes, and
+/// ends at 1.5 times the highest.
 pub const BAND: (f64, f64) = (0.2, 1.5);
 /// Largest value that the comparison treats as 0, divided by the largest value of the same result over the frequencies.
 /// Rounding errors of a result whose exact value is 0 have this size.
@@ -17,9 +17,9 @@ const NOISE: f64 = 1e-12;
 /// Friction for the comparison of motions, divided by the smaller of the limits β_lim and β*_lim of the old scene.
 pub const FRICTION: f64 = 0.5;
 
-/// Words for a comparison only at frequencies at which both scenes have a finite limit.
+/// Text for a comparison that covers only the frequencies at which both scenes have a finite limit.
 const FINITE: &str = "where both limits are finite";
-/// Words for a comparison only at frequencies at which both scenes have a continuous motion.
+/// Text for a comparison that covers only the frequencies at which both scenes have a continuous motion.
 const CONTINUOUS: &str = "where both motions are continuous";
 
 /// Largest difference, over the compared frequencies, between the old scene and the new scene in one result.
@@ -43,10 +43,10 @@ pub struct Difference {
     pub gaps: Vec<(f64, f64)>,
     /// Number of frequencies at which both scenes have a result.
     pub compared: usize,
-    /// Words for the scene or scenes (old, new) whose emitted code does not provide this result. The text is empty if
-    /// the code of both scenes provides the result.
+    /// Text that names the scene or scenes (old, new) whose emitted code does not provide this result. The text is
+    /// empty if the code of both scenes provides the result.
     pub left_out_by: &'static str,
-    /// Words for the compared frequencies, for a comparison that leaves out some frequencies of the band.
+    /// Text that names the compared frequencies, if the comparison covers only some frequencies of the band.
     pub where_both: &'static str,
 }
 
@@ -178,8 +178,8 @@ fn provides(scene: &Scene, mass: Option<&str>) -> bool {
     })
 }
 
-/// Returns words for the scene or scenes whose emitted code does not provide the continuous motion of a mass. `mass` is
-/// `None` for the contact.
+/// Returns a text that names the scene or scenes whose emitted code does not provide the continuous motion of a mass.
+/// `mass` is `None` for the contact.
 fn left_out_by(old: &Scene, new: &Scene, mass: Option<&str>) -> &'static str {
     match (provides(old, mass), provides(new, mass)) {
         (true, true) => "",
@@ -209,7 +209,7 @@ fn unshared(old: &System, new: &System) -> Option<String> {
     Some(format!("amplitude of {names}: only one scene has {these}"))
 }
 
-/// Values of one result (such as β_lim or an amplitude) of a scene over the compared frequencies.
+/// One result (such as β_lim or an amplitude) of the old scene and of the new scene, over the compared frequencies.
 struct ResultSeries {
     name: String,
     unit: &'static str,

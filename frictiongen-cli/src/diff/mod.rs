@@ -23,7 +23,7 @@ use steppers::Steppers;
 struct Differences {
     names: [String; 2],
     changes: Vec<FieldChange>,
-    /// Sentences about emitted code that does not use the exact formulas in double precision, without full stops.
+    /// Sentences (without full stops) on scenes whose emitted code does not use the exact double-precision formulas.
     notes: Vec<String>,
     answers: Answers,
     /// Comparison of the steppers, unless no scene provides one.

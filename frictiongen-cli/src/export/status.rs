@@ -166,7 +166,7 @@ pub const STATUSES: [StatusCode; 35] = [
     status(
         "IMAGE_DAMAGED",
         31,
-        "the image of a stepper has a wrong length or checksum",
+        "the image of a stepper is too short, or some of its bytes have changed",
         Some("ImageDamaged"),
     ),
     status(

@@ -16,7 +16,7 @@ pub struct QuantityArgument {
     /// Text of the quantity's value on the command line.
     pub text: String,
     pub part: MovingPart,
-    /// The value in the unit of `Optimum::amplitude` for this quantity.
+    /// The value, converted to the unit of `Optimum::amplitude` for this quantity.
     pub value: f64,
 }
 

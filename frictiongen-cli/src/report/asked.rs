@@ -22,8 +22,8 @@ const ALL_SHOWN: usize = 4;
 pub const RANGE: [f64; 2] = [0.3, 1.5];
 /// Default frictions, divided by the median of β*_lim over the range of frequencies.
 pub const FRACTIONS: [f64; 3] = [0.1, 0.3, 0.7];
-/// Number of frequencies over the range. At these frequencies the command computes β*_lim for its median, and the
-/// motion with the contact stuck for its largest value.
+/// Number of frequencies over the range at which the command computes β*_lim and the motion with the contact stuck.
+/// The page uses the median of β*_lim, and the largest amplitude of each mass with the contact stuck.
 pub const PLACES: usize = 401;
 
 /// Scene, range, units and motions that the report page shows.

@@ -20,10 +20,10 @@ const MOST_TABLED: usize = 4;
 /// Largest relative error that the command declares for results from the tables.
 const DECLARED: f64 = 1e-4;
 
-/// Number of steps that the stepper makes in one period of the highest resonance.
+/// Number of steps in one period of the highest resonance, for the stepper whose cost the page states.
 const STEPS_OF_A_PERIOD: f64 = 20.0;
 
-/// Largest differences between results of a solver and the same results in double-double precision.
+/// Largest relative differences between results of a solver and the same results in double-double precision.
 struct MeasuredErrors {
     precision: &'static str,
     continuous: f64,
@@ -52,8 +52,8 @@ struct SolverBounds {
     amplitude: u32,
     /// Memory for a steady state with stops, in bytes.
     orbit: usize,
-    /// Step length of the stepper in s, and two numbers of operations. The first number is for a step that uses only
-    /// the constant tables, the second for a step with one event. `None` if the scene declares no step.
+    /// Length of a step of the stepper in s, then the numbers of operations in a step without an event and in a step
+    /// with one event. `None` if the stepper does not accept this length.
     step: Option<(f64, u64, u64)>,
 }
 
@@ -262,7 +262,8 @@ fn measured(text: &str, asked: &ReportRequest) -> Result<Vec<MeasuredErrors>, St
     ])
 }
 
-/// Returns the largest differences between the results of a system and those of a reference in double-double precision.
+/// Returns the largest relative differences between the results of a system and those of a reference in double-double
+/// precision.
 fn compared<S: Float>(
     precision: &'static str,
     system: &System<S>,

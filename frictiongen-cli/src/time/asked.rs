@@ -8,7 +8,7 @@ use frictiongen::System;
 use frictiongen::study::history::MOST_SAMPLES;
 use frictiongen::study::units::LoadScale;
 
-/// Largest number of cycles, largest number of skipped cycles, and largest number of samples in a cycle.
+/// Upper bound on each of three numbers: cycles, skipped cycles, and samples in a cycle.
 const MOST: u32 = MOST_SAMPLES as u32;
 
 /// Length of the motion over time that the user requests, and the form of its output.

@@ -9,13 +9,13 @@ use serde_json::Value as Json;
 
 /// Table of the samples of a motion over time.
 pub struct SamplesReport<'m> {
-    /// Motion over time whose samples or events the table contains.
+    /// The motion over time whose samples the table contains.
     pub motion: &'m RunMotion<'m>,
 }
 
 /// Table of the events of a motion over time.
 pub struct EventsReport<'m> {
-    /// Motion over time whose samples or events the table contains.
+    /// The motion over time whose events the table contains.
     pub motion: &'m RunMotion<'m>,
 }
 

@@ -9,7 +9,7 @@ use frictiongen_model::scene::{Beyond, Excitation, FrictionLaw, Node, Scene};
 use proc_macro2::{Ident, TokenStream};
 use quote::ToTokens;
 
-/// Smallest number of masses for which the documentation does not list the methods of single masses by name.
+/// From this number of masses on, the emitted documentation does not list the methods of single masses by name.
 const MANY_MASSES: usize = 9;
 
 /// Emits the type of the scene, with its documentation.
@@ -124,7 +124,8 @@ pub(super) fn origin(description: &Description) -> Vec<String> {
     lines
 }
 
-/// Returns a sentence about the motion in the contact of a scene with one contact.
+/// Returns the sentence that defines the motion in the contact of a scene with one contact. This motion is the
+/// displacement of one mass, or a difference of two displacements.
 pub(crate) fn motion_in_contact(scene: &Scene) -> String {
     let name = |mass: usize| scene.node_name(Node::Mass(mass));
     let (one, other) = match (scene.contact.from, scene.contact.to) {

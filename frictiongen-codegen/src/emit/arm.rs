@@ -3,15 +3,17 @@
 use super::emission::mentions;
 use proc_macro2::{Literal, TokenStream};
 
-/// One match arm: its code, and the masses that it serves.
+/// One match arm of an emitted function: the masses for which it is executed, its statements, and the expression of
+/// its value.
 pub(super) struct Arm {
     pub masses: Vec<usize>,
     pub statements: TokenStream,
     pub value: TokenStream,
 }
 
-/// Returns the body of the emitted function: its statements, and the expression of its value. `all` is the number of
-/// masses of the chain. For a mass without an arm, the emitted function returns `None`.
+/// Returns the body of an emitted function that chooses an arm by the index `mass`: its statements, and the expression
+/// of its value. `all` is the number of masses of the chain. For a mass without an arm, the emitted function returns
+/// `None`.
 pub(super) fn chosen(arms: &[Arm], all: usize) -> (TokenStream, TokenStream) {
     let literals = |masses: &[usize]| -> Vec<Literal> {
         let masses = masses.iter().copied();

@@ -107,7 +107,7 @@ pub(super) fn emit(emission: &Emission<'_>) -> EmittedCode {
     part
 }
 
-/// Emits the constants of the frequency stage and the constructor `at`.
+/// Emits the constants for the evaluation of the scene at one frequency ratio r, and the constructor `at`.
 fn at_frequency(emission: &Emission<'_>) -> EmittedCode {
     let Emission {
         scene,
@@ -216,7 +216,8 @@ fn at_frequency(emission: &Emission<'_>) -> EmittedCode {
     }
 }
 
-/// Emits the mass that rubs on a support as an `Option` constant.
+/// Emits the index of the mass that slides on a support, as an `Option`. It is `None` if two masses slide on each
+/// other.
 pub(super) fn rubbing(mass: Option<usize>) -> TokenStream {
     match mass {
         None => code!(None),

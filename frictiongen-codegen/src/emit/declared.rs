@@ -1,10 +1,10 @@
-//! Emits the stepper of a declared step, which borrows its constant tables.
+//! Emits the stepper for the step that the description declares. The tables of this stepper are constants.
 
 use super::emission::Emission;
 use super::names::TypeNames;
 use proc_macro2::TokenStream;
 
-/// Emits the type of the stepper of a declared step.
+/// Emits the type of the stepper for the declared step.
 pub(super) fn types(emission: &Emission<'_>, literals: &TokenStream) -> TokenStream {
     let Emission {
         description,
@@ -27,7 +27,7 @@ pub(super) fn types(emission: &Emission<'_>, literals: &TokenStream) -> TokenStr
     }
 }
 
-/// Emits the function that creates the stepper.
+/// Emits the function that creates the stepper for the declared step.
 pub(super) fn associated(emission: &Emission<'_>) -> TokenStream {
     let declared = &emission.names.declared;
     code! {

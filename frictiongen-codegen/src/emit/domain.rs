@@ -9,7 +9,7 @@ use frictiongen_model::scene::{Beyond, Range};
 use frictiongen_model::table::{Reach, Tables};
 use proc_macro2::TokenStream;
 
-/// Returns the constants of the tables, each with its checksum, for the self-check.
+/// Returns the constants of the tables with their checksums, which the self-check compares.
 pub(super) fn checked<S: Float + Listed<S>>(
     emission: &Emission<'_>,
     tables: &Tables<S>,

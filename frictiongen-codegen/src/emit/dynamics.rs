@@ -119,8 +119,8 @@ pub(super) fn emit(emission: &Emission<'_>, wanted: &Wanted<'_>) -> DynamicsCons
     }
 }
 
-/// Emits all modes of the chain. Emits a reference to `MODES`, the modes of the steady response, if `MODES` has the
-/// same modes.
+/// Emits all modes of the chain as an array. If the constant `MODES` of the steady response has the same modes, emits
+/// a reference to `MODES` instead.
 fn modes(emission: &Emission<'_>, transient: &Transient<f64>) -> TokenStream {
     let all = |modes: &[Mode<f64>]| {
         let modes = mode_constants(emission, modes);
@@ -135,7 +135,8 @@ fn modes(emission: &Emission<'_>, transient: &Transient<f64>) -> TokenStream {
     }
 }
 
-/// Explains the field `inverse` of a held mode (derivation, section 7).
+/// Emitted comment on the field `inverse` of a held mode, which is a mode of the chain with its contact stuck
+/// (derivation, section 7).
 const INVERSE: &str = "m₁₁, m₁₂ and m₂₂ give y = m₁₁B(η, g) + m₁₂B(η, h) and u = m₁₂B(η, g) + m₂₂B(η, h).  η is the motion of the chain's modes minus the static motion that the stuck contact causes.  g and h are the `participations` of y and u.  B(a, b) is the sum of 2ζσab + a′b + ab′ over the chain's modes, with σ = `resonance`.  g′ is −Ωh, and h′ is Ω(g − 2ζh), with Ω = `frequency` and ζ of this mode.  [m₁₁, m₁₂, m₂₂] = [B(h, h), −B(g, h), B(g, g)]/(B(g, g)B(h, h) − B(g, h)²)";
 
 fn held(emission: &Emission<'_>, mode: &HeldMode<f64>, first: bool) -> TokenStream {

@@ -12,8 +12,8 @@ use frictiongen_model::reduced::Reduced;
 use frictiongen_model::scene::{Precision, Provide, Scene};
 use proc_macro2::{Ident, TokenStream, TokenTree};
 
-/// Smallest number of modes from which the emitted code calls the kernel's functions that add up a motion over the
-/// modes. With fewer modes, each mass has its own straight-line code.
+/// From this number of modes on, the emitted code calls functions of the kernel that add up a motion over the modes.
+/// With fewer modes, each mass has its own straight-line code.
 const SUMS_FROM: usize = 3;
 
 /// Data of a scene from which the generator emits the items of the scene.
@@ -29,7 +29,7 @@ pub(super) struct Emission<'a> {
     pub scalar: TokenStream,
     pub names: TypeNames,
     pub facade: &'a TokenStream,
-    /// Smallest number of modes from which the emitted frequency stage consists of passes over the array of modes.
+    /// From this number of modes on, the emitted code for one frequency ratio loops over the array of modes.
     pub passes_from: usize,
 }
 
@@ -91,8 +91,8 @@ impl<'a> Emission<'a> {
         modes.map(|mode| local(&format!("{name}_{mode}"))).collect()
     }
 
-    /// Emits the statement that binds the constants of the modes. The statement binds only constants whose names
-    /// occur in `body`.
+    /// Emits the `let` statement that binds `constants_1`, `constants_2`, … to the constants of the modes. The
+    /// statement binds only names that occur in `body`.
     pub fn constants(&self, body: &TokenStream) -> TokenStream {
         bound(&self.constant_names(), body, &code!(&Self::MODES))
     }
@@ -113,8 +113,8 @@ impl<'a> Emission<'a> {
         inputs
     }
 
-    /// Emits the statement that binds the components of a mass in the mode shapes. The statement binds only names that
-    /// occur in `body`.
+    /// Emits the `let` statement that binds `shape_1`, `shape_2`, … to the components of a mass in the mode shapes.
+    /// The statement binds only names that occur in `body`.
     pub fn shape(&self, body: &TokenStream) -> TokenStream {
         let names = self.numbered("shape");
         let source = code!(*Self::SHAPES.get(mass)?);
@@ -126,8 +126,8 @@ impl<'a> Emission<'a> {
         Graph::new(modes).in_precision(self.precision)
     }
 
-    /// Returns true if the emitted frequency stage consists of passes over the array of modes, not of straight-line
-    /// code.
+    /// Returns true if the emitted code for one frequency ratio loops over the array of modes. If false, this code is
+    /// straight-line code.
     pub fn in_passes(&self) -> bool {
         self.modes() >= self.passes_from
     }
@@ -151,7 +151,8 @@ impl<'a> Emission<'a> {
         self.reduced.chain.on_moving_base.is_none() && self.reduced.rubbing == Some(mass)
     }
 
-    /// Returns true if the load acts on the mass that slides on a support, so that V = H.
+    /// Returns true if the load acts on the mass that slides on a support. V, the response of the contact to the load,
+    /// then equals H, its response to a force in the contact.
     pub(super) fn loads_contact(&self) -> bool {
         let Reduced { chain, modes, .. } = &self.reduced;
         self.reduced.quadratures.is_empty() && chain.loads_contact(modes)
@@ -289,14 +290,14 @@ pub(super) fn sum_of_rounded(numbers: &impl Listed<Dd>, precision: Precision) ->
     sum
 }
 
-/// Code that one file of this folder emits.
+/// Emitted code of one file of this folder, divided by the place in the output to which it belongs.
 #[derive(Default)]
 pub(super) struct EmittedCode {
     /// The emitted types, which are in the user's module.
     pub types: TokenStream,
     /// Items in the single `impl` of the scene's type.
     pub associated: TokenStream,
-    /// Hidden items outside that `impl`.
+    /// Hidden items outside the `impl` of the scene's type.
     pub items: TokenStream,
     /// Tables of numbers, as associated constants, in a block separate from the code.
     pub tables: TokenStream,

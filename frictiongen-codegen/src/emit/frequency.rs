@@ -11,12 +11,12 @@ use frictiongen_kernel::contact::sums::Chain;
 use frictiongen_kernel::oscillator::mode::{Kind, Mode};
 use proc_macro2::{Ident, Literal, TokenStream};
 
-/// Emitted code of the frequency stage: methods of the kernel's trait `Scene`, and the function that these methods
-/// call.
+/// Emitted code that evaluates a scene at one frequency ratio r: methods of the kernel's trait `Scene`, and the
+/// function that these methods call.
 pub(super) struct Stage {
     pub function: TokenStream,
     pub methods: TokenStream,
-    /// Last argument of the kernel macro `scene_items`.
+    /// Last argument of the kernel macro `scene_items`. It is empty unless the code loops over the array of modes.
     pub in_passes: TokenStream,
 }
 
@@ -115,8 +115,8 @@ fn uniform_kind(modes: &[Mode<f64>]) -> Option<Kind> {
 /// Names that the code around the formulas uses. Values of the formulas must not have these names.
 const TAKEN: [&str; 3] = ["inverse_r", "contact", "modes"];
 
-/// Emits the frequency stage of a scene with one mode. The common scale E of the modes is then the `size` of this
-/// mode.
+/// Emits the code that evaluates a scene with one mode at a frequency ratio r. The scale E, which keeps the sums over
+/// the modes finite at a resonance, is the `size` of this mode.
 fn single(emission: &Emission<'_>) -> (TokenStream, OperationCount) {
     let graph = emission.graph(1);
     let tracer = Tracer::over_constants(&graph, &emission.modal, emission.precision);
@@ -141,8 +141,8 @@ fn single(emission: &Emission<'_>) -> (TokenStream, OperationCount) {
     (body, count)
 }
 
-/// Emits the frequency stage of a scene with several modes as straight-line code. The code computes the response of
-/// each mode at r, and then the sums V, H, U, G and H_c over the modes.
+/// Emits straight-line code that evaluates a scene with several modes at a frequency ratio r. The code computes the
+/// response of each mode, and then the sums V, H, U, G and H_c over the modes.
 fn straight(emission: &Emission<'_>) -> (TokenStream, OperationCount) {
     let graph = emission.graph(emission.modes());
     let tracer = Tracer::over_constants(&graph, &emission.modal, emission.precision);
@@ -213,8 +213,8 @@ fn summed(emission: &Emission<'_>) -> (TokenStream, OperationCount) {
     (code!(#constants #body), count)
 }
 
-/// Emits the response of each mode at r, the common scale E, and each response multiplied by E for the sums over the
-/// modes.
+/// Emits the response of each mode at r. Also emits the scale E, which keeps the sums over the modes finite at a
+/// resonance, and each response multiplied by E.
 fn blocks(emission: &Emission<'_>) -> (TokenStream, TokenStream, OperationCount) {
     let mut count = OperationCount::default();
     let (mut calls, mut body) = (TokenStream::new(), TokenStream::new());
@@ -286,7 +286,7 @@ fn mode_structure(outputs: &[TokenStream]) -> TokenStream {
     code!(ModeAt { #x, response: Complex { re: #re, im: #im }, #u, #g })
 }
 
-/// Emits the frequency stage as two loops over the array of modes. The body of each loop is the formula of one mode.
+/// Emits the evaluation of a scene at one r as two loops over the array of modes, each with the formula of one mode.
 fn passes(emission: &Emission<'_>, kind: Kind) -> (TokenStream, OperationCount) {
     let Emission {
         precision, scalar, ..

@@ -1,4 +1,5 @@
-//! Emits the tables and functions that compute the stuck responses of a scene with a declared accuracy.
+//! Emits the tables and functions that compute the stuck responses of a scene with a declared accuracy. A stuck
+//! response is the amplitude of a mass while the contact is stuck.
 
 use super::checksum;
 use super::emission::{Checked, Emission, EmittedCode};

@@ -48,9 +48,9 @@ pub(crate) use {
     about::motion_in_contact, checksum::about as about_numbers, fingerprint::fingerprint,
 };
 
-/// Smallest number of modes from which the emitted frequency stage consists of passes over an array of modes. For fewer
-/// modes the frequency stage is straight-line code, which is faster but grows with the number of modes.
-/// `scripts/passes-trial` measures both forms of code.
+/// From this number of modes on, the emitted code for one frequency ratio loops over an array of modes. For fewer
+/// modes it is straight-line code, which is faster but grows with the number of modes. `scripts/passes-trial` measures
+/// both forms of code.
 pub const PASSES_FROM: usize = 17;
 
 /// Returns the emitted code of a description.
@@ -60,7 +60,7 @@ pub fn emit(description: &Description) -> TokenStream {
 }
 
 /// Returns the emitted code of a description, with `passes_from` in place of [`PASSES_FROM`]. `scripts/passes-trial`
-/// uses this function to find the number of modes from which passes are faster.
+/// calls this function to find the number of modes from which loops are faster.
 #[must_use]
 pub fn emit_in_passes(description: &Description, passes_from: usize) -> TokenStream {
     if description.scene.is_joined() {
@@ -99,7 +99,7 @@ pub fn emit_in_passes(description: &Description, passes_from: usize) -> TokenStr
     in_block(&types, &block)
 }
 
-/// Emits the types in the user's module, and the hidden items in a block.
+/// Emits the types in the user's module, and all other items in a block that hides their names.
 fn in_block(types: &TokenStream, block: &TokenStream) -> TokenStream {
     code! {
         #types

@@ -46,8 +46,8 @@ pub(super) fn functions(emission: &Emission<'_>) -> TokenStream {
     functions.collect()
 }
 
-/// Returns true if a mode with this kind of damping has g ≠ 0. g is the displacement of the mode, from a square wave
-/// of friction, at a reversal.
+/// Returns true if a mode with this kind of damping has g ≠ 0. g is the displacement of the mode at a reversal, under
+/// a square wave of friction.
 pub(super) fn has_g(kind: Kind) -> bool {
     kind != Kind::Undamped
 }
@@ -98,7 +98,8 @@ pub(super) fn function_of(kind: Kind, with_g: &TokenStream) -> TokenStream {
     }
 }
 
-/// Emits the call of the function for one mode. The second result is the number of operations of the call.
+/// Emits the call of the function that returns the response of one mode at r. The second result is the number of
+/// operations in this call.
 pub(super) fn call(emission: &Emission<'_>, index: usize) -> (TokenStream, OperationCount) {
     let Some(mode) = emission.reduced.modes.get(index) else {
         return (TokenStream::new(), OperationCount::default());

@@ -198,8 +198,8 @@ struct Coefficients<'g> {
     modal: Vec<Option<ModalCoefficients<Expr<'g>>>>,
 }
 
-/// Returns the documentation line about the work of the kernel's functions. The stated number of operations does not
-/// include this work.
+/// Returns the documentation line about the work that the kernel's functions do for a motion. The number of operations
+/// of the emitted function excludes this work.
 fn waves_about(emission: &Emission<'_>) -> String {
     let modes = emission.modes();
     let plural = if modes == 1 { "" } else { "s" };
@@ -237,8 +237,8 @@ fn of_contact(emission: &Emission<'_>, tracer: &Tracer<'_>) -> (TokenStream, Ope
     (body, count)
 }
 
-/// Emits the statements that all masses share, then the statements of each mass. The number in the result is the number
-/// of operations for the mass that needs the most.
+/// Emits the code that computes the motion of each mass: the statements that all masses share, then the statements of
+/// each mass. The second result is the number of operations for the mass that needs the most.
 fn of_masses(
     emission: &Emission<'_>,
     tracer: &Tracer<'_>,
@@ -318,7 +318,8 @@ impl Coefficients<'_> {
         outputs.into_iter().map(Expr::operand).collect()
     }
 
-    /// Returns the printed outputs as the fundamental component and the waves of the modes.
+    /// Returns the expressions of a motion in the emitted code: its fundamental component, and the waves of its modes.
+    /// `printed` has the numbers in these expressions.
     fn structures(
         &self,
         emission: &Emission<'_>,

@@ -97,8 +97,9 @@ pub(super) fn emit(emission: &Emission<'_>, wanted: &Wanted<'_>) -> EmittedCode 
     }
 }
 
-/// Emits the loads in quadrature with the base's motion, as a constant and a method of the kernel's trait `Scene`.
-/// Without damping relative to a moving base, both the constant and the method are empty token streams.
+/// Emits, as a constant and a method of the kernel's trait `Scene`, the loads in quadrature with (90° out of phase
+/// with) the motion of the base. Only damping relative to a moving base causes these loads. Without it, the constant
+/// and the method are empty token streams.
 fn quadratures(emission: &Emission<'_>) -> (TokenStream, TokenStream) {
     let (scalar, quadratures) = (&emission.scalar, &emission.reduced.quadratures);
     if quadratures.is_empty() {

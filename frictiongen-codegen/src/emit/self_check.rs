@@ -10,17 +10,19 @@ use frictiongen_kernel::number::dd::Dd;
 use frictiongen_model::scene::Precision;
 use proc_macro2::{Literal, TokenStream};
 
-/// Allowed error of an answer of the exact formulas, in rounding units. At the frequency ratios of the known answers,
-/// a change of r by 32 rounding units changes an answer by at most an eighth of this error.
+/// Allowed error of an answer of the exact formulas, in rounding units (machine epsilon of the scene's scalar type).
+/// At the frequency ratios of the known answers, a change of r by 32 rounding units changes an answer by at most an
+/// eighth of this error.
 const ROUNDINGS: f64 = 4096.0;
-/// Largest allowed error of an answer, in rounding units. The self-check needs this larger error if all answers in a
-/// part of the scene's range of r depend on rounding.
+/// Largest allowed error of an answer, in rounding units. The self-check allows more than `ROUNDINGS` only if some
+/// part of the scene's range of r has no tried frequency ratio at which all answers are independent of rounding.
 const WIDEST: f64 = 16.0 * ROUNDINGS;
 /// Range of the frequency ratios of the known answers, as two factors. The range runs from the first factor times the
 /// lowest resonance to the second factor times the highest resonance.
 const BAND: (f64, f64) = (0.2, 1.5);
 
-/// Emits the function `self_check` and its known answers. `constants` has all other emitted constants.
+/// Emits the function `self_check` and its known answers. `constants` lists all other emitted constants, whose
+/// checksums `self_check` compares.
 pub(super) fn emit(
     emission: &Emission<'_>,
     wanted: &Wanted<'_>,
@@ -184,7 +186,7 @@ fn sizes(emission: &Emission<'_>, wanted: &Wanted<'_>) -> [Literal; 2] {
     [masses, forces].map(Literal::usize_unsuffixed)
 }
 
-/// Returns displacement and velocity of the provided masses.
+/// Returns the known displacement and velocity of each mass whose motion the scene provides.
 fn moving(wanted: &Wanted<'_>, known: &KnownAnswers) -> Vec<[f64; 2]> {
     let motion = known.motion.iter().flat_map(|motion| &motion.masses);
     let all: Vec<[f64; 2]> = motion.copied().collect();

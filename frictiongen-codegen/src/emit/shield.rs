@@ -28,7 +28,8 @@ pub(super) fn emit(items: &TokenStream) -> TokenStream {
         .collect()
 }
 
-/// Types that emitted code writes without a path. The code that collects names excludes keywords by another check.
+/// Names of types that emitted code writes without a path. No pattern binds these names, so they need no hiding
+/// function.
 const TYPES: [&str; 4] = ["bool", "f32", "f64", "usize"];
 
 /// Returns true if a name has a form like `mode_3_decay`. A name of this form needs no hiding function, because users

@@ -20,7 +20,7 @@ pub struct StepFacts {
     pub cost: Cost,
     /// Number of equal parts into which the stepper divides a step.
     pub parts: u32,
-    /// Numbers of the tables of the declared step. The text with each number is its path, the names of fields and the
+    /// Numbers of the tables of the declared step, each with its path. A path consists of the names of fields and the
     /// indices that lead to the number in the tables. Without a declared step the list is empty.
     pub numbers: Vec<(String, f64)>,
 }
@@ -59,8 +59,8 @@ pub fn step_facts(description: &Description) -> Option<StepFacts> {
     })
 }
 
-/// Appends the numbers of a Rust expression to `to`. The text with each number is its path, the fields and indices that
-/// lead to the number. The expression consists of structures, arrays and literals.
+/// Appends the numbers of a Rust expression to `to`, each with its path: the fields and indices that lead to the
+/// number. `place` is the path of the expression. The expression consists of structures, arrays and literals.
 fn collect(value: &Expr, place: &str, to: &mut Vec<(String, f64)>) {
     match value {
         Expr::Struct(structure) => {

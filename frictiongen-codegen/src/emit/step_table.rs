@@ -32,7 +32,7 @@ impl Sizes {
         code!(#coefficients, #modes, #held, #inputs)
     }
 
-    /// Returns a sentence about the sizes in the kernel's types.
+    /// Returns the sentence of the emitted documentation that explains the sizes in the type of the stepper.
     pub fn about(&self) -> String {
         let counted = |number: usize, of: &str| {
             let plural = if number == 1 { "" } else { "s" };

@@ -1,4 +1,4 @@
-//! Emits the tables of a declared accuracy.
+//! Emits the tables that replace the exact formulas in a scene with a declared accuracy.
 
 use super::checksum;
 use super::domain::{checked, domain};
@@ -154,7 +154,7 @@ fn tabled<S: Float + Listed<S>>(
     }
 }
 
-/// Emits the motion of the contact.
+/// Emits the method that computes the motion of the contact from the tables.
 fn contact<S: Float>(emission: &Emission<'_>, tables: &Tables<S>) -> TokenStream {
     let Emission {
         scalar,
@@ -204,7 +204,7 @@ pub(super) fn quotient<S: Float>(emission: &Emission<'_>, product: &Product<S>) 
     quotient_over(emission, product, &code!(&#denominator))
 }
 
-/// Emits a quotient of products over zeros and poles. `denominator` is the emitted expression for the poles.
+/// Emits a product over zeros, divided by a product over poles. `denominator` is the emitted expression for the poles.
 pub(super) fn quotient_over<S: Float>(
     emission: &Emission<'_>,
     product: &Product<S>,

@@ -79,7 +79,8 @@ impl<'g> Tracer<'g> {
         named.collect()
     }
 
-    /// Returns the modes with their loads in quadrature.
+    /// Returns the modes, and their loads in quadrature with the motion of the base. Without damping relative to a
+    /// moving base, the list of these loads is empty.
     pub fn loaded(&self) -> (&[Mode<Expr<'g>>], &[[Expr<'g>; 2]]) {
         (&self.reduced.modes, &self.reduced.quadratures)
     }
@@ -160,8 +161,8 @@ impl<'g> Tracer<'g> {
         }
     }
 
-    /// Records the whole frequency stage without loops. The closure `g` replaces the recorded g of each mode, the
-    /// displacement of the mode at a reversal.
+    /// Records the whole evaluation of a scene at one frequency ratio, without loops. The closure `g` replaces the
+    /// recorded g of each mode, the displacement of the mode at a reversal.
     pub fn frequency(
         &self,
         inverse_r: Expr<'g>,
@@ -196,7 +197,8 @@ impl<'g> Tracer<'g> {
         (contact, at)
     }
 
-    /// Records the sums over the modes. The functions of the modes are the inputs `mode_1`, `at_1` and so on.
+    /// Records the sums V, H, U, G and H_c over the modes. The responses of the modes are inputs of the graph:
+    /// `mode_1`, `at_1` and so on.
     pub fn joined(&self) -> ContactAt<Expr<'g>> {
         let Reduced {
             modes,
@@ -238,7 +240,7 @@ fn constant<'g>(graph: &'g Graph, text: &str, value: Expr<'g>) -> Expr<'g> {
     }
 }
 
-/// Returns the sums over the modes as inputs, for the body of a loop that adds one mode to them.
+/// Returns the sums over the modes as inputs of the graph, for the body of a loop that adds one mode to the sums.
 pub(super) fn symbolic_sum(graph: &Graph, damped: bool) -> ContactAt<Expr<'_>> {
     let of = |field: &str| graph.input(format!("sum.{field}"));
     let if_damped = |field: &str| {
@@ -258,7 +260,7 @@ pub(super) fn symbolic_sum(graph: &Graph, damped: bool) -> ContactAt<Expr<'_>> {
     }
 }
 
-/// Returns the outputs of the contact's sums, in the order in which they are emitted.
+/// Returns the scale E and the sums V, U, G, H_c and H of the contact as operands, in the order of the emitted code.
 pub(super) fn contact_outputs(contact: &ContactAt<Expr<'_>>) -> Vec<Operand> {
     let ContactAt {
         scale,
@@ -273,7 +275,7 @@ pub(super) fn contact_outputs(contact: &ContactAt<Expr<'_>>) -> Vec<Operand> {
         .to_vec()
 }
 
-/// Returns the outputs of a mode at a frequency, in the order in which they are emitted.
+/// Returns the numbers of a mode at one frequency ratio as operands, in the order of the emitted code.
 pub(super) fn mode_outputs(at: &ModeAt<Expr<'_>>) -> Vec<Operand> {
     [at.x, at.response.re, at.response.im, at.u, at.g]
         .map(Expr::operand)

@@ -6,7 +6,7 @@ use crate::units::UnitConstants;
 use frictiongen_model::scene::{Excitation, Precision};
 use proc_macro2::{Literal, TokenStream};
 
-/// Returns the constants, rounded to the scene's scalar.
+/// Returns the constants that convert between ratios and units, rounded to the scene's scalar type.
 pub(super) fn constants(emission: &Emission<'_>) -> UnitConstants {
     match emission.precision {
         Precision::F64 => UnitConstants::of::<f64>(emission.scene),
@@ -24,7 +24,7 @@ pub(super) fn reference_by_name(emission: &Emission<'_>, reference: f64) -> Toke
     }
 }
 
-/// Emits the constants as associated items, and the conversions as items at the end of the same block. The checksum of
+/// Emits the constants that convert between ratios and units, and after them the conversion functions. The checksum of
 /// the constants also covers natural frequencies and resonances.
 pub(super) fn emit(
     emission: &Emission<'_>,

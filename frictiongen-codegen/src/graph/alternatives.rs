@@ -1,5 +1,5 @@
-//! Prints several alternatives, of which the emitted code evaluates one. The emitted code computes the operations
-//! that all alternatives share before it chooses the alternative.
+//! Prints several alternative formulas, for example one for each mass, of which the emitted code evaluates one. The
+//! emitted code first computes the operations that all alternatives share.
 
 use super::count::OperationCount;
 use super::print::{Printed, Printer};
@@ -8,7 +8,7 @@ use frictiongen_model::scene::Precision;
 use proc_macro2::TokenStream;
 use std::collections::BTreeSet;
 
-/// One of several alternatives: its operations with the names that its formula gives them, and its outputs.
+/// One of several alternative formulas: its operations, each with the name of its value, and its outputs.
 pub struct Alternative {
     nodes: Vec<Recorded>,
     outputs: Vec<Operand>,

@@ -9,14 +9,14 @@ pub struct SizeLimits {
     pub masses: usize,
     /// True if the tables of a declared accuracy are built.
     pub tables: bool,
-    /// Selects whether the generator proves the tables.
+    /// Selects whether the generator proves that the tables have the declared accuracy.
     pub proof: ProofAt,
     /// True if a scene may have any `contacts` and `dampers`. If false, a scene may have only `contacts` and `dampers`
     /// for which the generator emits code.
     pub joints: bool,
 }
 
-/// Selects whether the generator proves the tables.
+/// Selects whether the generator proves that the tables have the declared accuracy.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[non_exhaustive]
 pub enum ProofAt {
@@ -30,8 +30,7 @@ pub enum ProofAt {
 }
 
 impl ProofAt {
-    /// Proof of the tables in a macro. It is the requested proof with the feature `proof`, and missing without this
-    /// feature.
+    /// The selection in a macro: `Requested` if frictiongen has the feature `proof`, otherwise `Missing`.
     pub const MACRO: Self = if cfg!(feature = "proof") {
         Self::Requested
     } else {
@@ -47,7 +46,8 @@ impl SizeLimits {
         proof: ProofAt::MACRO,
         joints: false,
     };
-    /// Limits for a macro expansion without a proof. A check that discards the emitted code uses them.
+    /// Limits for a check of a description, which discards the emitted code. They are the limits for a macro
+    /// expansion, but without a proof, and with any `contacts` and `dampers`.
     pub const CHECK: Self = Self {
         proof: ProofAt::Never,
         joints: true,

@@ -57,7 +57,8 @@ impl Description {
     }
 }
 
-/// Tables in the scene's scalar type.
+/// Tables that replace the exact formulas in a scene with a declared accuracy. Their numbers are in the scene's scalar
+/// type.
 #[derive(Clone, Debug)]
 pub enum SceneTables {
     /// Tables in double precision.
@@ -78,7 +79,7 @@ impl SceneTables {
         })
     }
 
-    /// Adds a proof of the accuracy, as far as `work` allows.
+    /// Adds a proof that the tables have the declared accuracy, as far as `work` allows.
     #[cfg(feature = "proof")]
     pub fn prove(&mut self, scene: &Scene, work: ProofWork) {
         let modal = Modal::of(scene);
@@ -88,7 +89,7 @@ impl SceneTables {
         }
     }
 
-    /// Adds a proof of the accuracy if `work` is likely to suffice.
+    /// Adds a proof that the tables have the declared accuracy, if `work` is likely to suffice.
     #[cfg(feature = "proof")]
     fn prove_if_small(&mut self, scene: &Scene, work: ProofWork) {
         let modal = Modal::of(scene);
@@ -98,7 +99,8 @@ impl SceneTables {
         }
     }
 
-    /// Adds the proof of the accuracy that the macro makes, with the work that the scene's `proof` allows.
+    /// Adds the proof that a macro makes for the accuracy of the tables, with the work that the scene's `proof`
+    /// allows.
     #[cfg(feature = "proof")]
     fn prove_requested(&mut self, scene: &Scene) {
         match scene.declared.proof {
@@ -140,7 +142,8 @@ pub fn parse_tokens(tokens: TokenStream, limits: &SizeLimits) -> Result<Descript
     }
 }
 
-/// Reads a text in the language of the macro call. In a macro call, the names in the result have the span of the call.
+/// Reads a description from a text. If a macro calls this function, the names in the result have the span of the macro
+/// call.
 ///
 /// # Errors
 /// Returns all errors of the text, with line and column.
@@ -215,8 +218,8 @@ fn lower(
     }
 }
 
-/// Reports a declared step outside the range of a stepper. Also reports damping for which rounding would spoil a motion
-/// in time, unless the step is reported.
+/// Reports a declared step outside the range of a stepper. If the step is valid, reports damping for which rounding
+/// would spoil a motion in time.
 fn check_motion_in_time(located: &Located<'_>, problems: &mut Problems) {
     let scene = &located.scene;
     if !problems.is_empty() {

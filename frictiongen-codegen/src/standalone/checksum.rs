@@ -10,7 +10,7 @@ use frictiongen_model::scene::Precision;
 use frictiongen_model::table::Tables;
 use proc_macro2::Literal;
 
-/// Explanation of the checksum's form, for the emitted files.
+/// Sentences for the emitted files about the changes that a checksum detects.
 pub(super) const ABOUT: &str = "A change of one word always changes the checksum.  A change of several words goes unnoticed in one of 2^32 cases.";
 
 /// Returns the checksum of numbers in the precision of a file. An `f32` enters as its 32 bits. An `f64` enters as two

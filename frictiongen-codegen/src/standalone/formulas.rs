@@ -17,7 +17,8 @@ pub(super) struct Formulas {
     pub excitation: Option<String>,
     /// The responses while the contact is stuck.
     pub stuck: Option<StuckExpressions>,
-    /// Expressions for the start of the first bucket, and for the number of buckets per unit of r.
+    /// Expressions for the start of the first bucket, and for the number of buckets per unit of r. Buckets are equal
+    /// intervals of r, by which the code finds a piece of the tables.
     pub index: [String; 2],
     /// Expressions for the undamped resonances that the load drives.
     pub unbounded: Vec<String>,

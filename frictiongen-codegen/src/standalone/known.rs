@@ -1,4 +1,4 @@
-//! Known answers. The self-check of an emitted file compares its own answers with them.
+//! Known answers of an emitted file: reference results with which the self-check of the file compares its own results.
 
 use super::{NumberFormat, Source};
 use crate::known::{AnswersRequest, KnownAnswers, MotionKind, known};
@@ -54,7 +54,8 @@ pub(super) fn status(known: &KnownAnswers) -> &'static str {
     }
 }
 
-/// Returns three texts for each known answer: the numbers of its row, without the status.
+/// Returns three texts for each known answer: r with the limits, β with the motion of the contact, and the stuck
+/// responses.
 pub(super) fn rows(numbers: NumberFormat, all: &[KnownAnswers]) -> Vec<[String; 3]> {
     let row = |known: &KnownAnswers| {
         let head = numbers.list([known.r, known.continuous, known.sliding]);

@@ -1,8 +1,8 @@
 //! Writes tables as code without dependencies: a Rust file, or C99.
 //!
-//! The Rust file and the C file perform the kernel's operations in the kernel's order, so that all results have the
-//! same bits. The only exception is the arc tangent of a phase. It is a function of the platform. In Rust without std,
-//! it is a function of the file itself.
+//! The Rust file and the C file perform the kernel's operations in the kernel's order, so that their results have the
+//! same bits as the kernel's results. Only the arc tangent of a phase may differ. It is a function of the platform, or
+//! of the file itself in Rust without std.
 
 mod c;
 mod checksum;
@@ -116,7 +116,7 @@ fn wrapped(places: &[usize]) -> String {
     lines.join("\n    ")
 }
 
-/// Returns those items of `provide` that the files leave out.
+/// Returns the items of `provide` for which the emitted C and Rust files have no functions.
 #[must_use]
 pub fn left_out(scene: &Scene) -> Vec<String> {
     let word = |item: &Provide| match item {
@@ -227,7 +227,7 @@ fn told<S: Float>(tables: &Tables<S>, proof: &Proof) -> String {
     )
 }
 
-/// Names and meanings of the polynomials of a piece.
+/// Names and meanings of the polynomials of a piece. A piece is an interval of r in the tables.
 const COLUMNS: [(&str, &str); 5] = [
     ("beta_lim", "`beta_lim`, the limit of continuous motion"),
     (
@@ -245,7 +245,7 @@ const RESPONSES: [&str; 2] = [
     "friction contributes -beta G to the displacement and -beta U to the velocity over omega.",
 ];
 
-/// Returns a sentence about the formula of β*_lim, on a line of its own, from its expression.
+/// Returns a comment on the zeros and poles of β*_lim. It is empty if the expression `sliding` does not depend on r.
 fn quotient_about(sliding: &str) -> &'static str {
     if sliding.contains("(r") {
         "\nV and H have the same poles.  The zeros of the quotient are therefore those of V, and its poles the zeros of H."
@@ -277,7 +277,7 @@ fn piece_numbers<S: Float>(tables: &Tables<S>) -> Vec<f64> {
     pieces.map(|number| number.to_f64()).collect()
 }
 
-/// Returns the first step of the search for a piece within a bucket, as a number of pieces.
+/// Returns the first step of the binary search for a piece within a bucket, as a number of pieces.
 fn first_step<S>(tables: &Tables<S>) -> usize {
     (1_usize << tables.index.halvings) >> 1
 }
@@ -307,7 +307,7 @@ const STATUSES: [(&str, i32, &str); 5] = [
     ),
 ];
 
-/// Returns the meaning of a status. `Unbounded` refers only to those functions of the file that may return it.
+/// Returns the meaning of a status. The meaning of `Unbounded` depends on the functions that may return this status.
 fn meaning<S: Float>(
     tables: &Tables<S>,
     (status, _, meaning): (&str, i32, &'static str),

@@ -66,7 +66,7 @@ pub(super) fn gain_about(is_fixed: bool) -> &'static str {
     if is_fixed { FIXED } else { GAIN }
 }
 
-/// Writes a product, divided by its poles.
+/// Writes the expression of a product over zeros, divided by a product over poles.
 pub(super) fn quotient<S: Float>(
     constants: &mut FileConstants,
     name: &str,
@@ -87,7 +87,7 @@ fn grouped(factors: String) -> String {
     }
 }
 
-/// Writes a product divided by the expression `poles`.
+/// Writes the expression of a product over zeros, divided by the expression `poles`.
 pub(super) fn quotient_over<S: Float>(
     constants: &mut FileConstants,
     name: &str,

@@ -3,18 +3,20 @@
 //! Some masses may be connected to the load through the contact alone. At the frequency at which these masses resonate
 //! while the contact is stuck, V and H vanish together. V is the response of the contact to the load, and H is its
 //! receptance (response to a contact force). The amplitude V/H of the contact force would then be a quotient of
-//! rounding errors. This module therefore divides V and H by their common zero.
+//! rounding errors. This module therefore writes V and H as series in the distance from this frequency, and cancels
+//! their common factor.
 //!
-//! Let s = r², and let d = s − s₀ be the distance from the zero s₀. Then V = v₁d − v₂d² + v₃d³ − …, where v_n = Σ α/(λ
-//! − s)^{n+1}. The sum is over the modes. α = (φᵀw)(φᵀp) is the residue of a mode and λ its squared frequency ratio. H
-//! has a series of the same form.
+//! V and H vanish at s = s₀, where s = r². Let d = s − s₀ be the distance from this zero. Then V = v₁d − v₂d² + v₃d³ −
+//! …, where v_n = Σ α/(λ − s)^{n+1}. The sum is over the modes. α = (φᵀw)(φᵀp) is the residue of a mode and λ its
+//! squared frequency ratio. H has a series of the same form.
 
 use crate::contact::sums::{Chain, ContactAt, ModeAt};
 use crate::number::scalar::Float;
 use crate::oscillator::mode::Mode;
 
-/// Factor of the test that compares a modal sum with zero. The sum counts as zero if its modulus is smaller than this
-/// factor times the rounding error of its largest term.
+/// Number of rounding errors by which V may differ from its series at an absorber frequency. V is the response of the
+/// contact to the load, as a sum over the modes. One rounding error is the rounding unit times the sum of the moduli
+/// of the terms of V and of its series.
 const ROUNDINGS: f64 = 64.0;
 
 /// Returns the largest relative distance from an absorber frequency at which the series is more accurate than the
@@ -70,7 +72,8 @@ impl<S: Float> Chain<S> {
         if h.abs() > near * h_size || v.abs() > near * slope_size {
             return None;
         }
-        // Three iterations with the series of the receptance H give d, the distance of r² from the zero of H.
+        // Three fixed-point iterations with the series of the receptance H give d, the distance of r² from the zero of
+        // H.
         let mut d = h / h1;
         for _ in 0..3 {
             d = (h + h2 * d * d - h3 * d * d * d) / h1;

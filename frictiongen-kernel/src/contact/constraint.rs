@@ -1,4 +1,4 @@
-//! Searches for the velocity constraint S, the maximum over the half period of a sum over the modes divided by sin τ.
+//! Searches for the velocity constraint S, the maximum of F/sin τ in the half period, where F is a sum over the modes.
 //! Each search proves that no larger value exists. The module also decides whether a continuous motion exists.
 
 use crate::contact::regime::check_beta;
@@ -11,12 +11,12 @@ use crate::number::scalar::Float;
 use crate::oscillator::decay::Decay;
 use crate::oscillator::mode::Mode;
 
-/// Safety margin for a comparison of β with β_lim, in rounding units. If β is less than the computed β_lim by more than
-/// this margin, β is also less than the exact β_lim. The search for β_lim contributes an error of up to four units. The
-/// formula of β_lim contributes the remaining error.
+/// Safety margin for the comparison of β with the computed β_lim, in rounding units. If β is less than the computed
+/// β_lim by more than this margin, β is also less than the exact β_lim. The search for β_lim contributes an error of
+/// up to four units. The formula of β_lim contributes the remaining error.
 const CLEAR: f64 = 32.0;
 /// Upper bound on the phase error of a mode that the rounding of r causes, as a fraction of a half turn. If the error
-/// of a fast mode is larger, two searches at the same r may differ. The code then does not use the search that only
+/// of a fast mode is larger, two searches at the same r may differ. The code then skips the cheaper search, which only
 /// compares S with the largest value that β permits.
 const UNTURNED: f64 = 1e-4;
 
@@ -26,10 +26,10 @@ const UNTURNED: f64 = 1e-4;
 const MOST_TOLERANCE: f64 = 1.0 / 4096.0;
 
 impl<S: Float> Chain<S> {
-    /// Finds the velocity constraint max(S, H_c + μm*/r²), multiplied by r² and by the scale E of [`ContactAt`]. S is
-    /// the maximum over time of a sum over the modes (5.54, 7.36). A search of the half period finds S and proves that
-    /// no larger value exists. The search starts from the break-away term H_c + μm*/r². `waves` is working space with
-    /// one element for each mode.
+    /// Finds max(S, H_c + μm*/r²), on which β_lim depends, multiplied by r² and by the scale E of [`ContactAt`]. The
+    /// velocity constraint S (5.54, 7.36) is the maximum of F/sin τ in the half period, where F is a sum over the
+    /// modes. A search finds S and proves that no larger value exists. The search starts from the break-away term
+    /// H_c + μm*/r². `waves` is working space with one element for each mode.
     pub fn velocity_constraint<D: Decay<S>>(
         &self,
         contact: &ContactAt<S>,
@@ -41,8 +41,8 @@ impl<S: Float> Chain<S> {
         self.constraint_of(contact, at, waves)
     }
 
-    /// Finds the velocity constraint max(S, H_c + μm*/r²), multiplied by r² and by the scale E of [`ContactAt`]. The
-    /// terms of all modes are already in `waves`.
+    /// Finds max(S, H_c + μm*/r²) as [`velocity_constraint`](Self::velocity_constraint) does. The caller has already
+    /// written the terms of all modes to `waves`.
     fn constraint_of<D: Decay<S>>(
         &self,
         contact: &ContactAt<S>,
@@ -62,15 +62,17 @@ impl<S: Float> Chain<S> {
         peak
     }
 
-    /// Returns true if the velocity constraint S equals its limit for τ → 0, so that no search is needed. In an
-    /// undamped chain, S equals this limit if R ≥ 1/2 for every mode. R is the excitation frequency divided by the
-    /// natural frequency of the mode. `ratios` contains x = 1/R of the modes.
+    /// Returns true if F/sin τ, whose maximum is the velocity constraint S, is known to be largest for τ → 0. No
+    /// search for S is then needed. F is a sum over the modes. In an undamped chain the result is true if R ≥ 1/2 for
+    /// every mode. R is the excitation frequency divided by the natural frequency of the mode. `ratios` contains x =
+    /// 1/R of the modes.
     pub(crate) fn start_decides(&self, mut ratios: impl Iterator<Item = S>) -> bool {
         !self.damped && ratios.all(|x| x <= S::constant(2.0))
     }
 
-    /// Returns r²E·S − `start`. S is the velocity constraint, E the scale of [`ContactAt`], and `start` the limit of
-    /// r²E·S for τ → 0. If the difference is less than `above`, the function returns `above`.
+    /// Returns r²E·S − `start`, or `above` if this difference is less than `above`. The velocity constraint S is the
+    /// maximum of F/sin τ, where F is a sum over the modes. E is the scale of [`ContactAt`], and `start` the limit of
+    /// r²E·F/sin τ for τ → 0.
     fn constraint_above<D: Decay<S>>(
         &self,
         contact: &ContactAt<S>,
@@ -120,9 +122,9 @@ impl<S: Float> Chain<S> {
         )
     }
 
-    /// Returns the velocity constraint max(S, H_c + μm*/r²) as the thesis approximates it, multiplied by r² and by the
-    /// scale E. The thesis adds the maxima of the single modes to get S (5.55, 7.37). The sum of these maxima is an
-    /// upper bound on the exact S, which is the maximum of the sum over the modes.
+    /// Returns max(S, H_c + μm*/r²) with the thesis's approximation of the velocity constraint S (5.55, 7.37),
+    /// multiplied by r² and by the scale E of [`ContactAt`]. The thesis adds the maxima of the single modes. The
+    /// result is an upper bound, because the exact S is the maximum of the sum over the modes.
     pub fn constraint_per_mode<D: Decay<S>>(
         &self,
         contact: &ContactAt<S>,
@@ -190,9 +192,10 @@ impl<S: Float> Chain<S> {
 }
 
 impl<S: Float> Chain<S> {
-    /// Returns β if a bounded continuous motion exists, which requires β < β_lim. Otherwise the error names the regime.
-    /// β*_lim is not part of the condition, because for μ > 1 a stuck state may coexist with the continuous motion.
-    /// `unbounded` contains the undamped resonances that the load drives. `at_infinity` is β_lim for r → ∞.
+    /// Checks that a bounded continuous motion exists, which requires β < β_lim. Returns β, or 0 at r = ∞ if friction
+    /// has no effect there. β*_lim is not part of the condition, because for μ > 1 a stuck state may coexist with the
+    /// continuous motion. `unbounded` contains the undamped resonances that the load drives. `at_infinity` is β_lim
+    /// for r → ∞.
     ///
     /// # Errors
     /// Any variant of [`NotContinuous`].
@@ -219,8 +222,8 @@ impl<S: Float> Chain<S> {
         };
         if !r.is_finite() {
             // At r = ∞ the code compares β with the known limit of β_lim, because sums at a large r would round β_lim
-            // differently. On a moving base this limit is infinite, and friction has no effect. The formulas then use β
-            // = 0.
+            // differently. If the contact is on a moving base, or if damping acts relative to the base, this limit may
+            // be infinite. Friction then has no effect, and the formulas use β = 0.
             if !(beta < at_infinity) {
                 return Err(refused());
             }
@@ -269,15 +272,15 @@ fn fill<S: Float, D: Decay<S>>(
     }
 }
 
-/// Returns the term of a mode in a difference of two functions of τ: the sum of the velocity constraint, minus
-/// `start`·sin τ. `start` is the limit of the constraint for τ → 0.
+/// Returns the term of a mode in F − `start`·sin τ. F is the sum over the modes whose quotient F/sin τ has the
+/// velocity constraint S as its maximum. `start` is the limit of F/sin τ for τ → 0.
 ///
 /// The term is −m·(1 + g)·(sin τ − p) + m·u·((cos τ − p′) − 2ζx·sin τ), with m = (φᵀw)². p is the free displacement of
 /// the mode, and u and g are its damping functions. The function leaves out −2ζx·m·u·sin τ, which the caller adds for
 /// all modes together.
 ///
-/// Close to a resonance the two functions are nearly proportional. Their subtraction would leave mainly rounding error.
-/// The formula of the term contains no subtraction of nearly equal numbers.
+/// Close to a resonance, F is nearly proportional to sin τ. A subtraction of `start`·sin τ from F would leave mainly
+/// rounding error. The formula of the term contains no subtraction of nearly equal numbers.
 fn constraint_wave<S: Float, D: Decay<S>>(
     mode: &Mode<S>,
     at: &ModeAt<S>,

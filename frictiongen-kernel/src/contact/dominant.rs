@@ -170,8 +170,8 @@ impl<S: Scalar> DominantSums<S> {
     }
 }
 
-/// Modal sum in the motion of a mass, separated into two parts: the term of the dominant mode, and the sum over all
-/// other modes.
+/// Modal sum in the motion of a mass, in two parts: `own` is the term of the dominant mode, and `others` the sum over
+/// all other modes.
 #[derive(Clone, Copy)]
 pub(crate) struct DominantParts<S> {
     pub own: Complex<S>,
@@ -346,9 +346,9 @@ impl<S: Scalar> Chain<S> {
         }
     }
 
-    /// Returns the sums V, U and H for one mode from `others`, the sums over the other modes. For a mass-controlled
-    /// mode the result contains the full U, because a mass-controlled mode has no term of U that cancels. A
-    /// mass-controlled mode resonates far below the excitation frequency.
+    /// Returns the sums V, U and H for one mode from `others`, the sums over the other modes. A mass-controlled mode
+    /// resonates far below the excitation frequency, and has no term of U that cancels. For such a mode the result
+    /// therefore contains the full U.
     fn in_full(
         &self,
         mode: &Mode<S>,

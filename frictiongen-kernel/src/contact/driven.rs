@@ -8,8 +8,8 @@ use crate::number::lanes::Lanes;
 use crate::number::scalar::{Float, Scalar};
 use crate::oscillator::mode::Mode;
 
-/// Largest number of pairs of modes that the contact drives. A chain with more modes uses
-/// [`pairs`](crate::contact::pairs).
+/// Largest number of pairs of modes in [`DrivenModes`]. If the contact drives more modes, the chain uses
+/// [`pairs`](crate::contact::pairs) instead.
 const PAIRS: usize = 8;
 
 /// Constants of one mode, or of a pair of modes. The code computes the modal sums V, H and U of the contact from these
@@ -81,8 +81,8 @@ impl<S: Float> DrivenConstants<Lanes<S>> {
 
 impl<S: Float> DrivenModes<S> {
     /// Gathers the constants of those modes of a chain that the contact drives. Returns `None` if the chain is damped,
-    /// or if the contact drives no mode or more than 16. The result is also `None` if a processor does not compute this
-    /// scalar type in pairs.
+    /// or if the contact drives no mode or more than 16. The result is also `None` for a scalar type of which no
+    /// processor computes two numbers at the same time.
     #[must_use]
     pub fn of(chain: &Chain<S>, modes: &[Mode<S>]) -> Option<Self> {
         let in_contact = modes.iter().filter(|mode| mode.in_contact);

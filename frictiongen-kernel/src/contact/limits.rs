@@ -57,7 +57,8 @@ impl<S: Scalar> Chain<S> {
     }
 
     /// Returns the limit of sliding β*_lim = |V|/(μ|H|), with the response V to the load and the receptance H. For β ≥
-    /// β*_lim a stuck state exists (6.11, 6.27, 6.33, and the damped stuck configurations of 7.4.3).
+    /// β*_lim a stuck state exists (6.11, 6.27, 6.33). For damped chains, section 7.4.3 of the thesis has another
+    /// formula, which neglects that damping couples the masses on both sides of a stuck mass.
     #[inline]
     pub fn sliding_limit(&self, contact: &ContactAt<S>) -> S {
         let modulus_v =

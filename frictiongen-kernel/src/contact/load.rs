@@ -36,8 +36,8 @@ impl<S: Scalar> Chain<S> {
     ///
     /// On a moving base V is relative to the base. The function then replaces the response v of the mode by v − 1 = (1
     /// − 2iζx)/(x² − 1 + 2iζx). This formula avoids a difference of nearly equal numbers. If damping acts relative to
-    /// the base, the motion of the base alone causes no damping force. In this case `wall` replaces the static residue
-    /// in the imaginary part.
+    /// the base, a chain that moves with the base has no damping force. In this case `wall` replaces the static
+    /// residue in the imaginary part.
     #[inline]
     pub(crate) fn load_term(
         &self,

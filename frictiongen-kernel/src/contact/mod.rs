@@ -1,7 +1,8 @@
 //! Contact of the chain at one frequency: modal sums, limits of continuous and stuck motion, and the regime.
 //!
 //! * [`sums`] defines the modal sums V, U, G, H and H_c, and [`pairs`] evaluates them for two modes at the same time.
-//! * [`quadrature`] has the load that damping relative to a moving base adds, and `load` the responses to all loads.
+//! * [`quadrature`] has the load that damping relative to a moving base adds, and `load` computes the responses to all
+//!   loads.
 //! * `dominant` leaves out the largest modal terms where they would cancel.
 //! * [`limits`] has the formulas of the limits β_lim and β*_lim.
 //! * [`driven`] (for undamped chains) and `several` (for several frequencies at the same time) compute the limits

@@ -1,9 +1,11 @@
 //! Loads in quadrature (90° out of phase) with the motion of the base.
 //!
-//! Damping on velocities relative to the moving base adds the load C·1·ẏ to the load K_b·y of the springs (section 1 of
-//! `docs/derivation.md`). Divided by the displacement of the base, the total load on mode i is p_i + 2iζ_iλ_iΓ_i/x_i.
-//! Here Γ_i = φᵀΓ1 is the participation factor, and x_i = √λ_i/r. If damping acts on absolute velocities, the scene has
-//! no load in quadrature. The scene then uses the type [`InPhase`], so that its formulas have no additional cost.
+//! If damping acts on velocities relative to the moving base, the velocity ẏ of the base causes an additional load
+//! C·1·ẏ. C is the damping matrix and 1 the vector of ones. The springs on the base cause the load K_b·y in phase with
+//! the displacement y of the base (section 1 of `docs/derivation.md`). Divided by the displacement of the base, the
+//! total load on mode i is p_i + 2iζ_iλ_iΓ_i/x_i. Here Γ_i = φᵀΓ1 is the participation factor, and x_i = √λ_i/r. If
+//! damping acts on absolute velocities, the scene has no load in quadrature. The scene then uses the type [`InPhase`],
+//! so that its formulas have no additional cost.
 
 /// Load of one mode in quadrature (90° out of phase) with the motion of the base.
 #[derive(Clone, Copy, Debug)]

@@ -13,8 +13,7 @@ pub fn check_ratio<S: Float>(r: S) -> Result<S, OutOfDomain> {
     }
 }
 
-/// Largest factor by which a resonance √λ may differ from 1 without an effect on the range of r. A resonance that
-/// differs from 1 by a larger factor reduces the range.
+/// Largest factor by which a resonance √λ may differ from 1 before the range of the frequency ratio r becomes smaller.
 const ROOM: f64 = 1024.0;
 
 /// Returns the smallest and the largest 1/r at which the code evaluates the formulas of a chain. `resonances` contains
@@ -101,7 +100,7 @@ impl<S: Float> Limits<S> {
 /// # Errors
 /// [`OutOfDomain`] if the length of a result slice differs from the length of the slice of frequency ratios. The
 /// function then changes no result slice. At the first r for which `limits` fails, the function stops and returns the
-/// same error. The result slices then contain the limits for all earlier frequency ratios.
+/// error of `limits`. The result slices then contain the limits for all earlier frequency ratios.
 #[inline]
 pub fn limits_into<S: Float>(
     rs: &[S],

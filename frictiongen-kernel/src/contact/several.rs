@@ -43,7 +43,8 @@ impl<S: Float> Several<S> {
 
 impl<S: Float> Chain<S> {
     /// Returns the kind of damping that all modes share, if all are undamped or all are lightly damped. Returns `None`
-    /// for other chains, for scalars that a processor does not compute in pairs, and if the contact drives no mode.
+    /// for other chains, and if the contact drives no mode. Also returns `None` for a scalar type of which no
+    /// processor computes two numbers at the same time.
     pub(crate) fn kind_of_several(&self, modes: &[Mode<S>]) -> Option<Kind> {
         let touched = modes.iter().any(|mode| mode.in_contact);
         self.common_kind(modes).filter(|_| touched)
@@ -87,8 +88,8 @@ impl<S: Float> Chain<S> {
             least.min(mode.size_but_zero(U::KIND, inverse_r))
         });
         // The scale E, the smallest |x² − 1| among the modes, must not be 0. If x² − 1 of a mode is exactly zero, the
-        // code therefore replaces it by a small number. The code makes this replacement once, in the smallest |x² − 1|,
-        // as in the sums over pairs of modes.
+        // code therefore replaces it by a small number. It makes this replacement only in the smallest |x² − 1|, as
+        // the sums over pairs of modes do.
         let scale = if U::DAMPED {
             least
         } else {

@@ -28,10 +28,11 @@ pub struct ModeAt<S> {
     /// Response of the mode to a harmonic force, multiplied by the factor E (`ContactAt::scale`) of the chain. The
     /// value is E/(x² − 1 + 2iζx) = E·v/x², with v = x²/(x² − 1 + 2iζx).
     pub response: Complex<S>,
-    /// Half-period damping function u (7.11), multiplied by the factor `ContactAt::scale` of the chain and divided by
-    /// x².
+    /// Damping function u (7.11) of the mode: the slope at the reversal of the mode's response to a square wave of
+    /// friction. The stored u is multiplied by the factor E (`ContactAt::scale`) of the chain and divided by x².
     pub u: S,
-    /// Half-period damping function g (7.12), multiplied by the factor `ContactAt::scale` of the chain.
+    /// Damping function g (7.12) of the mode: the value at the reversal of the mode's response to a square wave of
+    /// friction. The stored g is multiplied by the factor E (`ContactAt::scale`) of the chain.
     pub g: S,
 }
 
@@ -58,11 +59,11 @@ pub struct ContactAt<S> {
     /// Response V of the relative displacement to the excitation, without friction. V is multiplied by r² and by the
     /// scale E.
     pub v: Complex<S>,
-    /// Damping function U of the contact, multiplied by r² and by the scale E. U is the velocity dz̄/dτ at the reversal
-    /// of the response z̄ to a square wave of friction force.
+    /// Damping function U of the contact, multiplied by r² and by the scale E. Under a square wave of friction of unit
+    /// amplitude, the contact has a response z̄. At the reversal, the slope dz̄/dτ of this response is U.
     pub u: S,
-    /// Damping function G of the contact, multiplied by r² and by the scale E. G is the value at the reversal of the
-    /// response z̄ to a square wave of friction force.
+    /// Damping function G of the contact, multiplied by r² and by the scale E. Under a square wave of friction of unit
+    /// amplitude, the contact has a response z̄. At the reversal, the value of this response is G.
     pub g: S,
     /// H_c, the contribution of damping to the acceleration of the contact at a reversal. H_c is multiplied by r² and
     /// by the scale E.
@@ -73,15 +74,15 @@ pub struct ContactAt<S> {
 }
 
 impl<S: Scalar> ContactAt<S> {
-    /// Returns the compliance of an elastic contact as a term of its receptance H. The term is multiplied by r² and by
-    /// the scale E.
+    /// Returns the term that the compliance of an elastic contact adds to the receptance H. The term is multiplied by
+    /// r² and by the scale E.
     #[inline]
     pub(crate) fn compliance(&self, compliance: S, inverse_r: S) -> S {
         compliance * self.scale / (inverse_r * inverse_r)
     }
 
-    /// Creates modal sums of the contact that are all 0. `scale` is the factor by which all sums of a chain are
-    /// multiplied, so that they stay finite at a resonance.
+    /// Creates modal sums of the contact that are all 0. `scale` is the factor E, by which the code multiplies all
+    /// sums so that they stay finite at a resonance.
     #[must_use]
     pub fn zero(scale: S) -> Self {
         let zero = S::constant(0.0);
@@ -123,7 +124,7 @@ impl<S: Scalar> Chain<S> {
 
     /// Multiplies the response and damping functions of a mode by the scale E of the chain. Among the modes that the
     /// contact drives, E is the smallest |x² − 1| + 2ζx. The caller has computed E in a first pass over the modes. If
-    /// `single` is true, this mode alone determines E. The code then takes E/(|x² − 1| + 2ζx) as exactly 1.
+    /// `single` is true, the chain has only this mode. The code then takes E/(|x² − 1| + 2ζx) as exactly 1.
     #[inline]
     pub fn scaled(
         &self,

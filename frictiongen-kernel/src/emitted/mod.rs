@@ -45,8 +45,8 @@ pub use shapes::transposed;
 /// `NUMBERS` and `MODES` and the function `functions`.
 ///
 /// The frequency stage computes the functions of all modes and of the contact at one frequency ratio r. A scene with
-/// its own frequency stage (`in passes`) needs no `functions`. In a damped scene, a constant parameter of `functions`
-/// selects whether the function computes the modal sum G.
+/// its own frequency stage (`in passes`) needs no `functions`. In a damped scene, `functions` has a constant
+/// parameter, which is true if the function must compute the modal sum G.
 #[doc(hidden)]
 #[macro_export]
 macro_rules! scene_items {
@@ -117,7 +117,7 @@ macro_rules! scene_functions {
             /// # Errors
             /// `OutOfDomain` for NaN and negative r.  At r = 0 and r = ∞ the limits take their limiting values.
             ///
-            /// Worst case: one division, and the operations of the frequency stage.
+            /// Worst case: one division, and the operations of the frequency stage (all sums over the modes at one r).
             #[inline]
             pub fn at(r: $scalar) -> ::core::result::Result<$at, $crate::errors::OutOfDomain> {
                 $crate::response::At::new(Self, r).map(::core::convert::From::from)
@@ -133,8 +133,8 @@ macro_rules! scene_functions {
             /// `OutOfDomain` for NaN and negative r. An r outside the declared range gives the same error, unless the
             /// scene declares `beyond: exact`.
             ///
-            /// Worst case: comparisons of r with its range.  If the scene declares `beyond: exact` and r is outside the
-            /// range: the operations of the frequency stage.
+            /// Worst case: comparisons of r with its range.  If the scene declares `beyond: exact` and r is outside
+            /// the range: the operations of the frequency stage (all sums over the modes at one r).
             #[inline]
             pub fn at(r: $scalar) -> ::core::result::Result<$at, $crate::errors::OutOfDomain> {
                 $crate::table::Compiled::new(Self, r).map(::core::convert::From::from)
@@ -146,13 +146,15 @@ macro_rules! scene_functions {
         impl $type {
             /// Returns an upper bound on β_lim and the exact β*_lim, without a search. The bound is |V|/√(U² + (H_c +
             /// μm*/r²)²) (5.64), which leaves out the velocity constraint S. β*_lim is |V|/(μ|H|) (6.11, 6.27, 6.33).
+            /// V is the response of the contact to the load, U its damping function, and H its receptance. H_c +
+            /// μm*/r² is the break-away term.
             ///
             /// # Errors
             /// `OutOfDomain` for NaN and negative r.  At r = 0 and r = ∞ the limits take their limiting values.
             ///
-            /// Worst case: the operations of the frequency stage without G, and the operations of the formulas of the
-            /// limits β_lim and β*_lim. If masses may act as an absorber: a second frequency stage with a sum over the
-            /// modes.
+            /// Worst case: the operations of the frequency stage (all sums over the modes at one r) without the sum G,
+            /// and those of the formulas of the limits. If masses may act as an absorber: a second frequency stage
+            /// with another sum over the modes.
             #[inline]
             pub fn limits_without_search(
                 r: $scalar,
@@ -165,9 +167,9 @@ macro_rules! scene_functions {
             /// of the same length.
             ///
             /// # Errors
-            /// `OutOfDomain` for slices of unequal lengths, which leaves both result slices unchanged. At the first r
-            /// for which `at` fails, the function stops and returns the same error. The result slices then contain the
-            /// limits for the frequency ratios before that r.
+            /// `OutOfDomain` if the slices have different lengths. Both result slices are then unchanged. At the first
+            /// r for which `at` fails, the function stops and returns the error of `at`. The result slices then
+            /// contain the limits for the frequency ratios before that r.
             ///
             /// Worst case: for each r the work of `at` and `limits`.
             pub fn limits_into(
@@ -181,7 +183,7 @@ macro_rules! scene_functions {
     };
 }
 
-/// Expands to nothing without the feature `serde`. With it, `written.rs` defines this macro.
+/// Expands to nothing, because the feature `serde` is off. With the feature, `written.rs` defines this macro.
 #[cfg(not(feature = "serde"))]
 #[doc(hidden)]
 #[macro_export]

@@ -45,7 +45,8 @@ pub enum OutOfDomain {
     Step(Given),
     /// The force on a mass in one step of a stepper is outside its domain.
     Force(Given),
-    /// An input of a stepper does not have one force for each mass that may be loaded, or has a force on another mass.
+    /// An input of a stepper has a wrong number of forces. It must have one force for each mass that may be loaded,
+    /// and no force on another mass.
     Forces,
     /// The displacement or velocity of the base in one step of a stepper is outside its domain.
     BaseMotion(Given),
@@ -55,12 +56,13 @@ pub enum OutOfDomain {
     Friction(Given),
     /// The stiction μ, the ratio of the static to the kinetic friction force, is outside its domain.
     Stiction(Given),
-    /// The caller gave an input after the first step of a stepper. The stepper accepts this input, such as an initial
-    /// state, only before the first step.
+    /// The caller called `begin`, which sets the input at the start of a stepper, after the first step. `begin` is
+    /// possible only before the first step.
     Begun,
     /// The saved state comes from a stepper with another scene, another time step dt or another number type.
     Saved,
-    /// The image (bytes) of a stepper's state has a wrong length or checksum.
+    /// The image (bytes) of a stepper's state is too short, has a wrong checksum, or contains numbers that no stepper
+    /// writes.
     ImageDamaged,
     /// Another version of this library wrote the image (bytes) of a stepper's state.
     ImageVersion,
@@ -74,7 +76,7 @@ pub enum OutOfDomain {
     Steepness,
     /// The slope of a speed-dependent friction law is too steep for one step of a stepper.
     StepSteepness,
-    /// The solver of scenes with several contacts does not continue the motion. The field gives the reason.
+    /// The solver of scenes with several contacts cannot continue the motion. The field gives the reason.
     Motion(Halt),
     /// The scene does not support the request. The field gives the reason.
     Unsupported(Unsupported),
@@ -133,8 +135,8 @@ pub enum Slice {
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 #[non_exhaustive]
 pub enum Unsupported {
-    /// The method computes no motion in time for a scene with many modes near critical damping. In this number type,
-    /// rounding errors would mix the modes of the sliding chain with those of the stuck chain.
+    /// The method computes no motion in time for a scene with many modes at or beyond critical damping. In this number
+    /// type, rounding errors would mix the modes of the sliding chain with those of the stuck chain.
     CriticalDamping,
     /// The method has no result for a scene whose kinetic friction depends on the sliding speed.
     FrictionLaw,
@@ -327,10 +329,10 @@ impl fmt::Display for OutOfDomain {
                 "the stepper has advanced already; call `begin` before the first step, or make a new stepper"
             }
             Self::Saved => {
-                "the saved state belongs to another scene or to another step dt; restore it in the stepper that saved it"
+                "the saved state belongs to another scene, to another step dt or to another scalar type; restore it in the stepper that saved it"
             }
             Self::ImageDamaged => {
-                "the image of a stepper has a wrong length or checksum; some of its bytes have changed, so that the run cannot continue"
+                "the image of a stepper is too short, or some of its bytes have changed, so that the run cannot continue"
             }
             Self::ImageVersion => {
                 "the image of a stepper has a form that this version of frictiongen does not read; write it anew, or read it with the version that wrote it"

@@ -1,8 +1,8 @@
-//! Reasons why a solver of scenes with several contacts does not continue a motion.
+//! Reasons why a solver of scenes with several contacts cannot continue a motion.
 
 use core::fmt;
 
-/// Reason why a solver of scenes with several contacts does not continue a motion.
+/// Reason why a solver of scenes with several contacts cannot continue a motion.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]

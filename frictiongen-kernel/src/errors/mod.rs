@@ -68,8 +68,9 @@ pub enum NoOrbit {
     /// Every steady state that the search found is unstable, and the motion in time did not settle on another steady
     /// state.
     Unstable,
-    /// The motion did not repeat after up to [`MAX_PERIOD`](crate::orbit::MAX_PERIOD) cycles. The search ends after
-    /// [`MAX_CYCLES`](crate::orbit::MAX_CYCLES) cycles or [`MAX_STEPS`](crate::orbit::MAX_STEPS) steps.
+    /// The search found no motion that repeats after at most [`MAX_PERIOD`](crate::orbit::MAX_PERIOD) cycles. The
+    /// search ends after [`MAX_CYCLES`](crate::orbit::MAX_CYCLES) cycles or [`MAX_STEPS`](crate::orbit::MAX_STEPS)
+    /// steps.
     Unsettled,
 }
 
@@ -82,7 +83,7 @@ pub enum Error {
     OutOfDomain(OutOfDomain),
     /// No continuous motion exists. The field gives the reason: see [`NotContinuous`].
     NotContinuous(NotContinuous),
-    /// The stuck chain is excited on an undamped resonance: see [`StuckResonance`].
+    /// The excitation is on an undamped resonance of the chain with its contact stuck: see [`StuckResonance`].
     StuckResonance(StuckResonance),
     /// The search for a steady state returns no steady state. The field gives the reason: see [`NoOrbit`].
     NoOrbit(NoOrbit),

@@ -13,17 +13,17 @@ use crate::{Float, Scalar};
 const SOON: usize = 5;
 /// Largest number of searches for the steady state of a chain with μ = 1.
 const SEARCHES: usize = 4;
-/// Largest number of waits after a search. In a wait the motion runs for `WAIT` cycles. The waits end when the contacts
-/// that stick in the steady state can no longer slide.
+/// Largest number of waits after a search. In each wait the motion advances by `WAIT` cycles. The waits end when the
+/// contacts that stick in the steady state can no longer slide.
 const WAITS: usize = 32;
 /// Number of cycles of the load in each wait.
 const WAIT: usize = 4;
-/// Number of successive waits in which no slider of a contact moves, after which the search starts again. The search
-/// then uses the present positions of the sliders.
+/// Number of successive waits without a motion of a slider, after which the search starts again from the present
+/// positions of the sliders.
 const CALM: usize = 2;
 
 impl<S: Float, Z: Size> Search<S, Z> {
-    /// Returns the steady state of a chain with μ = 1 and a constant kinetic friction, if the search finds it after a few
+    /// Returns the steady state of a chain with μ = 1 and constant kinetic friction, if a search finds it after a few
     /// cycles.
     ///
     /// If all contacts have μ = 1 and a constant kinetic friction, the energy of the difference between two motions

@@ -63,8 +63,8 @@ impl<S: Float> Curve<S> {
         self.wave.is_zero() && !self.bends()
     }
 
-    /// Returns true if the function always has the opposite sign half a period later. ω is the angular frequency of the
-    /// period.
+    /// Returns true if the value of the function half a period later is always the opposite value. The period is
+    /// 2π/`omega`.
     pub(super) fn is_odd(&self, omega: S) -> bool {
         self.wave.is_odd(omega) && !self.bends()
     }

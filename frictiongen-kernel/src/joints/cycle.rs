@@ -20,7 +20,7 @@ pub struct ContactCycle<S> {
     pub reversals: usize,
     /// Fraction of the period during which the contact sticks.
     pub stuck_fraction: S,
-    /// Distance that the contact's slider travels in the period, added over both directions.
+    /// Distance that the contact slides in the period, added over both directions.
     pub slip: S,
     /// Largest absolute relative displacement of the contact in the period.
     pub displacement: S,
@@ -80,8 +80,8 @@ pub struct Cycle<S: Float, Z: Size> {
     /// Amplitude of each mass: the largest absolute displacement |x| of the mass in the period.
     pub amplitudes: Z::Masses<S>,
     /// Centred amplitude of each mass: half the distance between its smallest and its largest displacement in the
-    /// period. If a part of the chain can move without a force, the code first subtracts the mean velocity of each
-    /// mass.
+    /// period. If a part of the chain can move without a force, the code first subtracts the displacement due to the
+    /// mean velocity of each mass.
     pub centred: Z::Masses<S>,
     /// Results of each contact, in the order of the scene description.
     pub contacts: Z::Contacts<ContactCycle<S>>,
@@ -231,8 +231,8 @@ impl<S: Float, Z: Size> Observe<S, Z> for Watch<S, Z> {
 }
 
 impl<S: Float, Z: Size> Series<S, Z> {
-    /// Returns the work of the contact `j` between its nodes `plus` and `minus`, up to a fraction of the time interval.
-    /// While a rigid contact slides, the work is the energy that its friction dissipates.
+    /// Returns the work of the contact `j` between its nodes `plus` and `minus`, from the start to a fraction of the
+    /// time interval. While a rigid contact slides, the work is the energy that its friction dissipates.
     pub fn work(&self, j: usize, (plus, minus): (usize, usize), fraction: S) -> S {
         let speed = self.speed_terms(plus, minus);
         work(&self.force_terms(j), &speed, self.length, fraction)
@@ -289,7 +289,8 @@ pub(super) fn integral<S: Float>(terms: &[S], end: S) -> S {
     })
 }
 
-/// Returns the work of a force up to the point `end` of a time interval. `length` is the duration of the interval.
+/// Returns the work of a force from the start of a time interval to the fraction `end`. `length` is the duration of
+/// the interval.
 fn work<S: Float>(force: &Poly<S>, speed: &Poly<S>, length: S, end: S) -> S {
     length * integral(&product(force, speed), end)
 }

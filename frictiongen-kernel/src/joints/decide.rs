@@ -1,12 +1,16 @@
-//! Decides which rigid contacts stick and which slide, at an instant at which their relative velocities are 0. A
-//! *pattern* gives each of these contacts a phase: it sticks, or it starts to slide in one of two directions. A pattern
-//! *fits* under two conditions. No sticking contact needs a force above its static friction force. Each sliding contact
-//! accelerates in its direction of sliding. A contact that has just broken away slides against the friction force that
-//! held it. If several patterns fit, the solver takes the pattern with the most sticking contacts. If several patterns
-//! have equally many sticking contacts, the solver takes the pattern in which the contacts stick that come first in the
-//! scene description. The solver tries the positive direction of a sliding contact first. In the first patterns that it
-//! tries, every contact that broke away slides. If none of these patterns fits, the solver tries patterns in which such
-//! a contact sticks.
+//! Decides which rigid contacts stick and which slide, at an instant at which their relative velocities are 0.
+//!
+//! A *pattern* gives each of these contacts a phase: it sticks, or it starts to slide in one of two directions. A
+//! pattern *fits* under two conditions. No sticking contact needs a force above its static friction force. Each
+//! sliding contact accelerates in its direction of sliding. A contact that has just broken away slides against the
+//! friction force that held it.
+//!
+//! If several patterns fit, the solver takes the pattern with the most sticking contacts. Among patterns with equally
+//! many sticking contacts, those come first in which earlier contacts of the scene description stick. The solver tries
+//! the positive direction of a sliding contact before the negative.
+//!
+//! In the first patterns that the solver tries, every contact that has just broken away slides. If none of these
+//! patterns fits, the solver tries patterns in which such a contact sticks.
 
 use super::model::{Contact, Model};
 use super::size::{Size, add, at, set, sign};
@@ -32,7 +36,8 @@ pub struct Decision<'a, S: Float, Z: Size> {
     pub model: &'a Model<S, Z>,
     /// Sum of the forces on each node, without the forces of the contacts in `asked`.
     pub forces: Z::Nodes<S>,
-    /// Sum of the absolute values of all forces in `forces`. The rounding error of a force is proportional to this sum.
+    /// Sum of the absolute values of all forces in `forces`, and of the kinetic friction forces of the contacts in
+    /// `asked`. The rounding error of a force is proportional to this sum.
     pub size: S,
     /// Acceleration of the base at this instant.
     pub base: S,
@@ -64,8 +69,8 @@ impl<Z: Size> Group<Z> {
         holds(&self.members, contact)
     }
 
-    /// Returns the phases that the search tries for a contact. `going` is the number of contacts that must slide and
-    /// whose phase is still open.
+    /// Returns the phases that the search tries for a contact. `going` is the number of contacts in the group that
+    /// must still start to slide in the pattern.
     fn choices(&self, contact: usize, going: usize) -> &'static [i8] {
         match phase::<Z>(&self.fixed, contact) {
             1 => &[1],
@@ -100,7 +105,8 @@ impl<S: Float, Z: Size> Decision<'_, S, Z> {
     ///
     /// # Errors
     ///
-    /// [`Halt::Patterns`] after [`MAX_PATTERNS`] patterns. [`Halt::Stalled`] if no pattern fits apart from rounding.
+    /// [`Halt::Patterns`] after [`MAX_PATTERNS`] patterns. [`Halt::Stalled`] if no pattern fits, even within the
+    /// tolerance for rounding errors.
     pub fn decide(&self) -> Result<Z::Contacts<i8>, Halt> {
         let labels = self.labels();
         let mut tried = 0;
@@ -151,8 +157,8 @@ impl<S: Float, Z: Size> Decision<'_, S, Z> {
         labels
     }
 
-    /// Returns the group of the contacts that have the label `label`. If `goes` is true, every contact that has just
-    /// broken away must slide.
+    /// Returns the group of contacts that have the label `label`, and therefore act on each other. If `goes` is true,
+    /// every contact that has just broken away must slide.
     fn group(&self, labels: &Z::Contacts<usize>, label: usize, goes: bool) -> Group<Z> {
         let mut group: Group<Z> = Group {
             members: self.model.size.contacts(false),
@@ -302,8 +308,9 @@ impl<S: Float, Z: Size> Decision<'_, S, Z> {
         self.rounding() * (inverse(contact.plus) + inverse(contact.minus))
     }
 
-    /// Returns the acceleration of each node, and the force of each sticking contact, for a pattern. The given contacts
-    /// have the phases of the pattern. All other contacts have no force.
+    /// Returns the acceleration of each node, and the force of each sticking contact, for a pattern. The pattern gives
+    /// the phases of the contacts in `contacts`. The other contacts in `asked` have no force. The forces of contacts
+    /// outside `asked` are part of the field `forces`.
     pub fn accelerations(
         &self,
         contacts: &Z::Contacts<bool>,
@@ -325,8 +332,8 @@ impl<S: Float, Z: Size> Decision<'_, S, Z> {
     }
 }
 
-/// Adds the force of a contact to the forces on its two nodes. Adds the absolute value of this force to the sums of
-/// absolute values.
+/// Adds the force of a contact to the forces on its two nodes. Adds the absolute value of this force to the sums
+/// `sizes` at these nodes.
 pub(super) fn add_contact<S: Float>(
     contact: &Contact<S>,
     force: S,

@@ -1,8 +1,8 @@
 //! Kinetic friction of rigid contacts as a function of the sliding speed (Stribeck's law).
 //!
 //! The law consists of straight lines between points. On one line, the force of a sliding contact is a linear function
-//! of its relative velocity, so that the equations of motion stay linear. A stretch (time interval of one power series)
-//! therefore ends where a contact leaves its line. The next stretch finds the new line from the velocity.
+//! of its relative velocity, so that the equations of motion stay linear. A stretch (time interval of one power
+//! series) therefore ends where a contact leaves its line. The solver then finds the new line from the velocity.
 
 use super::model::{Contact, Model};
 use super::poly::{Poly, angle_of};
@@ -15,9 +15,9 @@ use super::wave::Wave;
 use crate::motion::{KineticLine, line, line_at};
 use crate::{Float, Scalar};
 
-/// Distance beyond the end of a line of the friction law at which a contact leaves the line, in rounding units of the
-/// velocities. Two adjacent lines have the same force at their common point. The distance exceeds the rounding error of
-/// a velocity, so that a contact does not return to the line that it has just left.
+/// Excess of the sliding speed over the end of a line of the friction law at which a contact leaves the line, in
+/// rounding units of the velocities. The excess is larger than the rounding error of a velocity. A contact therefore
+/// does not return at once to the line that it has just left.
 const BEYOND: f64 = 64.0;
 
 impl<S: Float, Z: Size> Model<S, Z> {
@@ -71,7 +71,8 @@ impl<S: Float, Z: Size> Model<S, Z> {
         sign::<S>(side) * line.level * at(&level, order) + line.slope * product
     }
 
-    /// Returns the rate, in 1/time, at which the slope of the friction law can change the motion of a sliding contact.
+    /// Returns an upper bound on the rate, in 1/time, at which the slope of the friction law alone makes the relative
+    /// velocity of a sliding contact grow or decay.
     fn steepness(&self, contact: &Contact<S>, velocity: S, time: S) -> S {
         let zero = S::constant(0.0);
         let masses = self.masses();
@@ -82,7 +83,8 @@ impl<S: Float, Z: Size> Model<S, Z> {
     }
 }
 
-/// Returns an upper bound on the absolute value of a level (kinetic friction force) in a time interval.
+/// Returns an upper bound on the absolute value of a level (kinetic friction force) from the instant `time` on, for
+/// the duration `length`.
 fn largest<S: Float>(level: &Wave<S>, time: S, length: S) -> S {
     let line = level.constant + level.slope * time;
     line.abs() + level.slope.abs() * length + level.amplitude.abs()
@@ -103,7 +105,8 @@ impl<S: Float, Z: Size> Motion<S, Z> {
         angle / rates.fold(angle / self.model.stretch, |sum, rate| sum + rate)
     }
 
-    /// Returns the fraction of a time interval after which the first contact leaves its line of the friction law.
+    /// Returns the fraction of the time interval after which a contact first leaves its line of the friction law, or
+    /// `None` if no contact does.
     pub(super) fn line_end(&self, series: &Series<S, Z>) -> Option<S> {
         let ends = self.sliding().filter_map(|(contact, side)| {
             let ends = (contact.plus, contact.minus);

@@ -79,7 +79,7 @@ fn pair<S>(
     Some((one, tail.get_mut(..count)?))
 }
 
-/// Rotates two columns in the plane that they span. `cosine` and `sine` are those of the angle.
+/// Rotates two columns in the plane that they span. `cosine` and `sine` belong to the angle of the rotation.
 fn rotate<S: Float>(one: &mut [S], other: &mut [S], (cosine, sine): (S, S)) {
     for (a, b) in one.iter_mut().zip(other) {
         (*a, *b) = (cosine * *a - sine * *b, sine * *a + cosine * *b);
@@ -132,8 +132,8 @@ mod tests {
         (0..n).map(row).collect()
     }
 
-    /// Checks that the solution satisfies the equations, and that it is orthogonal to every direction that the matrix
-    /// maps to 0. The matrix of rank r is a sum of r products of vectors. These directions are therefore known.
+    /// Checks that the solution satisfies the equations, and that it is orthogonal to its difference from another
+    /// solution. The matrix is a sum of `rank` products of vectors.
     #[test]
     fn the_solution_fits_and_is_the_shortest() {
         let mut random = Random(11);

@@ -10,12 +10,15 @@
 //!   |f| reaches μF. Then |f| is F, until ż = 0.
 //! * The *level* of a contact is its kinetic friction force F. A contact with the level 0 has no force.
 //!
-//! Between two events the equations are linear. The solver divides the time between two events into intervals, and
-//! computes one power series in each. Such a time interval is called a *stretch*. In a stretch, the phase of an
-//! oscillation at an upper bound on the fastest frequency advances by at most 1.5 rad (1 rad in `f32`).
+//! At an event a contact starts to stick, starts to slide, or reverses. Between two events the equations are linear.
+//! The solver divides this time into intervals, and computes one power series in each. Such a time interval is called
+//! a *stretch*. The duration of a stretch, times an upper bound on the fastest angular frequency, is at most 1.5 rad
+//! (1 rad in `f32`).
 //!
-//! Events are roots of polynomials. Two masses with a sticking rigid contact between them have the same acceleration.
-//! The relative velocity of this contact is therefore exactly 0, and its relative displacement is constant.
+//! The instant of an event is a root of a polynomial.
+//!
+//! Two masses with a sticking rigid contact between them have the same acceleration. The relative velocity of this
+//! contact is therefore exactly 0, and its relative displacement is constant.
 //!
 //! The type parameter [`Size`] selects the arrays: arrays of fixed length in emitted code ([`Fixed`]), or vectors at
 //! run time. The code is the same for both.

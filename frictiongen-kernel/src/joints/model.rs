@@ -54,8 +54,9 @@ impl<S: Float> Contact<S> {
         add(nodes, self.minus, force);
     }
 
-    /// Returns true if the contact can have the kinetic friction force `level`. Every contact can have a constant force
-    /// of at least 0. Only a rigid contact can have a force that changes with time.
+    /// Returns true if the kinetic friction force `level` is valid for the contact. A constant force of at least 0 is
+    /// valid for every contact. A force that changes with time is valid only for a rigid contact. All coefficients of
+    /// the force must be finite.
     #[must_use]
     pub fn fits(&self, level: &Wave<S>) -> bool {
         let varies = !level.amplitude.is_zero() || !level.slope.is_zero();
@@ -129,10 +130,10 @@ impl<S: Float, Z: Size> Model<S, Z> {
         self.damping.as_ref().chunks(self.wall().max(1))
     }
 
-    /// Returns one coefficient of the power series of the force on each node, without the contact forces. The arguments
-    /// `x` and `v` are the coefficients of the displacements and the velocities. The function `load` returns the
-    /// coefficient of each load. If `size` is given, the absolute value of each term is added to `size` at the node of
-    /// the term.
+    /// Returns one coefficient of the power series of the force on each node, without the contact forces. The
+    /// arguments `x` and `v` are the coefficients of the displacements and the velocities. The function `load` returns
+    /// the coefficient of each load. If `size` is given, the function adds the absolute value of each term to `size`
+    /// at the node of the term.
     pub fn forces(
         &self,
         x: &[S],
@@ -201,7 +202,7 @@ impl<S: Float, Z: Size> Model<S, Z> {
         Some(jump)
     }
 
-    /// Returns the power of all loads. `v` contains the velocities of the masses.
+    /// Returns the total power of all loads at the instant `time`. `v` contains the velocities of the masses.
     pub fn load_power(&self, time: S, v: &[S]) -> S {
         let loads = self.loads.as_ref().iter();
         loads.fold(S::constant(0.0), |power, (mass, wave)| {
@@ -209,10 +210,13 @@ impl<S: Float, Z: Size> Model<S, Z> {
         })
     }
 
-    /// Sets the longest time interval of a power series to a/s. s is an upper bound on the rates of the motion, and a
-    /// is an angle of 1.5 rad (1 rad in `f32`). M, K and C are the mass, stiffness and damping matrices. Gershgorin's
-    /// theorem gives upper bounds on the norms of M⁻¹K and M⁻¹C. In K, elastic contacts are springs. A rate s satisfies
-    /// s² ≤ ‖M⁻¹C‖s + ‖M⁻¹K‖.
+    /// Sets the longest duration of a stretch (time interval of one power series) to a/s. a is 1.5 rad (1 rad in
+    /// `f32`). s is an upper bound on the angular frequencies and decay rates of the free motion, and on the
+    /// frequencies of loads, base and friction forces.
+    ///
+    /// A rate s of the free motion satisfies s² ≤ ‖M⁻¹C‖s + ‖M⁻¹K‖, with the mass matrix M, the stiffness matrix K and
+    /// the damping matrix C. In K, elastic contacts are springs. Gershgorin's theorem gives upper bounds on the two
+    /// norms.
     pub fn set_stretch(&mut self) {
         let mut stiff = self.size.nodes(S::constant(0.0));
         let mut slow = self.size.nodes(S::constant(0.0));
@@ -248,8 +252,9 @@ impl<S: Float, Z: Size> Model<S, Z> {
         rates.fold(S::constant(0.0), crate::Scalar::max)
     }
 
-    /// Adds a spring's stiffness, or a dashpot's coefficient, to the row sums of Gershgorin's theorem for its two
-    /// nodes.
+    /// Adds the stiffness of a spring, or the coefficient of a dashpot, to the row sums of its two nodes for
+    /// Gershgorin's theorem. Between two masses the coefficient counts twice, because it is also in an off-diagonal
+    /// entry of the row.
     fn circle(&self, circles: &mut [S], (plus, minus, value): Link<S>) {
         let both = plus.max(minus) < self.wall();
         let value = if both {

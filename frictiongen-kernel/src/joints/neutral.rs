@@ -4,9 +4,9 @@ use super::model::Model;
 use super::size::Size;
 use crate::Float;
 
-/// Returns the number of independent motions that change no force. Such a motion is a displacement of a part of the
-/// chain that neither a spring nor a contact keeps in position. A constant velocity of a part without any connection to
-/// a support is also such a motion.
+/// Returns the number of independent motions that change no force. `keeps` returns true for a contact that keeps its
+/// position. One such motion is a displacement of a part of the chain that neither a spring nor such a contact keeps
+/// in position. A constant velocity of a part without any connection to a support is also such a motion.
 pub(super) fn neutral<S: Float, Z: Size>(
     model: &Model<S, Z>,
     keeps: impl Fn(usize) -> bool,
@@ -36,7 +36,7 @@ pub(super) fn neutral<S: Float, Z: Size>(
 }
 
 /// Joins the parts of a chain to which two nodes belong. The number of a part is the largest index of its nodes. The
-/// wall and the base have the largest indices, so that the number shows whether the part contains a support.
+/// wall and the base have the largest indices. The number therefore shows whether the part contains a support.
 fn join(parts: &mut [usize], (plus, minus): (usize, usize)) {
     let of = |node: usize| parts.get(node).copied().unwrap_or(node);
     let (one, other) = (of(plus), of(minus));
@@ -51,7 +51,7 @@ fn roots<S: Float, Z: Size>(model: &Model<S, Z>, parts: &[usize]) -> impl Iterat
     (0..model.wall()).filter(move |root| parts.contains(root))
 }
 
-/// Returns true if the damping matrix acts on a common motion of all nodes of a part of the chain.
+/// Returns true if the damping matrix gives a force when all nodes of a part of the chain move with the same velocity.
 fn is_damped<S: Float, Z: Size>(model: &Model<S, Z>, parts: &[usize], root: usize) -> bool {
     let belongs = |node: usize| parts.get(node) == Some(&root);
     let small = S::constant(if S::EPSILON < 1e-10 { 1e-9 } else { 1e-4 });

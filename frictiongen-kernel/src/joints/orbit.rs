@@ -72,8 +72,8 @@ impl<S: Float, Z: Size> At<S, Z> {
         })
     }
 
-    /// Returns the steady state at the common friction ratio β. It is the state that the motion from rest or from the
-    /// given state reaches.
+    /// Returns the steady state that the motion from rest, or from the given state, reaches at the common friction
+    /// ratio β.
     ///
     /// # Errors
     ///
@@ -139,8 +139,8 @@ pub struct StuckState<S: Float, Z: Size> {
 }
 
 impl<S: Float, Z: Size> StuckState<S, Z> {
-    /// Returns X, the complex amplitude of a mass. The motion of the mass is x̄ = Re X exp(iτ), in units of P/k₁ (of
-    /// the base amplitude Y for base motion).
+    /// Returns X, the complex amplitude of a mass. The motion of the mass is x̄ = Re X exp(iτ), where τ = ωt is the
+    /// phase of the load. The unit is P/k₁ (the base amplitude Y for base motion).
     pub fn mass(&self, mass: usize) -> Complex<S> {
         let zero = S::constant(0.0);
         let found = self.response.displacements.as_ref().get(mass).copied();
@@ -207,8 +207,9 @@ impl<S: Float, Z: Size> Orbit<S, Z> {
         self.steady.neutral > 0 || self.steady.marginal.as_ref().contains(&true)
     }
 
-    /// Returns the number of marginal directions that belong to parts of the chain without a path of springs to a
-    /// support. These directions are displacements and constant velocities of the parts.
+    /// Returns the number of marginal directions (directions in which a deviation does not decay) that belong to parts
+    /// of the chain without a path of springs to a support. These directions are displacements and constant velocities
+    /// of the parts.
     pub fn free_directions(&self) -> usize {
         self.steady.neutral
     }
@@ -278,7 +279,7 @@ impl<S: Float> MassOrbit<S> {
         self.centred
     }
 
-    /// Returns the displacement x̄ and the velocity dx̄/dτ of the mass at a maximum of the load.
+    /// Returns the displacement x̄ and the velocity dx̄/dτ of the mass at a maximum of the load, with τ = ωt.
     pub fn state(&self) -> (S, S) {
         (self.displacement, self.velocity)
     }
@@ -311,8 +312,8 @@ impl<S: Float> ContactOrbit<S> {
         self.cycle.stuck_fraction
     }
 
-    /// Returns the distance that the contact's slider travels in a period, added over both directions. The unit is P/k₁
-    /// (the base amplitude Y for base motion).
+    /// Returns the distance that the contact slides in a period, added over both directions. The unit is P/k₁ (the
+    /// base amplitude Y for base motion).
     pub fn slip(&self) -> S {
         self.cycle.slip
     }

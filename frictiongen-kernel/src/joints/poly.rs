@@ -12,8 +12,8 @@ pub(super) fn terms_of<S: Float>() -> usize {
     if S::EPSILON < 1e-10 { TERMS } else { 12 }
 }
 
-/// Returns the largest phase advance, in rad, in the time interval of one power series. The phase is that of an
-/// oscillation at an upper bound on the fastest frequency.
+/// Returns the largest product, in rad, of the time interval of one power series and an upper bound on the fastest
+/// angular frequency.
 pub(super) fn angle_of<S: Float>() -> f64 {
     if S::EPSILON < 1e-10 { 1.5 } else { 1.0 }
 }

@@ -9,8 +9,8 @@ fn halvings<S: Float>() -> u32 {
 }
 
 /// Returns the first point τ in [0, 1] after which the polynomial is negative. The first `zeros` coefficients are
-/// exactly 0, because an event occurs at the point 0. The function therefore ignores the rounding errors of these
-/// coefficients.
+/// exactly 0, because an event occurs at the point 0. The function ignores their computed values, which are only
+/// rounding errors.
 pub fn first_negative<S: Float>(terms: &Poly<S>, zeros: usize) -> Option<S> {
     let zero = S::constant(0.0);
     let terms = terms.get(zeros..terms_of::<S>())?;
@@ -78,10 +78,12 @@ fn stays_positive<S: Float>(terms: &[S]) -> bool {
     values.iter().all(|value| *value > least)
 }
 
-/// Bisects the interval [0, 1] until each subinterval has at most one root of the polynomial. The polynomial is in
-/// Bernstein form. A subinterval extends from index/2^depth to (index + 1)/2^depth. When the search returns to a
-/// subinterval, the code computes its Bernstein form again from the form on [0, 1]. The search therefore needs no
-/// stack.
+/// Returns the first point in [0, 1] at which the polynomial `terms` is no longer positive. The function bisects this
+/// interval until the first subinterval with a root has only one root. The Bernstein form of the polynomial shows the
+/// number of roots.
+///
+/// A subinterval extends from index/2^depth to (index + 1)/2^depth. When the search returns to a subinterval, the code
+/// computes its Bernstein form again from the form on [0, 1]. The search therefore needs no stack.
 fn search<S: Float>(terms: &[S]) -> Option<S> {
     let half = S::constant(0.5);
     let whole = Form::new(terms);

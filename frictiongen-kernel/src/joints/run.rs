@@ -11,8 +11,8 @@ use super::wave::Wave;
 use crate::Float;
 use crate::errors::Halt;
 
-/// Returns the largest time between two events that are treated as simultaneous, divided by the duration of the time
-/// interval of one power series.
+/// Returns the largest time between two events that the solver treats as simultaneous, divided by the duration of the
+/// time interval of one power series.
 fn same<S: Float>() -> S {
     S::constant(if S::EPSILON < 1e-10 { 1e-11 } else { 1e-4 })
 }
@@ -145,7 +145,7 @@ impl<S: Float, Z: Size> Motion<S, Z> {
         self.state.keep_speeds(v.as_ref());
     }
 
-    /// Sets the time of the present instant to 0. The state does not change.
+    /// Makes the present instant the time 0 for all loads, friction forces and the base. The state does not change.
     pub(super) fn rewind(&mut self) {
         let time = self.time;
         let contacts = self.model.contacts.as_mut().iter_mut();
@@ -234,7 +234,7 @@ impl<S: Float, Z: Size> Motion<S, Z> {
         }
     }
 
-    /// Changes a load from the present instant on. The new function of time starts at the present value of the load.
+    /// Changes a load from the present instant on. At this instant the value of the load must not jump.
     pub(super) fn lead_load(&mut self, load: usize, to: Wave<S>) {
         self.model.change_load(load, to, self.time);
     }
@@ -275,8 +275,8 @@ impl<S: Float, Z: Size> Motion<S, Z> {
         Err(Halt::Stretches)
     }
 
-    /// Advances the motion to the end of the time interval of one power series, or to the next event. Returns true if
-    /// the motion passed an event.
+    /// Advances the motion by one power series: to the end of its time interval, to the next event, or to the end of a
+    /// line of the friction law. Returns true if the motion passed an event.
     fn step(&mut self, until: S, watch: &mut impl Observe<S, Z>) -> Result<bool, Halt> {
         let one = S::constant(1.0);
         let left = until - self.time;
@@ -391,8 +391,8 @@ impl<S: Float, Z: Size> Motion<S, Z> {
     }
 }
 
-/// Returns the power series of the static friction force of a sticking contact minus its force times `side`. `side` is
-/// the sign of the force at which the contact would slide.
+/// Returns the power series of μF − `side`·f for a sticking contact. μF is its static friction force, and f its force.
+/// `side` is the sign of the force at which the contact would slide.
 fn margin<S: Float>(stiction: S, level: &Poly<S>, side: S, force: &Poly<S>) -> Poly<S> {
     let mut margin = level.map(|term| stiction * term);
     for (margin, force) in margin.iter_mut().zip(force) {

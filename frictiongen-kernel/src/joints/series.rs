@@ -20,7 +20,8 @@ pub struct Series<S: Float, Z: Size> {
 }
 
 impl<S: Float, Z: Size> Series<S, Z> {
-    /// Computes the power series of the motion from the state at the start of the time interval.
+    /// Computes the power series of the motion from the state at the start of the time interval. `tree` contains the
+    /// groups of masses that sticking rigid contacts connect.
     pub fn new(
         model: &Model<S, Z>,
         state: &State<S, Z>,
@@ -83,7 +84,8 @@ impl<S: Float, Z: Size> Series<S, Z> {
         series
     }
 
-    /// Sets one coefficient in the forces of the sliding contacts whose friction depends on the speed.
+    /// Sets the coefficient of the given order in the force of each sliding contact whose friction depends on the
+    /// speed.
     fn follow_lines(&mut self, model: &Model<S, Z>, state: &State<S, Z>, order: usize) {
         for (j, contact) in model.contacts().iter().enumerate() {
             let side = state.phase(j);
@@ -168,12 +170,12 @@ impl<S: Float, Z: Size> Series<S, Z> {
     }
 }
 
-/// Returns the coefficients of the power series of one node, or zeros for an invalid index.
+/// Returns the coefficients of the power series with the given index, or zeros for an invalid index.
 fn terms<S: Float>(series: &[Poly<S>], index: usize) -> Poly<S> {
     series.get(index).copied().unwrap_or(nothing())
 }
 
-/// Returns one coefficient of the power series of one node, or 0 for an invalid index.
+/// Returns one coefficient of the power series with the given index, or 0 for an invalid index.
 fn term<S: Float>(series: &[Poly<S>], index: usize, order: usize) -> S {
     let terms = series.get(index);
     terms.map_or(S::constant(0.0), |terms| at(terms, order))
@@ -196,7 +198,8 @@ fn keep<S: Float>(series: &mut [Poly<S>], order: usize, values: &[S]) {
 }
 
 /// Returns the power series of the contact forces that do not depend on the motion. These are the forces of sliding
-/// contacts, and the initial forces of sticking elastic contacts.
+/// contacts, and the initial forces of sticking elastic contacts. If the friction of a sliding contact depends on the
+/// speed, `follow_lines` later replaces its force.
 fn contact_levels<S: Float, Z: Size>(
     model: &Model<S, Z>,
     state: &State<S, Z>,

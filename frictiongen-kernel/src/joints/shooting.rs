@@ -20,10 +20,11 @@ use crate::number::matrix::SquareMatrix;
 const STEPS: usize = 24;
 /// Largest number of Newton steps in one attempt if the derivatives are finite differences.
 const DIFFERENCES: usize = 12;
-/// Largest ratio of the residual after a Newton step to the residual before the step at which the next step uses the
-/// same derivatives.
+/// Largest ratio of the residual after a Newton step to the residual before, at which the next step uses the same
+/// derivatives. At a larger ratio, the next step computes new derivatives.
 const SLOW: f64 = 1e-2;
-/// Non-dimensional residual above which the next Newton step computes the derivatives together with the motion.
+/// Residual (non-dimensional change of the state in a period) above which the next Newton step computes the
+/// derivatives together with the motion.
 const FAR: f64 = 1e-4;
 
 impl<S: Float, Z: Size> Search<S, Z> {
@@ -37,7 +38,8 @@ impl<S: Float, Z: Size> Search<S, Z> {
         }
     }
 
-    /// Searches for a periodic motion near a given state by Newton's method.
+    /// Searches for a periodic motion near a given state by Newton's method. `period` is the number of cycles of the
+    /// load in a period.
     pub(super) fn newton(
         &mut self,
         motion: &Motion<S, Z>,

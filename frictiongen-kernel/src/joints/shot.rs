@@ -13,7 +13,7 @@ use crate::errors::Halt;
 /// Result of a shot: the motion at its end, and the derivatives.
 pub(super) struct Shot<S: Float, Z: Size> {
     pub(super) end: Motion<S, Z>,
-    /// One value for each contact, which is true if the contact slides during the shot.
+    /// True for each contact that slides during the shot.
     pub(super) moving: Z::Contacts<bool>,
     /// Derivatives of the unknowns at the end of the shot with respect to those at its start, column by column. `None`
     /// if the code has not computed them together with the motion.
@@ -21,9 +21,12 @@ pub(super) struct Shot<S: Float, Z: Size> {
 }
 
 impl<S: Float, Z: Size> Search<S, Z> {
-    /// Returns the duration of a shot. Half a cycle is enough under two conditions. The first is that the equations
-    /// half a cycle later are the same equations with all signs changed. The second is that all contacts are elastic
-    /// with μ = 1. Then only one steady state exists, and it has this symmetry.
+    /// Returns the duration of a shot: half a cycle of the load if possible, otherwise a period. Half a cycle is
+    /// enough for a motion that repeats with the opposite sign after half a cycle.
+    ///
+    /// The function assumes this symmetry under three conditions. The period is one cycle, and half a cycle later the
+    /// equations are the same with all signs changed. All contacts are elastic with μ = 1. No part of the chain can
+    /// move without a force.
     pub(super) fn span(&self, motion: &Motion<S, Z>, period: usize) -> ShotSpan {
         let model = motion.model();
         let mut loads = model.loads.as_ref().iter();

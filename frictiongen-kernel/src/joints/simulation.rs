@@ -14,7 +14,8 @@ pub const MAX_EVENTS: usize = 100_000;
 /// Largest number of stretches (time intervals of one power series) in one call of [`Simulation::advance`].
 pub const MAX_STRETCHES: usize = 10_000_000;
 
-/// Physical units that a simulation in non-dimensional groups needs.
+/// Reference quantities that convert non-dimensional groups to the physical units of a chain, and the kind of
+/// excitation.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Reference<S> {
     /// Reference angular frequency √(k₁/m₁), in rad per unit of time. The excitation has this frequency at r = 1.
@@ -39,8 +40,9 @@ impl<S: Float> Reference<S> {
         }
     }
 
-    /// Sets the load and the friction forces of a chain. Before the call, the level (kinetic friction force) of each
-    /// contact in `model` is the contact's fraction of the common friction force.
+    /// Sets the load and the friction forces of a chain for the friction ratio β. The load gets the amplitude for
+    /// which P/k₁ (for base motion, Y) is 1. Before the call, the level (kinetic friction force) of each contact in
+    /// `model` is the contact's fraction of the common friction force.
     pub(super) fn load<Z: Size>(&self, model: &mut Model<S, Z>, omega: S, beta: S) {
         if self.on_base {
             model.base = Wave::harmonic(S::constant(1.0), omega).into();
@@ -125,8 +127,9 @@ pub struct Simulation<S: Float, Z: Size> {
 pub(super) type StartState<'s, S> = (&'s [S], &'s [S]);
 
 impl<S: Float, Z: Size> Simulation<S, Z> {
-    /// Starts a motion at a maximum of the load, from rest or from a given state. In `model`, the level (kinetic
-    /// friction force) of each contact is the contact's fraction of the common friction force.
+    /// Starts a motion at a maximum of the load, from rest or from a given state. `ratios` contains the frequency
+    /// ratio r and the friction ratio β. In `model`, the level (kinetic friction force) of each contact is the
+    /// contact's fraction of the common friction force.
     ///
     /// # Errors
     ///
@@ -151,8 +154,9 @@ impl<S: Float, Z: Size> Simulation<S, Z> {
     ///
     /// # Errors
     ///
-    /// The errors of [`new`](Self::new). [`OutOfDomain::LoadAmplitude`] if the amplitude is not positive and finite, or
-    /// if two speeds of the law are equal after the division by the unit of displacement.
+    /// The errors of [`new`](Self::new). [`OutOfDomain::LoadAmplitude`] if the amplitude is not positive and finite,
+    /// or if the speeds of the law are not positive, ascending and finite after the division by the unit of
+    /// displacement.
     pub fn under(
         mut model: Model<S, Z>,
         reference: Reference<S>,
@@ -163,7 +167,8 @@ impl<S: Float, Z: Size> Simulation<S, Z> {
         Self::new(model, reference, (r, beta), state)
     }
 
-    /// Advances the motion by `reach` in the phase τ, in rad. Returns the number of events during this time.
+    /// Advances the motion until the phase τ = ωt of the load has grown by `reach`, in rad. Returns the number of
+    /// events during this time.
     ///
     /// # Errors
     ///

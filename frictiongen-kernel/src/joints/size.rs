@@ -1,4 +1,4 @@
-//! Arrays for the numbers of a chain. The arrays have a fixed length in emitted code, and are vectors at run time.
+//! Arrays that store the quantities of a chain. They have a fixed length in emitted code, and are vectors at run time.
 
 use core::fmt::Debug;
 
@@ -104,7 +104,8 @@ impl<
     }
 }
 
-/// Returns one entry of an array, or 0 for an invalid index. In a checked chain no index is invalid.
+/// Returns one entry of an array, or 0 for an index beyond its end. For example, the wall and the base have no entry
+/// in the array of the masses, so that their mass is 0.
 pub fn at<S: crate::Float>(values: &[S], index: usize) -> S {
     values.get(index).copied().unwrap_or(S::constant(0.0))
 }

@@ -58,8 +58,7 @@ impl<S: Float, Z: Size> Slips<S, Z> {
         }
     }
 
-    /// Returns one value for each contact. The value is true if the contact has slid farther than rounding errors can
-    /// cause.
+    /// Returns, for each contact, true if the contact has slid farther than rounding errors can cause.
     pub(super) fn slides(&self, model: &Model<S, Z>) -> Z::Contacts<bool> {
         let mut slides = model.size.contacts(false);
         for (j, slides) in slides.as_mut().iter_mut().enumerate() {

@@ -23,9 +23,8 @@ pub struct State<S: Float, Z: Size> {
     /// Phase of each contact. It is −1 or 1 while the contact slides (the sign of ż), 0 while it sticks, and 2 if its
     /// friction force is 0.
     pub phases: Z::Contacts<i8>,
-    /// Number of zero coefficients for each contact, and the direction of sliding to which the number applies. The next
-    /// event of a contact is a root of a polynomial. The first coefficients of the polynomial can be exactly 0, and the
-    /// number counts these coefficients.
+    /// Number of leading coefficients that are exactly 0 in a polynomial of each contact. A root of this polynomial is
+    /// the contact's next event. The second entry is the direction of sliding to which the number applies.
     pub zeros: Z::Contacts<(usize, i8)>,
 }
 

@@ -25,8 +25,9 @@ const WARM: usize = 30;
 const ATTEMPTS: usize = 6;
 /// Largest period of a steady state, in cycles of the load.
 pub const MAX_PERIOD: usize = 64;
-/// Number of cycles without sliding after which all contacts are assumed to stick for ever. This number is necessary
-/// because an undamped free vibration of a chain whose contacts stick never decays.
+/// Number of cycles without sliding after which the search assumes that all contacts stick for ever. Without this
+/// assumption, the search would find no steady state of an undamped chain whose contacts stick, because its free
+/// vibration never decays.
 const QUIET: usize = 128;
 /// Distance from a periodic motion at which the test of this motion ends, divided by the distance at the start of the
 /// test. The code predicts this ratio from the Floquet multipliers.
@@ -55,8 +56,8 @@ pub struct Steady<S: Float, Z: Size> {
     pub(super) multipliers: Z::Unknowns<Complex<S>>,
     /// Number of Floquet multipliers in `multipliers`.
     pub(super) count: usize,
-    /// One value for each contact, which is true if the contact does not slide in the period. The steady state depends
-    /// on the positions of these contacts, or on the constant forces in them.
+    /// True for each contact that does not slide in the period. The steady state depends on the positions of these
+    /// contacts, or on the constant forces in them.
     pub marginal: Z::Contacts<bool>,
     /// Amplitudes of the masses and results of the contacts in a period.
     pub cycle: Cycle<S, Z>,
@@ -66,14 +67,14 @@ pub struct Steady<S: Float, Z: Size> {
 
 impl<S: Float, Z: Size> Steady<S, Z> {
     /// Returns the Floquet multipliers of a period, in the order of decreasing absolute value. The list does not
-    /// contain the multipliers 1 that belong to `marginal` and `neutral`.
+    /// contain the multipliers 1 of the contacts in `marginal` and of the motions that `neutral` counts.
     pub fn multipliers(&self) -> &[Complex<S>] {
         let all = self.multipliers.as_ref();
         all.get(..self.count).unwrap_or(all)
     }
 
-    /// Returns true if every small deviation from the steady state decays, except deviations that belong to `marginal`
-    /// and `neutral`.
+    /// Returns true if every small deviation from the steady state decays, except displacements of contacts in
+    /// `marginal` and motions that `neutral` counts.
     pub fn is_stable(&self) -> bool {
         let most = S::constant(1.0 - 1e-9);
         self.multipliers().iter().all(|m| modulus(m) < most)
@@ -134,8 +135,9 @@ impl<S: Float, Z: Size> Motion<S, Z> {
 
 impl<S: Float, Z: Size> Motion<S, Z> {
     /// Searches for a periodic motion near the present state by Newton's method alone, under loads of the angular
-    /// frequency ω. The search divides displacements by `place`, which must be about as large as the displacements.
-    /// Returns `None` if Newton's method does not converge.
+    /// frequency ω. `period` is the number of cycles of the load in a period. The search divides displacements by
+    /// `place`, which must be about as large as the displacements. Returns `None` if Newton's method does not
+    /// converge.
     ///
     /// # Errors
     ///
@@ -157,7 +159,7 @@ pub(super) struct Search<S: Float, Z: Size> {
     pub(super) cycle: S,
     /// Typical size of the displacements in the motion. The search divides displacements by this size.
     pub(super) place: S,
-    /// One value for each contact, which is true if the contact slides in a period.
+    /// True for each contact that slides in the period.
     pub(super) moving: Z::Contacts<bool>,
     /// Number of cycles since a contact last slid.
     quiet: usize,
@@ -176,8 +178,8 @@ impl<S: Float, Z: Size> Search<S, Z> {
         }
     }
 
-    /// Advances the motion by a number of cycles. Returns the shortest period after which the last states repeat, or
-    /// `None` if they do not repeat.
+    /// Advances the motion by a number of cycles. Returns the shortest period, in cycles, after which the last states
+    /// approximately repeat, or `None` if they do not repeat.
     fn warm(&mut self, motion: &mut Motion<S, Z>, cycles: usize) -> Result<Option<usize>, Halt> {
         let window = MAX_PERIOD.min(cycles / 2);
         let skipped = cycles.saturating_sub(window);
@@ -275,9 +277,9 @@ impl<S: Float, Z: Size> Search<S, Z> {
         S::whole(cycles) * self.cycle
     }
 
-    /// Computes the centred amplitude of each mass again, if a part of the chain can move without a force. The centred
-    /// amplitude is half the distance between the smallest and the largest displacement of the mass. Because such a
-    /// part may drift, the function first subtracts the mean velocity of each mass times the time.
+    /// Computes the centred amplitude of each mass again, if a part of the chain can move without a force. Such a part
+    /// may drift. The function therefore first subtracts the mean velocity of each mass times the time. The centred
+    /// amplitude is half the distance between the smallest and the largest displacement of the mass.
     fn about_its_mean(
         &self,
         motion: &Motion<S, Z>,
@@ -329,8 +331,8 @@ impl<S: Float, Z: Size> Search<S, Z> {
         Ok(after <= self.tolerances.close || falls)
     }
 
-    /// Returns the largest difference between a state and a periodic motion, divided by the sizes of the unknowns. If a
-    /// part of the chain can move without a force, the code compares only the velocities.
+    /// Returns the largest difference between a state and the initial state of a periodic motion, divided by the sizes
+    /// of the unknowns. If a part of the chain can move without a force, the code compares only the velocities.
     fn away(&self, state: &State<S, Z>, steady: &Steady<S, Z>) -> S {
         let rate = S::constant(core::f64::consts::TAU) / self.cycle;
         let away = if steady.neutral > 0 {

@@ -15,8 +15,8 @@ use crate::errors::{Given, Halt, OutOfDomain};
 
 /// Largest number of events that the stepper follows in one step.
 pub const MAX_STEP_EVENTS: usize = 64;
-/// Largest time step of a stepper times an upper bound on the fastest angular frequency, in rad. The longest time
-/// interval of one power series is at least 1 rad in this measure.
+/// Largest product, in rad, of a stepper's time step and an upper bound on the fastest angular frequency of the chain.
+/// For the time interval of one power series, this product is at most 1.5 rad (1 rad in `f32`).
 pub const MAX_STEP: f64 = 1024.0;
 
 /// Bounds on the work in one step. Every event ends a stretch (time interval of one power series), even if no contact
@@ -63,7 +63,8 @@ impl<S: Float, Z: Size> Stepper<S, Z> {
     ///
     /// # Errors
     ///
-    /// [`OutOfDomain::Step`] if the step is not positive and finite, or is longer than [`MAX_STEP`] rad.
+    /// [`OutOfDomain::Step`] if the step is not positive and finite, or if its product with an upper bound on the
+    /// fastest angular frequency exceeds [`MAX_STEP`].
     pub fn new(mut model: Model<S, Z>, dt: S, holds: bool) -> Result<Self, OutOfDomain> {
         model.base = Curve::zero();
         for contact in model.contacts.as_mut() {
@@ -87,8 +88,9 @@ impl<S: Float, Z: Size> Stepper<S, Z> {
         })
     }
 
-    /// Sets the input at the start of the first step. Without this call this input is 0. An input that changes linearly
-    /// starts at this value. The parameters are those of [`advance`](Self::advance).
+    /// Sets the base motion, the forces and the friction forces at the start of the first step. Without this call they
+    /// are all 0. Forces that change linearly in the first step start at the values in `forces`. The parameters are
+    /// those of [`advance`](Self::advance).
     ///
     /// # Errors
     ///
@@ -108,11 +110,14 @@ impl<S: Float, Z: Size> Stepper<S, Z> {
         Ok(())
     }
 
-    /// Advances the motion by one step. `base` contains the displacement and the velocity of the base at the end of the
-    /// step. `forces` contains the force of each load, and `frictions` the kinetic friction force of each contact
-    /// during the step. During the step the displacement of the base is a cubic polynomial from the last sample to the
-    /// new sample. If `holds` is true, the displacement starts at the new sample and changes with the constant velocity
-    /// of this sample. Returns the number of events.
+    /// Advances the motion by one step, and returns the number of events. `base` contains the displacement and the
+    /// velocity of the base, and `forces` the force of each load. `frictions` contains the kinetic friction force of
+    /// each contact during the step.
+    ///
+    /// The argument `holds` of [`new`](Self::new) decides to which instant the samples `base` and `forces` belong. If
+    /// `holds` is false, the samples belong to the end of the step. The base then moves along a cubic polynomial from
+    /// the last sample, and each force changes linearly. If `holds` is true, the samples belong to the start of the
+    /// step. The base then keeps the velocity in `base`, and each force is constant.
     ///
     /// # Errors
     ///
@@ -158,7 +163,8 @@ impl<S: Float, Z: Size> Stepper<S, Z> {
         }
     }
 
-    /// Advances a copy of the motion by one step. If an error occurs, the stepper is therefore unchanged.
+    /// Advances `motion`, a copy of the stepper's motion, by one step. If an error occurs, the stepper itself is
+    /// therefore unchanged.
     fn follow(
         &self,
         motion: &mut Motion<S, Z>,

@@ -16,8 +16,8 @@ pub struct StuckResponse<S: Float, Z: Size> {
     pub displacements: Z::Masses<Complex<S>>,
     /// Amplitude of the force in each contact, in the order of the scene description.
     pub forces: Z::Contacts<S>,
-    /// Factor on all friction forces at which the first contact is about to slide, and the index of this contact.
-    /// `None` if no contact has a friction force.
+    /// Smallest common factor on all friction forces at which no contact slides, and the index of the contact that
+    /// slides first below this factor. `None` if no contact has a friction force.
     pub limit: Option<(S, usize)>,
 }
 

@@ -1,5 +1,5 @@
-//! Derivatives of a motion with respect to its initial state. They exist for chains in which all contacts are elastic
-//! with μ = 1.
+//! Derivatives of a motion with respect to its initial state. This module computes them for chains in which all
+//! contacts are elastic with μ = 1.
 //!
 //! Between two events, a small deviation from a motion satisfies the homogeneous linear equations. At an event of an
 //! elastic contact with μ = 1, the force, the displacements, the velocities and the accelerations do not jump. The
@@ -18,7 +18,7 @@ use crate::Float;
 /// Duration of a shot (a motion that the shooting method follows).
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum ShotSpan {
-    /// The shot lasts half a cycle of the load. The state at its end is multiplied by −1. A motion that repeats with
+    /// The shot lasts half a cycle of the load. The code then multiplies the state by −1. A motion that repeats with
     /// the opposite sign after half a cycle therefore ends in its initial state.
     Half,
     /// The shot lasts the given number of cycles of the load.
@@ -90,13 +90,13 @@ impl<'m, S: Float, Z: Size> Tangent<'m, S, Z> {
         }
     }
 
-    /// Returns the deviation in one row and one column, or 0 for a support.
+    /// Returns the deviation in one row and one column, or 0 if the matrix has no such entry.
     fn get(&self, row: usize, column: usize) -> S {
         at(self.rows.as_ref(), row * self.width + column)
     }
 
-    /// Returns the derivatives of the unknowns at the end of a shot, column by column. The position of a contact that
-    /// does not slide is not an unknown.
+    /// Returns the derivatives of the unknowns at the end of a shot with respect to those at its start, column by
+    /// column. The position of a contact that does not slide is not an unknown.
     pub(super) fn derivatives(
         &self,
         unknowns: &Unknowns<'_, S, Z>,
@@ -158,7 +158,8 @@ impl<'m, S: Float, Z: Size> Tangent<'m, S, Z> {
         place(contact.plus) - place(contact.minus) - force / stiffness
     }
 
-    /// Computes the deviations of the forces on the masses from the present coefficients `term` of the deviations.
+    /// Computes the field `forces`, the deviations of the forces on the masses, for the coefficients in the field
+    /// `term`.
     fn sum_forces(&mut self, state: &State<S, Z>) {
         let (width, masses) = (self.width, self.model.wall());
         let Some((xs, vs, fs)) = parts(self.term.as_ref(), masses * width) else {
@@ -191,15 +192,17 @@ impl<'m, S: Float, Z: Size> Tangent<'m, S, Z> {
         let contacts = self.model.contacts().iter().enumerate();
         for (j, contact) in contacts.filter(|(j, _)| state.phase(*j) == STUCK) {
             let pull = fs.get(row(j)).unwrap_or_default();
-            for (node, factor) in [(contact.plus, -1.0), (contact.minus, 1.0)] {
+            // A factor in `f64` would become an operation of double precision in `f32` code.
+            let one = S::constant(1.0);
+            for (node, factor) in [(contact.plus, -one), (contact.minus, one)] {
                 if node < masses {
-                    add_rows(forces, node * width, (pull, S::constant(factor)));
+                    add_rows(forces, node * width, (pull, factor));
                 }
             }
         }
     }
 
-    /// Replaces the coefficients of one order by those of the next order.
+    /// Replaces the coefficients in the field `term` by those of the next order.
     fn raise(&mut self, state: &State<S, Z>, next: S) {
         let (width, masses) = (self.width, self.model.wall());
         let Some((xs, others)) = self.term.as_mut().split_at_mut_checked(masses * width) else {

@@ -4,7 +4,7 @@ use crate::Float;
 
 /// Tolerances of the search for a steady state in one number type.
 pub(super) struct Tolerances<S> {
-    /// Relative difference of two states below which they are treated as equal.
+    /// Relative difference of two states below which the search treats the states as equal.
     pub(super) same: S,
     /// Step of the finite differences, divided by the size of the unknowns.
     pub(super) step: S,
@@ -14,8 +14,8 @@ pub(super) struct Tolerances<S> {
     pub(super) split: S,
     /// Distance of the motion from a periodic motion below which the search accepts the periodic motion at once.
     pub(super) close: S,
-    /// Largest difference between 1 and the absolute value of a Floquet multiplier at which the steady state may fail
-    /// to attract neighbouring motions. This difference is far larger than the error of a multiplier.
+    /// A steady state attracts neighbouring motions with certainty if every Floquet multiplier is smaller in absolute
+    /// value than 1 minus this number. The number is far larger than the error of a multiplier.
     pub(super) attracts: S,
 }
 

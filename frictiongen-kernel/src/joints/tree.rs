@@ -27,13 +27,14 @@ impl Branch {
 /// Trees of the masses that sticking rigid contacts connect, for one set of sticking contacts.
 #[derive(Clone, Debug)]
 pub struct Tree<S: Float, Z: Size> {
-    /// Contacts of all trees. Each contact follows the contacts between it and the root. Unused entries are at the end.
+    /// Contacts of all trees. In the list, a contact comes after all contacts between it and the root. Unused entries
+    /// are at the end.
     branches: Z::Contacts<Branch>,
     /// Number of contacts that belong to the trees.
     count: usize,
     /// For each node, the root of the tree that contains the node.
     roots: Z::Nodes<usize>,
-    /// Total mass of each tree. The array has it at the index of the tree's root.
+    /// Total mass of each tree, at the index of the tree's root.
     masses: Z::Nodes<S>,
 }
 
@@ -123,8 +124,8 @@ impl<S: Float, Z: Size> Tree<S, Z> {
         at(self.masses.as_ref(), root)
     }
 
-    /// Computes the displacements of all nodes from those of the roots. Gives all nodes of a tree the velocity of its
-    /// root.
+    /// Computes the displacements of all nodes from those of the roots and from `places`, the relative displacements
+    /// of the contacts. Gives all nodes of a tree the velocity of its root.
     pub fn place(&self, x: &mut [S], v: &mut [S], places: &[S]) {
         for branch in self.branches() {
             let (place, speed) = (at(x, branch.parent), at(v, branch.parent));
@@ -158,7 +159,8 @@ impl<S: Float, Z: Size> Tree<S, Z> {
         }
     }
 
-    /// Returns the acceleration of each node. Writes the force of each sticking contact to `holds`.
+    /// Returns the acceleration of each node. `forces` contains the force on each node, and `base` is the acceleration
+    /// of the base. Writes the force of each sticking contact to `holds`.
     pub fn accelerate(
         &self,
         model: &Model<S, Z>,

@@ -15,7 +15,7 @@ pub(super) struct Unknowns<'s, S: Float, Z: Size> {
     pub(super) place: S,
     /// Typical size of the velocities. The code divides the velocities by this size.
     pub(super) speed: S,
-    /// One value for each contact, which is true if the contact slides in a period.
+    /// True for each contact that slides in the period.
     pub(super) moving: &'s Z::Contacts<bool>,
 }
 
@@ -33,8 +33,8 @@ impl<S: Float, Z: Size> Unknowns<'_, S, Z> {
         self.moving.as_ref().get(contact) == Some(&true)
     }
 
-    /// Returns true if a motion that starts with other unknowns depends on the unknown with this index. Each contact
-    /// has two indices. The first index is for the slider of an elastic contact. The second index is for the relative
+    /// Returns true if the unknown with this index affects the motion that starts from the unknowns. Each contact has
+    /// two indices. The first index is for the slider of an elastic contact. The second index is for the relative
     /// displacement of a rigid contact that sticks.
     pub(super) fn uses(&self, motion: &Motion<S, Z>, index: usize) -> bool {
         let model = motion.model();

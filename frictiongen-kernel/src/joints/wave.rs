@@ -65,8 +65,8 @@ impl<S: Float> Wave<S> {
         self.constant.is_zero() && self.slope.is_zero() && self.amplitude.is_zero()
     }
 
-    /// Returns true if the function always has the opposite sign half a period later. ω is the angular frequency of the
-    /// period.
+    /// Returns true if the value of the function half a period later is always the opposite value. The period is
+    /// 2π/`omega`.
     pub(super) fn is_odd(&self, omega: S) -> bool {
         let follows = self.amplitude.is_zero() || self.omega == omega;
         self.constant.is_zero() && self.slope.is_zero() && follows
@@ -127,8 +127,8 @@ impl<S: Float> Wave<S> {
         terms
     }
 
-    /// Returns the duration of the longest time interval in which the power series of the function converges as fast as
-    /// the power series of the motion.
+    /// Returns the time in which the phase of the harmonic advances by 1 rad. In this time the power series of the
+    /// function converges at least as fast as that of the motion.
     pub(super) fn longest_stretch(&self) -> S {
         S::constant(1.0) / self.fastest()
     }

@@ -21,11 +21,13 @@ use crate::number::scalar::{Float, Scalar};
 use crate::oscillator::decay::{Basis, Instant};
 use crate::oscillator::mode::Kind;
 
-/// Upper bound on x = √λ/r of a mass-controlled mode. A mass-controlled mode resonates far below the excitation
-/// frequency. For an overdamped mode the bound applies to 2ζx.
+/// Upper bound on x = √λ/r of a mass-controlled mode, which resonates far below the excitation frequency. x is the
+/// natural frequency of the mode divided by the excitation frequency. For an overdamped mode the bound applies to 2ζx,
+/// with the damping ratio ζ.
 const SLOW: f64 = 0.5;
-/// Returns true if a mode is mass-controlled: its resonance x = √λ/r is far below the excitation frequency. For a
-/// scalar without Euler polynomials the result is false.
+/// Returns true if a mode is mass-controlled: its natural frequency divided by the excitation frequency, x = √λ/r, is
+/// below [`SLOW`]. For an overdamped mode, the function compares 2ζx with this bound. For a scalar without Euler
+/// polynomials the result is false.
 #[inline]
 pub(crate) fn is_mass_controlled<S: Scalar>(kind: Kind, zeta: S, x: S) -> S::Condition {
     if !S::MASS_CONTROLLED {
@@ -43,8 +45,9 @@ pub(crate) fn is_mass_controlled<S: Scalar>(kind: Kind, zeta: S, x: S) -> S::Con
     rate.lt(S::constant(SLOW))
 }
 
-/// Evaluates the response y of a mass-controlled mode to a unit force that changes its sign every half period. The
-/// result has y in the field `rise`, y′ in `free` and y″ in `slope`.
+/// Evaluates the response y of a mass-controlled mode to a unit force that changes its sign every half period. x is
+/// the natural frequency of the mode divided by the excitation frequency. The result has y in the field `rise`, y′ in
+/// `free` and y″ in `slope`.
 pub(crate) fn basis<S: Float>(x: S, zeta: S, at: &Instant<S>) -> Basis<S> {
     let (zero, half, one) = (S::constant(0.0), S::constant(0.5), S::constant(1.0));
     let w = at.tau * (S::pi() * (one - at.t));

@@ -16,11 +16,12 @@ pub struct Wave<S, D> {
     pub x: S,
     /// Damping of the mode, as a type that selects the closed forms.
     pub decay: D,
-    /// Coefficient of p, the free displacement of the mode.
+    /// Coefficient of p, the free displacement of the mode that starts from 0 with unit speed.
     pub free: S,
-    /// Coefficient of the term (cos τ − p′), where p is the free displacement of the mode.
+    /// Coefficient of the term (cos τ − p′). p is the free displacement of the mode that starts from 0 with unit
+    /// speed.
     pub forced_slope: S,
-    /// Coefficient of the term (sin τ − p), where p is the free displacement of the mode.
+    /// Coefficient of the term (sin τ − p). p is the free displacement of the mode that starts from 0 with unit speed.
     pub forced: S,
     /// Coefficient of the term (1 − d)/x², where d is the free motion that starts at rest from the displacement 1.
     pub rise: S,
@@ -75,8 +76,9 @@ impl<S: Float, D: Decay<S>> Wave<S, D> {
         Self::at_rest(S::constant(0.0), D::of(mode))
     }
 
-    /// Returns true if the rounding of x alone can shift the phase xτ by a radian before the free motion has decayed.
-    /// Also returns true for a mode that the contact does not drive (`forced` and `forced_slope` are 0).
+    /// Returns true if the phase xτ of the mode is unknown: the rounding of x alone can shift it by a radian before
+    /// the free motion has decayed. Also returns true for a mode that the contact does not drive (`forced` and
+    /// `forced_slope` are 0).
     pub(crate) fn turns_unknown(&self) -> bool {
         let zero = S::constant(0.0);
         let lasts = S::pi().min(S::constant(1.0) / (self.decay.zeta() * self.x));
@@ -228,7 +230,8 @@ impl<S: Float, D: Decay<S>> Sum<'_, S, D> {
         (value, slope)
     }
 
-    /// Returns the largest x(1 + 2ζ) of the modes in the sum. No mode oscillates or decays faster than this rate.
+    /// Returns the largest x(1 + 2ζ) of the modes in the sum. x is the natural frequency divided by the excitation
+    /// frequency, and ζ the damping ratio. No mode oscillates or decays faster than this rate.
     pub(crate) fn fastest(&self) -> S {
         let waves = self.waves.iter();
         fastest(waves.map(|wave| (wave.x, wave.decay.zeta())))
@@ -247,8 +250,8 @@ impl<S: Float, D: Decay<S>> Sum<'_, S, D> {
         sum * S::constant(S::RESOLUTION)
     }
 
-    /// Returns an upper bound on the rounding error of a modal sum that is divided by sin τ. The phase xτ of each mode
-    /// has an error of one rounding for each of its turns.
+    /// Returns an upper bound on the rounding error of the modal sum, for a search of sum/sin τ. The phase xτ of each
+    /// mode has an error of one rounding for each of its turns.
     pub(crate) fn rounding_over_sine(&self) -> S {
         let quarter = S::constant(0.25);
         let sum = self.over_sine(|x| {
@@ -269,8 +272,8 @@ impl<S: Float, D: Decay<S>> Sum<'_, S, D> {
     }
 }
 
-/// Returns the largest x(1 + 2ζ) of several modes (x, ζ). None of these modes oscillates or decays faster than this
-/// rate.
+/// Returns the largest x(1 + 2ζ) of several modes (x, ζ). x is the natural frequency divided by the excitation
+/// frequency, and ζ the damping ratio. None of these modes oscillates or decays faster than this rate.
 pub(crate) fn fastest<S: Float>(modes: impl Iterator<Item = (S, S)>) -> S {
     modes.fold(S::constant(0.0), |most, (x, zeta)| {
         most.max(x * (S::constant(1.0) + (zeta + zeta)))

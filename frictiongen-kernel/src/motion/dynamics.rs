@@ -16,9 +16,10 @@ pub struct HeldMode<S> {
     pub frequency: S,
     /// Modal damping ratio ζ of the mode.
     pub zeta: S,
-    /// √|1 − ζ²|, the damped natural frequency of the mode divided by its undamped natural frequency.
+    /// √|1 − ζ²|. For ζ < 1, this number is the damped natural frequency of the mode divided by its undamped natural
+    /// frequency.
     pub q: S,
-    /// Contact force caused by a unit displacement y of the mode, with the opposite sign.
+    /// Contact force that a unit displacement y of the mode causes, with the opposite sign.
     pub force: S,
     /// Symmetric matrix [m₁₁, m₁₂, m₂₂] from which `state` computes the displacement y and the scaled velocity u. The
     /// matrix multiplies the two scalar products of the chain's motion with the two state vectors of the mode.
@@ -35,9 +36,9 @@ pub struct Dynamics<'a, S, K = Chain<S>> {
     /// Modes of the chain with its contact stuck (stuck chain). If the contact drives n modes, the stuck chain has n −
     /// 1 modes for a rigid contact, and n for an elastic contact.
     pub held: &'a [HeldMode<S>],
-    /// Participation factors for the displacement y and the scaled velocity u in each mode of the chain with its
-    /// contact stuck. For each mode of the stuck chain, the list has one pair for each mode of the chain that the
-    /// contact drives.
+    /// Participation factors of the chain's modes in the modes of the chain with its contact stuck (stuck chain). Each
+    /// pair has a factor for the displacement y and one for the scaled velocity u. For each mode of the stuck chain,
+    /// the list has one pair for each mode of the chain that the contact drives.
     pub participations: &'a [[S; 2]],
     /// Mode shapes φ. The components of the first mass in all modes come first. The components of the second mass
     /// follow, and so on.

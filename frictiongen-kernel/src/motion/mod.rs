@@ -1,9 +1,10 @@
 //! Motion of a chain between two events of the contact, and the events themselves. Simulation, stepper and steady
 //! states use this module.
+//!
 //! While the contact slides, every mode of the chain moves independently under a constant friction force. The *stuck
 //! chain* is the chain with its contact stuck. While the contact sticks, every mode of the stuck chain moves
-//! independently. Emitted code calls these modes `held`. A [`Part`] is one oscillator in time: a mode of the chain or
-//! of the stuck chain.
+//! independently. Emitted code calls the modes of the stuck chain `held`. A [`Part`] is one oscillator in time: a mode
+//! of the chain or of the stuck chain.
 //!
 //! A *series* is a function of time that describes the contact, such as its velocity or its force. A *walk* is a search
 //! for the first zero of a series. `contact` has the law of the contact, which decides what follows an event.

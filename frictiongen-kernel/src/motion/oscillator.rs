@@ -10,12 +10,12 @@ use crate::number::scalar::Float;
 use crate::oscillator::decay::{Damped, Decay, Instant, Turn, multipliers, turn};
 use crate::oscillator::mode::{Kind, Mode};
 
-/// Bound NEAR of the region near a resonance, in which |D| < NEAR·x² with D = x² − 1 + 2iζx. x is the natural frequency
-/// divided by the excitation frequency. In this region the code computes the forced motion from differences that vanish
-/// with D. Outside the region, the forced motion is the sum of the steady motion and a free motion. This sum loses at
-/// most a factor 1/NEAR of the precision.
+/// Bound of the region near a resonance, in which |x² − 1| + 2ζx < NEAR·x². x is the natural frequency divided by the
+/// excitation frequency, and ζ the damping ratio. In this region the code computes the forced motion from differences
+/// that vanish at the resonance. Outside the region, the forced motion is the sum of the steady motion and a free
+/// motion. This sum loses at most a factor 1/NEAR of the precision.
 const NEAR: f64 = 0.02;
-/// Smallest 1 − ζ² with which the amplitude of a free motion is a good bound on the motion.
+/// Smallest 1 − ζ², with the damping ratio ζ, at which the amplitude of a free motion is a good bound on the motion.
 const OSCILLATES: f64 = 0.05;
 
 /// One oscillator between two events of the contact: a mode of the chain, or a mode of the chain with its contact
@@ -39,7 +39,7 @@ pub struct Part<S> {
     /// Complex amplitude of φ/x = Re(direct·e^{iτ_e}), where φ is a velocity that the excitation adds directly to the
     /// velocity y′. The scaled velocity is then u = (y′ − φ)/x.
     direct: Complex<S>,
-    /// True if the excitation frequency is near the resonance. The code then computes the forced motion from
+    /// True if a load acts whose frequency is near the resonance. The code then computes the forced motion from
     /// differences that vanish at the resonance.
     pub(crate) near: bool,
     /// Displacement about which the oscillator moves. The constant forces cause this displacement.
@@ -63,7 +63,7 @@ pub struct Part<S> {
 }
 
 impl<S: Float> Part<S> {
-    /// Returns an oscillator whose numbers are all 0, to initialise arrays.
+    /// Returns an undamped oscillator at rest without a load, to initialise arrays. Its natural frequency is 1.
     #[must_use]
     pub fn empty() -> Self {
         let zero = S::constant(0.0);
@@ -288,7 +288,7 @@ impl<S: Float> Part<S> {
     }
 
     /// Returns the displacement y and the scaled velocity u of the steady motion about 0, or `None` on an undamped
-    /// resonance.
+    /// resonance. The argument contains sine and cosine of the excitation's phase.
     fn settled(&self, (sine, cosine): (S, S)) -> Option<[S; 2]> {
         let steady = self.steady()?;
         let y = rotated(steady, sine, cosine);
@@ -296,7 +296,7 @@ impl<S: Float> Part<S> {
         Some([y, slope / self.x - rotated(self.direct, sine, cosine)])
     }
 
-    /// Sets the oscillator to its steady motion. Returns `None` on an undamped resonance.
+    /// Sets the oscillator to its steady motion about 0. Returns `None` on an undamped resonance.
     pub(crate) fn settle(&mut self, phase: (S, S)) -> Option<()> {
         self.centre = S::constant(0.0);
         [self.y, self.u] = self.settled(phase)?;

@@ -10,8 +10,8 @@ use super::setting::MotionSetting;
 use super::walk::{WalkResult, WalkStart, first_reach, first_zero};
 use crate::number::scalar::Float;
 
-/// Searches for the next event after a contact state, within the time `reach` in τ. Sets the oscillators to their state
-/// at the start of the segment.
+/// Searches for the event that ends the segment after a contact state. The search covers the time `reach` in τ (rad of
+/// the excitation). Also prepares the oscillators for the segment.
 pub(crate) fn seek<S: Float, K: ContactChain<S>>(
     setting: &MotionSetting<'_, S, K>,
     modes: &mut [Part<S>],
@@ -65,9 +65,8 @@ pub(crate) fn seek<S: Float, K: ContactChain<S>>(
 }
 
 /// Adds derivatives to the instant `tau` at which a sum reaches its level, if the scalar carries derivatives. One
-/// Newton step from the known instant gives the derivatives. Without a level, no event ends the segment. If `tau` then
-/// equals the searched length, `tau` gets the derivatives of this length. If `tau` is shorter, `tau` gets no
-/// derivatives.
+/// Newton step from the known instant gives the derivatives. If `level` is `None`, no event ends the segment. If `tau`
+/// is then the whole searched length, `tau` gets the derivatives of this length, and otherwise no derivatives.
 fn carried<S: Float>(sum: &OscillatorSum<'_, S>, tau: S, level: Option<S>) -> S {
     let Some(level) = level else {
         return if tau < sum.reach {
@@ -81,8 +80,8 @@ fn carried<S: Float>(sum: &OscillatorSum<'_, S>, tau: S, level: Option<S>) -> S 
     tau.primal() - (gap - gap.primal()) / local.slope.primal()
 }
 
-/// Sets the oscillators to their state a time τ after the start of the segment. `to` is sine and cosine of the
-/// excitation's phase at that instant.
+/// Sets the oscillators to their state at the time `tau` after the start of the segment. `to` is sine and cosine of
+/// the excitation's phase at that instant.
 pub(crate) fn place<S: Float, K: ContactChain<S>>(
     setting: &MotionSetting<'_, S, K>,
     (modes, stuck_modes): (&mut [Part<S>], &mut [Part<S>]),

@@ -12,7 +12,7 @@ use crate::number::scalar::Float;
 #[derive(Clone, Copy, Debug)]
 pub struct MotionSetting<'a, S, K = Chain<S>> {
     pub(crate) dynamics: Dynamics<'a, S, K>,
-    /// Frequency ratio r, clamped to the range in which the formulas can be evaluated.
+    /// Frequency ratio r, within the range in which the code can evaluate the formulas.
     pub(crate) r: S,
     /// Friction ratio β = F/P of the motion.
     pub(crate) beta: S,
@@ -23,12 +23,13 @@ pub struct MotionSetting<'a, S, K = Chain<S>> {
     /// m*. w is the direction vector of the contact, Γ is the mass matrix divided by m₁, p is the load vector, and s is
     /// the field `base`.
     pub(crate) load: S,
-    /// Load on the stuck contact in quadrature (90° out of phase) with the base's motion, times m*. The load contains
-    /// the term −`quadrature`·sin τ_e. `quadrature` is 0 unless damping acts relative to the moving base.
+    /// Load on the stuck contact in quadrature (90° out of phase) with the base's motion, times the inverse effective
+    /// mass m*. The load contains the term −`quadrature`·sin τ_e. `quadrature` is 0 unless damping acts relative to
+    /// the moving base.
     pub(crate) quadrature: S,
-    /// Displacement of the contact per unit of steady contact force. `receptance` is wᵀK̄⁻¹w = Σ c_i/λ_i with c_i =
-    /// (φ_iᵀw)², plus the compliance of an elastic contact. K̄ is the stiffness matrix divided by k₁, and w is the
-    /// direction vector of the contact. φ_i is a mode shape, and λ_i its squared frequency ratio.
+    /// Displacement of the contact per unit of steady contact force: wᵀK̄⁻¹w = Σ c_i/λ_i with c_i = (φ_iᵀw)², plus the
+    /// compliance of an elastic contact. K̄ is the stiffness matrix divided by k₁, and w is the direction vector of
+    /// the contact. φ_i is a mode shape, and λ_i its squared frequency ratio.
     pub(crate) receptance: S,
     /// Σ 2ζ_i c_i/σ_i divided by `receptance`, with c_i = (φ_iᵀw)². φ_i is a mode shape, σ_i its natural frequency as a
     /// frequency ratio, and w the direction vector of the contact. `drag` is the damping force per unit of velocity of
@@ -53,8 +54,9 @@ impl<'a, S: Copy, K> MotionSetting<'a, S, K> {
 }
 
 impl<'a, S: Float, K: ContactChain<S>> MotionSetting<'a, S, K> {
-    /// Creates a setting, which is a scene at the frequency ratio r and the friction ratio β. Writes the oscillators to
-    /// `parts`: first one oscillator for each mode of the chain, and then one for each mode of the stuck chain.
+    /// Creates a setting, which is a scene at the frequency ratio r and the friction ratio β. Writes the oscillators
+    /// to `parts`: first one for each mode of the chain, and then one for each mode of the stuck chain (the chain with
+    /// its contact stuck).
     ///
     /// # Errors
     /// [`OutOfDomain`] if r is NaN, negative, zero or infinite, or so near to 0 or ∞ that the formulas would overflow
@@ -140,7 +142,7 @@ impl<'a, S: Float, K: ContactChain<S>> MotionSetting<'a, S, K> {
         (modes, rest.split_at_mut(stuck).0)
     }
 
-    /// Fails unless a state has a finite displacement and a finite velocity for each mass.
+    /// Returns an error unless the state has a finite displacement and a finite velocity for each mass.
     pub(crate) fn check_state(&self, (x, v): (&[S], &[S])) -> Result<(), OutOfDomain> {
         // The number of masses equals the number of modes.
         let masses = self.dynamics.modes.len();
@@ -187,7 +189,7 @@ impl<'a, S: Float, K: ContactChain<S>> MotionSetting<'a, S, K> {
         })
     }
 
-    /// Returns the contact force that would keep the relative velocity constant.
+    /// Returns the contact force, divided by P, that would keep the relative velocity constant.
     pub(crate) fn holding(&self, parts: &[Part<S>], (sine, cosine): (S, S)) -> S {
         let two = S::constant(2.0);
         let mut load = self.load * cosine;
@@ -202,8 +204,8 @@ impl<'a, S: Float, K: ContactChain<S>> MotionSetting<'a, S, K> {
         sum / self.dynamics.chain().inverse_mass
     }
 
-    /// Returns the relative acceleration z̄″. `excess` is the contact force minus the force that would keep the
-    /// relative velocity constant.
+    /// Returns the relative acceleration z̄″. `excess` is the force that would keep the relative velocity constant,
+    /// minus the contact force.
     pub(crate) fn acceleration(&self, excess: S) -> S {
         self.dynamics.chain().inverse_mass * excess / (self.r * self.r)
     }

@@ -103,7 +103,7 @@ impl Dd {
         Self { hi, lo }
     }
 
-    /// Returns the exact sum of two `f64`, in any order of magnitude.
+    /// Returns the exact sum of two `f64`. Either of them may be the larger one.
     ///
     /// ```
     /// use frictiongen_kernel::number::dd::Dd;

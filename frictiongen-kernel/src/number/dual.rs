@@ -21,9 +21,9 @@ use core::ops::{Add, Div, Mul, Neg, Sub};
 /// ```
 #[derive(Clone, Copy, Debug)]
 pub struct Dual<S> {
-    /// Value f of the function with the parameter p.
+    /// Value f of the function at the present value of the variable p.
     pub value: S,
-    /// Derivative ∂f/∂p of the function with respect to the parameter p.
+    /// Derivative ∂f/∂p of the function with respect to the variable p.
     pub slope: S,
 }
 

@@ -3,9 +3,9 @@
 //! The polynomials describe the motion of a free mass under a unit force that changes its sign every half period. The
 //! module `modal_sum::mass_controlled` uses them.
 
-/// Number of Euler polynomials of even order that the code sums in `f64`. `SINGLE` is the number for `f32`. Each
-/// further order n, even or odd, divides the third harmonic of the neglected remainder by at least six. The sum
-/// contains the orders up to 2·`DOUBLE`, and (1/6)^(2·`DOUBLE`) is smaller than the rounding error.
+/// Number of Euler polynomials of even order that the code sums in `f64`. `SINGLE` is the number for `f32`. The sum
+/// contains the orders n up to 2·`DOUBLE`. With each order, even or odd, the third harmonic of the neglected remainder
+/// becomes at least six times smaller. (1/6)^(2·`DOUBLE`) is smaller than the rounding error.
 const DOUBLE: usize = 11;
 const SINGLE: usize = 5;
 

@@ -28,8 +28,9 @@ fn sqrt_f32(x: f32) -> f32 {
 /// Returns √x of an `f32`, correctly rounded, with half as many instructions as the function of libm. `root` is for
 /// processors that have an instruction for division in single precision.
 ///
-/// The iteration starts from x with half its exponent. Three Heron steps leave an error of at most one unit in the last
-/// place. The remainder x − root², computed exactly in integers, gives the correction of this unit.
+/// The iteration starts from an estimate of √x, for which the code halves the exponent of x. Three Heron steps leave
+/// an error of at most one unit in the last place. The remainder x − root², computed exactly in integers, gives the
+/// correction of this unit.
 #[cfg(any(test, not(feature = "std")))]
 fn root(x: f32) -> f32 {
     const TWO_TO_24: f32 = 16_777_216.0;

@@ -146,8 +146,8 @@ pub trait Float:
     const CARRIES: bool = false;
     /// True if a processor can compute with two numbers of this type at the same time.
     const PAIRS: bool = false;
-    /// Converts a whole number, and rounds it if it has more bits than the scalar. `f32` does not compute with `f64`
-    /// here, so that a processor without double precision needs no function for the conversion.
+    /// Converts a whole number, and rounds it if it has more bits than the scalar. For `f32` the conversion is direct,
+    /// not through `f64`, so that a processor without double precision needs no additional function.
     #[must_use]
     #[inline]
     #[allow(clippy::cast_precision_loss, reason = "what is meant: the cast rounds")]
@@ -183,8 +183,8 @@ pub trait Float:
     fn vanishes(self) -> bool {
         self.is_zero()
     }
-    /// Returns `self` without its derivative. Searches use this function for positions, which must not depend on the
-    /// variable of the derivative.
+    /// Returns `self` without its derivative. Searches use this function for the instants that they evaluate, because
+    /// these instants must not depend on the variable of the derivative.
     #[must_use]
     fn primal(self) -> Self {
         self
@@ -235,7 +235,7 @@ pub trait Float:
 /// Scalar without a derivative. Dual numbers do not implement this trait.
 ///
 /// Some functions find motions from rest and steady states by iteration. An iteration stops as soon as its value is
-/// correct, although a derivative may still be wrong at that step. These functions require `Plain`, so that the
-/// compiler rejects dual numbers. [`Orbit::carrying`](crate::orbit::Orbit::carrying) adds derivatives to a steady state
-/// that is already known.
+/// correct, but a derivative may still be wrong at that step. These functions require `Plain`, so that the compiler
+/// rejects dual numbers. [`Orbit::carrying`](crate::orbit::Orbit::carrying) adds derivatives to a steady state that is
+/// already known.
 pub trait Plain: Float {}

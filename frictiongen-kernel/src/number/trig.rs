@@ -65,8 +65,9 @@ macro_rules! half_turns {
                 if h.abs() < $even { h - ((h + TO_FOURS) - TO_FOURS) } else { h * 0.0 }
             }
 
-            /// Returns the integer q for which q/2 is nearest to h, and the exact remainder h − q/2. Only the two
-            /// lowest bits of q are valid. |h| must be below the macro's parameter `exact`.
+            /// Returns the integer q for which q/2 is nearest to h, and the exact remainder h − q/2. h is an angle in
+            /// half-turns (π rad). Only the two lowest bits of q are correct, because a sine or cosine needs only q
+            /// modulo 4. |h| must be below the macro's parameter `exact`.
             #[inline(always)]
             fn reduced(h: $float) -> ($bits, $float) {
                 let shifted = h + TO_HALVES;
@@ -82,8 +83,9 @@ macro_rules! half_turns {
 
             /// Returns sin πr and cos πr for |r| ≤ 1/4, each as a leading term and a small correction.
             ///
-            /// The code splits the leading product πr so that it has no rounding error. The cosine is computed as 1
-            /// minus a number of at most 0.3. Rounding errors of this number therefore have little effect.
+            /// The leading term of the sine is the product of the leading bits of π and of r, which has no rounding
+            /// error. The code computes the cosine as 1 minus a number of about 0.3 at most, so that rounding errors
+            /// of this number have little effect.
             #[inline(always)]
             fn kernel(r: $float) -> ([$float; 2], [$float; 2]) {
                 let u = r * r;
@@ -150,7 +152,7 @@ macro_rules! half_turns {
             #[inline]
             #[must_use]
             pub fn sin_cos_pi_minus(h: $float, d: $float) -> ($float, $float) {
-                // If d were larger, `less` could not neglect the square of the lost digits.
+                // For a larger |d|, the subtraction in `less` would lose so many digits that their square matters.
                 let d = if d.abs() < $near { d } else { wrapped(d) };
                 less(reduced_any(h), d)
             }

@@ -59,8 +59,8 @@ where
     }
 
     /// Computes the steady state that a motion reaches from the given start, at the frequency ratio r and the friction
-    /// ratio β. The motion starts at a maximum of the excitation. A motion may not settle. If `question.last` is then
-    /// true, the result contains the last cycles of the motion, and [`Self::is_settled`] returns false.
+    /// ratio β. The motion starts at a maximum of the excitation. If the motion does not settle and `question.last` is
+    /// true, the result contains the last cycles of the motion. [`Self::is_settled`] then returns false.
     ///
     /// # Errors
     /// [`NoOrbit`] gives the reason why no steady state exists or was found. Slices of a wrong length return the error
@@ -229,8 +229,8 @@ fn bounded<S: Float>(mode: &Mode<S>, r: S, beta: S) -> Result<(), NoOrbit> {
     Ok(())
 }
 
-/// Sets the steady state in which the contact never slides (6.11, 6.27, 6.33). Every mode of the chain with its contact
-/// stuck has its steady motion, and the relative displacement z̄ is always `offset`.
+/// Sets the cycle map to the steady state in which the contact never slides (6.11, 6.27, 6.33). Every mode of the
+/// chain with its contact stuck has its steady motion, and the relative displacement z̄ is always `offset`.
 pub(super) fn stuck<S: Float, K: ContactChain<S>>(
     cycle_map: &mut CycleMap<'_, '_, S, K>,
     workspace: &mut Workspace<'_, S>,

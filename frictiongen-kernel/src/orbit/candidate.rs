@@ -8,8 +8,8 @@ use crate::errors::NoOrbit;
 use crate::motion::{ContactChain, ContactState};
 use crate::number::scalar::Float;
 
-/// Largest distance of a Floquet multiplier from the unit circle at which the code treats the multiplier as lying on
-/// the circle. The unit is the rounding unit of the number type.
+/// Largest distance of a Floquet multiplier from the unit circle at which the multiplier counts as lying on the
+/// circle, in rounding units of the number type.
 pub(super) const ON_CIRCLE: f64 = 4096.0;
 
 /// Largest period of a subharmonic motion, in cycles of the excitation.
@@ -28,11 +28,11 @@ const MOST_GROWN: f64 = 64.0;
 /// reversals in a cycle. A motion with more events may still converge to another state.
 const CALM: u32 = 64;
 
-/// Distance of the motion from the fixed point at which the test ends, divided by the distance at the start of the
-/// test. The code predicts this ratio from the Floquet multipliers.
+/// Ratio at which the test whether a motion approaches a fixed point ends: the distance of the motion from the fixed
+/// point, divided by the initial distance. The code predicts this ratio from the Floquet multipliers.
 const FAR_ENOUGH: f64 = 0.01;
-/// Tolerance of the test whether a motion approaches the fixed point. The distance may exceed the prediction of the
-/// multipliers by this fraction of the initial distance.
+/// Tolerance of the test whether a motion approaches a fixed point. The distance of the motion from the fixed point
+/// may exceed the prediction of the Floquet multipliers by this fraction of the initial distance.
 const SPARE: f64 = 0.1;
 /// Largest relative difference of the sticking times of two motions at which the code treats their stops as the same.
 const STICKS_ALIKE: f64 = 0.25;
@@ -95,8 +95,8 @@ pub(super) struct Candidate<S> {
     pub wanted: EventPattern,
     /// Numbers of stops, break-aways and reversals of the motion in the last cycle of the excitation.
     pub recent: EventPattern,
-    /// Number of successive half cycles that each have as many stops, break-aways and reversals as the half cycle one
-    /// cycle earlier.
+    /// Number of successive half cycles whose numbers of stops, break-aways and reversals equal those of the half
+    /// cycle one cycle earlier.
     pub alike: u32,
     /// True if the stiction μ is 1. The distance between two motions then never grows.
     pub monotone: bool,
@@ -197,8 +197,8 @@ impl<S: Float> Candidate<S> {
         Ok(true)
     }
 
-    /// Tests a steady state that belongs to a continuum of steady states. The motion itself selects one state of the
-    /// continuum.
+    /// Tests a fixed point that belongs to a continuum of steady states. The motion itself selects one state of the
+    /// continuum. `far` is the distance of the motion from the fixed point, and `scale` the size of the fixed point.
     fn marginal<K: ContactChain<S>>(
         &self,
         cycle_map: &mut CycleMap<'_, '_, S, K>,

@@ -1,9 +1,10 @@
 //! Adds derivatives with respect to one variable to a known steady state (`Orbit::carrying`).
 //!
-//! A steady state is a fixed point x = P(x), where x is the state at a fixed phase and P is the period map. With dual
-//! numbers, one period of motion from x gives P(x) and the derivative b of P at fixed x. A Newton step then adds (1 −
-//! DP)⁻¹b to the derivative of x, where DP is the derivative of P with respect to x. A second pass follows the segments
-//! from the new x, and adds the derivatives to every result.
+//! A steady state is a fixed point x = P(x), where x is the state at a fixed phase and P is the period map. The code
+//! uses dual numbers, which contain a value and its derivative. With dual numbers, one period of motion from x gives
+//! P(x) and the derivative b of P at fixed x. A Newton step then adds (1 − DP)⁻¹b to the derivative of x, where DP is
+//! the derivative of P with respect to x. A second pass follows the segments from the new x, and adds the derivatives
+//! to every result.
 
 use super::build::{record_period, stuck};
 use super::closed;
@@ -27,7 +28,7 @@ const GRAZE: f64 = 1e-9;
 /// derivatives as equal.
 const ALIKE: f64 = 1e-6;
 
-/// Rounding error of the state's derivative in `f64`, divided by the size of the state.
+/// Permitted rounding error of the state's derivative in `f64`, divided by the size of the state.
 const ROUNDING: f64 = 1e-14;
 /// Largest relative difference at which the given r and β are treated as equal to the r and β of the steady state.
 const SAME: f64 = 1e-12;
@@ -217,8 +218,9 @@ where
     }
 
     /// Returns the relative displacement z̄ of a contact that sticks all the time and has never slid since the start.
-    /// The contact is then at z̄ = 0, or at z̄ = −1 on a moving base. After a slip the offset depends on every earlier
-    /// slip. The function then returns an error, because the steady state is marginal.
+    /// The contact is then at z̄ = 0. A contact on a moving base may also be at z̄ = −1, because the base is at its
+    /// amplitude at the start from rest. After a slip the offset depends on every earlier slip. The function then
+    /// returns an error, because the steady state is marginal.
     fn offset_without_slip<U: Float>(&self) -> Result<U, NoDerivative> {
         let offset = self.offset();
         if offset.is_zero() || offset == -self.setting.base {

@@ -48,8 +48,8 @@ impl<'a, S: Float> DrivenChain<'a, S> {
     }
 }
 
-/// Sets the cycle map to the steady motion that the closed form gives at one friction ratio. The state in the cycle map
-/// is then that at a maximum of the contact's relative motion.
+/// Sets the cycle map to the steady motion that the closed form gives at the friction ratio `beta`. The instant is a
+/// maximum of the contact's relative displacement.
 pub(super) fn set<S: Float, K: ContactChain<S>>(cycle_map: &mut CycleMap<'_, '_, S, K>, beta: S) {
     let one = S::constant(1.0);
     let dynamics = &cycle_map.setting.dynamics;

@@ -1,5 +1,5 @@
-//! Follows the motion over half a cycle or a whole cycle of the excitation. The motion starts at a fixed phase of the
-//! excitation. The code calls this phase a *section*.
+//! Advances the motion by half a cycle or a whole cycle of the excitation, from a fixed phase of the excitation on.
+//! The code calls this phase a *section*.
 
 use super::types::MAX_STEPS;
 use crate::errors::{NoOrbit, OutOfDomain};
@@ -57,20 +57,21 @@ pub(super) struct CycleMap<'f, 'a, S, K> {
     pub modes: &'f mut [Part<S>],
     pub stuck_modes: &'f mut [Part<S>],
     pub contact_state: ContactState<S>,
-    /// Middle of the longest segment of the last half cycle: its phase minus the phase at the start of the half cycle,
-    /// in half-turns (π rad).
+    /// Middle of the longest segment of the last half cycle. In a segment the contact either sticks, or slides in one
+    /// direction. The value is the phase at the middle minus the phase at the start of the half cycle, in half-turns
+    /// (π rad).
     pub middle: S,
-    /// Time in rad of the excitation (τ) during which the contact stuck in the last half cycle.
+    /// Total time during which the contact stuck in the last half cycle, in rad of the excitation (τ).
     pub stuck: S,
-    /// Remaining number of steps for the searches for events.
+    /// Number of steps that the searches for events may still take.
     pub step_budget: u32,
     /// True if the contact has slid since the caller last set this flag to false.
     pub slid: bool,
 }
 
 impl<'f, 'a, S: Float, K: ContactChain<S>> CycleMap<'f, 'a, S, K> {
-    /// Creates the cycle map from its oscillators: the modes of the chain, and the modes of the chain with its contact
-    /// stuck. The new map has the full step budget.
+    /// Creates the cycle map from its oscillators and the state of the contact. The oscillators are the modes of the
+    /// chain, and the modes of the chain with its contact stuck. The searches for events may take [`MAX_STEPS`] steps.
     pub(super) fn new(
         setting: &'f MotionSetting<'a, S, K>,
         (modes, stuck_modes): (&'f mut [Part<S>], &'f mut [Part<S>]),
@@ -100,8 +101,8 @@ impl<'f, 'a, S: Float, K: ContactChain<S>> CycleMap<'f, 'a, S, K> {
         self.setting.dynamics.chain.remembered()
     }
 
-    /// Returns the contact force that belongs to a state vector. If the contact stores no force, the result is the
-    /// kinetic friction force.
+    /// Returns the present contact force, which the state vector of an elastic contact contains. While the contact
+    /// slides, this force is the kinetic friction force. For a stuck contact that stores no force, the result is 0.
     pub(super) fn remembered_force(&self) -> S {
         let contact = self.contact_state.contact;
         if contact == Contact::Stuck {
@@ -118,14 +119,15 @@ impl<'f, 'a, S: Float, K: ContactChain<S>> CycleMap<'f, 'a, S, K> {
         (0 < self.remembered() && state.len() == self.size()).then_some(place)
     }
 
-    /// Returns the present contact force minus the contact force in a state vector. The result is 0 if the contact
-    /// stores no force.
+    /// Returns the present contact force minus the contact force in the state vector `state`. The result is 0 if the
+    /// contact stores no force.
     fn force_difference(&self, state: &[S]) -> S {
         let there = self.force_in(state).and_then(|place| state.get(place));
         there.map_or(S::constant(0.0), |there| self.remembered_force() - *there)
     }
 
-    /// Subtracts the search steps of one segment from the step budget. Returns an error if the budget is used up.
+    /// Subtracts the search steps of one segment from the number of steps that the searches may still take. Returns an
+    /// error if no steps are left.
     pub(super) fn spend(&mut self, steps: u32) -> Result<(), NoOrbit> {
         self.step_budget = self
             .step_budget
@@ -134,8 +136,8 @@ impl<'f, 'a, S: Float, K: ContactChain<S>> CycleMap<'f, 'a, S, K> {
         Ok(())
     }
 
-    /// Advances the motion by half a cycle of the excitation. `columns` contains deviations, which the linearised
-    /// motion advances by the same time.
+    /// Advances the motion by half a cycle of the excitation. `columns` contains small deviations from the motion. The
+    /// function advances them by the same time with the linearised motion.
     pub(super) fn advance_half(
         &mut self,
         columns: Option<&mut [S]>,
@@ -200,7 +202,8 @@ impl<'f, 'a, S: Float, K: ContactChain<S>> CycleMap<'f, 'a, S, K> {
         Err(NoOrbit::TooManyEvents)
     }
 
-    /// Copies the state of the oscillators and the contact into `state`.
+    /// Copies the state of the oscillators, and the contact force if the contact stores it, into the state vector
+    /// `state`.
     pub(super) fn save(&self, state: &mut [S]) {
         for (part, state) in self.modes.iter().zip(pairs_mut(state)) {
             if let [y, u] = state {
@@ -248,7 +251,7 @@ impl<'f, 'a, S: Float, K: ContactChain<S>> CycleMap<'f, 'a, S, K> {
     }
 
     /// Adds the present state of the oscillators and the contact force `force` to `step`. Returns the largest absolute
-    /// value in `step`.
+    /// value in `step` before this addition.
     pub(super) fn add(&self, step: &mut [S], force: S) -> S {
         let mut largest = S::constant(0.0);
         for (part, state) in self.modes.iter().zip(pairs_mut(step)) {
@@ -264,7 +267,8 @@ impl<'f, 'a, S: Float, K: ContactChain<S>> CycleMap<'f, 'a, S, K> {
         largest
     }
 
-    /// Returns the largest absolute difference between a number of the present state and the same number of `state`.
+    /// Returns the distance between the present state and `state`: the largest absolute difference of two
+    /// corresponding numbers.
     pub(super) fn distance(&self, state: &[S]) -> S {
         let states = self.modes.iter().zip(pairs(state));
         let force = self.force_difference(state).abs();
@@ -303,7 +307,8 @@ impl<'f, 'a, S: Float, K: ContactChain<S>> CycleMap<'f, 'a, S, K> {
         }
     }
 
-    /// Returns the largest absolute value of the scalars in the present state.
+    /// Returns the size of the present state: the largest absolute displacement or scaled velocity of the modes that
+    /// the contact drives.
     pub(super) fn scale(&self) -> S {
         let driven = self.setting.dynamics.in_contact();
         self.modes

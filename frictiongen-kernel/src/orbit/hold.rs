@@ -1,27 +1,27 @@
-//! Detects a contact that sticks for ever. For β ≥ β*_lim a motion may end with the contact stuck for ever, with or
-//! without an offset.
+//! Detects a contact that sticks for ever. A motion may end in this way if β ≥ β*_lim, the limit of sliding. The
+//! contact then sticks with or without an offset.
 //!
 //! The force in a stuck contact is the sum of three parts. The first part is V/H, the force of the forced motion. The
 //! second part is a constant force due to the offset. The third part is the force of the chain's free vibration. If
-//! this sum can never exceed μβ, the contact never slides again.
+//! this sum can never exceed μβ (the static friction force divided by P or k₁Y), the contact never slides again.
 
 use super::cycle_map::{CycleMap, EventPattern};
 use super::types::MAX_CYCLES;
 use crate::motion::{Contact, ContactChain, Law, phase};
 use crate::number::scalar::Float;
 
-/// Number of half cycles without an event after which the contact is assumed to stick for ever. A test of the forces
-/// alone may never succeed, because an undamped free vibration never decays.
+/// Number of half cycles without an event after which the contact is assumed to stick for ever. This rule is necessary
+/// because an undamped free vibration never decays, so that the test of the forces may never succeed.
 const QUIET: u32 = 256;
 /// Number of cycles after which the present offset is assumed to be final, with μ = 1 and without damping. In this case
 /// the slips become smaller from cycle to cycle, but never end.
 const UNDYING: u32 = 64;
 /// Rounding error of the force in a contact that barely sticks, in rounding units of μβ.
 const ROUNDINGS: f64 = 64.0;
-/// Largest ratio of two small forces to a third force at which the offset is assumed to approach its limit from one
-/// side. The first force is that of one cycle's slip, and the second force is that of the free vibration. The third
-/// force corresponds to the distance of the offset from its limit. With μ = 1 the slips become ever smaller, and the
-/// offset converges to a limit at which the contact barely sticks.
+/// Largest ratio at which the offset is assumed to approach its limit from one side. With μ = 1 the slips become ever
+/// smaller, and the offset converges to a limit at which the contact barely sticks. The distance of the offset from
+/// this limit corresponds to a force. The code divides two other forces by this force: the decrease of the contact
+/// force by one cycle's slips, and the force of the free vibration. Both ratios must be less than `ONE_SIDED`.
 const ONE_SIDED: f64 = 0.1;
 
 /// Observer of a motion with β ≥ β*_lim. It detects when the contact starts to stick for ever.
@@ -34,8 +34,8 @@ pub(super) struct Hold<S> {
     quiet: u32,
     /// Number of half cycles since the start of the motion.
     halves: u32,
-    /// Constant part of the contact force, caused by the offset. The two values are those of half a cycle ago and of
-    /// one cycle ago.
+    /// Absolute value of the constant force in the contact, which the offset causes, half a cycle ago and one cycle
+    /// ago.
     before: [S; 2],
     /// Relative displacement z̄ of a stuck contact, computed once after the contact stopped. A stuck contact does not
     /// move, but rounding would change z̄ if the code recomputed it from the modes.

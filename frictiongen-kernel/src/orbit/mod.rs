@@ -1,12 +1,14 @@
-//! Steady state in any regime. A steady state is a motion that repeats after one or several cycles of the excitation.
-//! An [`Orbit`] contains the motion, the stops of the contact and the Floquet multipliers.
+//! Searches for the steady state of a chain in any regime. A steady state is a motion that repeats after one or
+//! several cycles of the excitation. An [`Orbit`] contains the motion, the stops of the contact and the Floquet
+//! multipliers.
 //!
 //! The search first follows the motion ([`motion`](crate::motion)) from the start, until the pattern of events repeats
 //! from cycle to cycle. Newton's method then converges in a few steps. A symmetric steady state is a fixed point of the
 //! half-period map times −1. Other steady states are fixed points of the period map.
 //!
-//! A stored steady state is a list of *marks*. A mark is the start of a segment, with the contact's state, the phase
-//! and the relative displacement z̄. The *stuck chain* is the chain with its contact stuck.
+//! A period consists of segments. In a segment the contact either sticks, or slides in one direction. A stored steady
+//! state is a list of *marks*. A mark is the start of a segment, with the contact's state, the phase and the relative
+//! displacement z̄. The *stuck chain* is the chain with its contact stuck.
 
 mod build;
 mod candidate;
@@ -48,8 +50,8 @@ use crate::number::scalar::Float;
 use segments::Segments;
 use types::SegmentStart;
 
-/// Returns the number of scalars of memory that an orbit (steady state) needs. The scene has `modes` modes, and the
-/// contact drives `driven` of them.
+/// Returns the number of scalars of memory that an orbit (steady state) of a scene with a rigid contact needs. `modes`
+/// is the number of modes of the scene, and `driven` the number of modes that the contact drives.
 #[must_use]
 pub const fn numbers(modes: usize, driven: usize) -> usize {
     numbers_of(modes, 2 * driven)
@@ -99,22 +101,22 @@ where
         Segments::from(self, 0)
     }
 
-    /// Returns the friction ratio β = F/P of this steady state.
+    /// Returns the friction ratio β of this steady state: F/P, or F/(k₁Y) for base motion.
     #[must_use]
     pub fn beta(&self) -> S {
         self.setting.beta
     }
 
-    /// Returns the period of the steady state, in cycles of the excitation. It is 1, or up to [`MAX_PERIOD`] for a
-    /// subharmonic state.
+    /// Returns the period of the steady state, in cycles of the excitation. The period is 1, or up to [`MAX_PERIOD`]
+    /// for a subharmonic state.
     #[must_use]
     pub fn period(&self) -> u32 {
         self.period
     }
 
     /// Returns true if the motion repeats. If the result is false, the motion did not settle in [`MAX_CYCLES`] cycles,
-    /// and the orbit contains the last [`MAX_PERIOD`] cycles of that motion. An amplitude is then the largest amplitude
-    /// in these last cycles, and a harmonic is the mean over the last cycles.
+    /// and the orbit contains only its last [`MAX_PERIOD`] cycles. An amplitude is then the largest amplitude in these
+    /// last cycles, and a harmonic is the mean over the last cycles.
     #[must_use]
     pub fn is_settled(&self) -> bool {
         self.settled
@@ -174,8 +176,8 @@ where
         S::constant(f64::from(self.period))
     }
 
-    /// Subtracts whole periods of the motion from a phase `t` in half-turns (π rad). Returns the phase within the
-    /// period.
+    /// Returns the phase `t` within the period of the motion. The function subtracts whole periods. Both phases are in
+    /// half-turns (π rad).
     fn within(&self, t: S) -> S {
         let whole = self.cycles() * S::constant(2.0);
         t - (t / whole).floor() * whole
@@ -216,10 +218,11 @@ where
         })
     }
 
-    /// Returns the contact state at the phase τ in rad, and the friction force divided by P. At τ = 0 the contact
-    /// leaves its largest relative displacement. While the contact slides, the result is β times the sign of the
-    /// velocity. While the contact sticks, the result is the force that keeps the contact at rest. A positive force
-    /// opposes positive sliding.
+    /// Returns the contact state and the friction force at the phase τ in rad. The force is divided by P (by k₁Y for
+    /// base motion). At τ = 0 the contact leaves its largest relative displacement. While the contact slides, the
+    /// force is β times the sign of the velocity. While a rigid contact sticks, it is the force that keeps the contact
+    /// at rest. While an elastic contact sticks, it is the force of the contact's spring. A positive force opposes
+    /// positive sliding.
     pub fn friction(&self, tau: S) -> (Contact, S) {
         let Some((mut segments, mark, since)) = Segments::at(self, tau) else {
             return (Contact::Stuck, S::constant(0.0));
@@ -235,14 +238,13 @@ where
         (contact, force.local(since).value)
     }
 
-    /// Returns true if the motion repeats with the opposite sign after half a period. This holds for the contact and
-    /// for every mass.
+    /// Returns true if the motion of the contact and of every mass repeats with the opposite sign after half a period.
     #[must_use]
     pub fn is_symmetric(&self) -> bool {
         self.symmetric
     }
 
-    /// Returns the Floquet multipliers. They are the factors by which small deviations from the steady state grow in a
+    /// Returns the Floquet multipliers of the steady state: the factors by which small deviations from it grow in a
     /// period. The list includes only deviations of modes that the contact drives. The slice is empty if the motion
     /// does not repeat.
     #[must_use]
@@ -277,8 +279,8 @@ where
     }
 
     /// Returns the largest absolute offset of the contact in the continuum of steady states, in units of P/k₁ (of the
-    /// base amplitude Y for base motion). Every state of the continuum has an offset between minus and plus this bound.
-    /// A bound exists for a stuck contact. It also exists for a chain without damping at r = 1/(2n), with n = 1, 2, ….
+    /// base amplitude Y for base motion). Every state of the continuum has an offset between minus and plus this
+    /// bound. A bound exists for a stuck contact, and for a chain without damping at r = 1/(2n), with n = 1, 2, ….
     /// Returns `None` for other states, or if the bound is unknown.
     #[must_use]
     pub fn offset_range(&self) -> Option<S> {
@@ -322,8 +324,9 @@ where
         OrbitMotion::of_reversed_contact(self)
     }
 
-    /// Returns the mode shapes of all masses, and the number of modes. The shapes are in one slice, mass after mass.
-    /// The modes are those of the [`Dynamics`](crate::motion::Dynamics) data.
+    /// Returns the mode shapes of all masses in one slice, and the number of modes. The components of the first mass
+    /// in all modes come first, then those of the second mass, and so on. The modes are those of the
+    /// [`Dynamics`](crate::motion::Dynamics) data.
     pub fn shapes(&self) -> (&'a [S], usize) {
         let dynamics = &self.setting.dynamics;
         (dynamics.shapes, dynamics.modes.len())

@@ -152,10 +152,10 @@ where
         })
     }
 
-    /// Returns the complex amplitude X of the component of order k/[`period`](Orbit::period). The component adds Re X
-    /// e^{ikτ_e/period} to x̄, and has k oscillations in a period of the motion. If k is a multiple of the period, the
-    /// component is a [`harmonic`](Self::harmonic). The phase τ_e is 0 at the maximum of the excitation closest to τ =
-    /// 0.
+    /// Returns the complex amplitude X of a subharmonic component, which has k oscillations in a period of the motion.
+    /// The component adds Re X e^{ikτ_e/n} to x̄, where n is the [`period`](Orbit::period) in cycles of the
+    /// excitation. If k is a multiple of n, the component is a [`harmonic`](Self::harmonic). The phase τ_e is 0 at the
+    /// maximum of the excitation closest to τ = 0.
     pub fn subharmonic(&self, k: u32) -> Complex<S> {
         let order = S::constant(f64::from(k)) / self.orbit.cycles();
         self.component(order, k == 0, |mark| self.orbit.angle(mark))
@@ -405,7 +405,7 @@ impl<S: Float> LargestDisplacement<S> {
 mod tests {
     use super::LargestDisplacement;
 
-    /// Returns the lag in half-turns after the values at two instants, in both orders.
+    /// Returns the recorded lags in half-turns (π rad) for two values, in both orders of the values.
     fn lags(values: [(f64, f64); 2]) -> [f64; 2] {
         let [first, second] = values;
         [[first, second], [second, first]].map(|values| {
@@ -420,8 +420,8 @@ mod tests {
         })
     }
 
-    /// Checks that of two equal maxima the lag of smaller size counts, and of two lags of equal size the positive one.
-    /// Rounding must not decide.
+    /// Checks the lag that is kept if two maxima are equal: the lag of smaller size. If both lags have the same size,
+    /// the positive lag counts. Rounding must not decide.
     #[test]
     fn of_equal_maxima_the_positive_lag() {
         let [first, second] = lags([(0.3, 2.0), (1.7, 2.0 * (1.0 + 1e-15))]);

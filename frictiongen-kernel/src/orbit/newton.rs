@@ -12,8 +12,8 @@ const NEWTON_STEPS: u32 = 12;
 
 /// Largest relative difference at which two computations of the same state or instant are treated as equal.
 const AGREEMENT: f64 = 1e-9;
-/// Smallest tolerance with which the code compares two computations, in rounding units. The tolerance is large because
-/// the rounding errors of all events of a cycle add up. It exceeds `AGREEMENT` only in `f32`.
+/// Smallest tolerance for the comparison of two computations, in rounding units. The tolerance is large because the
+/// rounding errors of all events of a cycle add up. It exceeds `AGREEMENT` only in `f32`.
 const AGREEING_ROUNDINGS: f64 = 1024.0;
 /// Largest size at which a Newton step counts as small, divided by the size of the state.
 const SMALL_STEP: f64 = 1e-11;
@@ -30,12 +30,12 @@ const QUADRATIC: f64 = 1e-9;
 /// Lower bound for the size of a state, so that a division by the size stays finite.
 const SMALLEST_SCALE: f64 = 1e-290;
 
-/// Returns the largest relative difference between two numbers that may be caused by rounding alone.
+/// Returns the largest relative difference of two numbers that the code attributes to rounding alone.
 pub(super) fn agreement<S: Float>() -> S {
     S::constant(AGREEMENT.max(AGREEING_ROUNDINGS * S::EPSILON))
 }
 
-/// Returns the largest difference between two states of size `scale` that may be caused by rounding alone.
+/// Returns the largest difference of two states of size `scale` that the code attributes to rounding alone.
 pub(super) fn same<S: Float>(scale: S) -> S {
     scale * agreement::<S>()
 }
@@ -160,8 +160,8 @@ pub(super) fn newton<S: Float, K: ContactChain<S>>(
     Ok(None)
 }
 
-/// Applies the map to the state of the cycle map and to its deviations. Returns the state of the contact after the map,
-/// and the events during the map.
+/// Applies the map to the state of the cycle map, and its linearisation to the deviations in `columns`. Returns the
+/// state of the contact after the map, and the events during the map.
 pub(super) fn mapped<S: Float, K: ContactChain<S>>(
     cycle_map: &mut CycleMap<'_, '_, S, K>,
     columns: &mut [S],

@@ -1,8 +1,8 @@
 //! Records a steady state, segment by segment.
 //!
-//! A record has room for [`MAX_SEGMENTS`] marks. A mark is the start of a segment. If a period has more segments, the
-//! record keeps every second mark, then every fourth, and so on. The code recomputes a segment without a mark when it
-//! needs the segment.
+//! In a segment the contact either sticks, or slides in one direction. A mark is the stored start of a segment. A
+//! record has room for [`MAX_SEGMENTS`] marks. If a period has more segments, the record keeps every second mark, then
+//! every fourth, and so on. The code recomputes a segment without a mark when it needs the segment.
 
 use super::cycle_map::CycleMap;
 use super::newton::agreement;
@@ -118,7 +118,8 @@ impl<'s, S: Float> OrbitRecord<'s, S> {
         Ok(())
     }
 
-    /// Returns the start of the segment that now begins. Stores the state of the oscillators if the start is a mark.
+    /// Returns the start of the segment that now begins. If the record keeps this start as a mark, the function stores
+    /// the state of the oscillators.
     fn begin<K: ContactChain<S>>(
         &mut self,
         cycle_map: &CycleMap<'_, '_, S, K>,
@@ -145,7 +146,7 @@ impl<'s, S: Float> OrbitRecord<'s, S> {
         }
     }
 
-    /// Returns true if the start of the next segment is a mark.
+    /// Returns true if the record must keep the start of the next segment as a mark.
     fn is_due(&self) -> bool {
         let last = self.count.checked_sub(1);
         let last = last.and_then(|last| self.marks.get(last));
@@ -171,7 +172,7 @@ impl<'s, S: Float> OrbitRecord<'s, S> {
         }
     }
 
-    /// Removes every second mark. Half of the room is then free again.
+    /// Removes every second mark from a full record, so that half of the record is free again.
     fn thin(&mut self) {
         let (half, size) = (MAX_SEGMENTS / 2, self.size);
         for index in 0..half {
@@ -221,8 +222,8 @@ impl<'s, S: Float> OrbitRecord<'s, S> {
     }
 }
 
-/// Returns the largest time (in rad of the excitation, τ) by which rounding may make a segment longer than the rest of
-/// the period.
+/// Returns the tolerance for the end of the period: the largest time by which rounding may make a segment longer than
+/// the rest of the period. The time is in rad of the excitation (τ).
 pub(super) fn slack<S: Float>() -> S {
     agreement()
 }

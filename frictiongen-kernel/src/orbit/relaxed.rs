@@ -1,11 +1,12 @@
-//! Implicit Euler method from cycle to cycle. The search uses this method for motions that approach their steady state
-//! very slowly.
+//! Implicit Euler method for motions that approach their steady state very slowly. One step of the method can replace
+//! many cycles.
 //!
 //! Very slow motions occur close to a resonance of the masses that the contact does not move. In most cycles of such a
-//! motion the events are not those of the steady state, so that Newton's method alone does not converge. With μ = 1 the
-//! distance between two motions never grows. Each step x′ = x + (F(x′) − x′)/σ therefore has exactly one solution x′.
-//! Here x is the state before the step, x′ the state after the step, F the half-cycle map, and 1/σ the step length. For
-//! any step length, x′ is closer to the steady state than x.
+//! motion the events are not those of the steady state, so that Newton's method alone does not converge.
+//!
+//! The Euler step from the state x to the state x′ is x′ = x + (F(x′) − x′)/σ, where F is the half-cycle map and 1/σ
+//! the step length. With μ = 1 the distance between two motions never grows. The equation therefore has exactly one
+//! solution x′ for any step length, and x′ is closer to the steady state than x.
 
 use super::cycle_map::{CycleMap, unit};
 use super::newton::{PeriodMap, Workspace, mapped, negate};
@@ -19,17 +20,17 @@ use crate::number::scalar::Float;
 const MOST_STEPS: u32 = 64;
 /// Largest number of Newton steps within one Euler step.
 const NEWTON_STEPS: u32 = 10;
-/// Size of the last Newton step at which an Euler step is accurate enough, divided by the length of the whole Euler
-/// step.
+/// Largest size of a Newton step at which the Euler step counts as solved, divided by the change of the state in the
+/// Euler step.
 const SMALL: f64 = 1e-3;
-/// First value of σ, the inverse of the step length. The Euler step is then 16 half cycles long.
+/// First value of σ, the inverse of the length of an Euler step. The first Euler step is 16 half cycles long.
 const FIRST_SHIFT: f64 = 0.0625;
 /// Factor by which the code multiplies σ after a successful Euler step. A smaller σ makes the next step longer.
 const LONGER: f64 = 0.25;
 /// Factor by which the code multiplies σ after a failed Euler step. A larger σ makes the next attempt shorter.
 const SHORTER: f64 = 8.0;
-/// Largest value of σ, the inverse of the step length. With σ = 64 an Euler step is 1/64 of a half cycle long. The
-/// method ends if a step fails and the next σ would exceed this value.
+/// Largest value of σ, the inverse of the length of an Euler step. With σ = 64 an Euler step is 1/64 of a half cycle
+/// long. The method ends if a step fails and the next σ would exceed this value.
 const LARGEST_SHIFT: f64 = 64.0;
 /// Relative change of the state in half a cycle below which the search continues with Newton's method on the half-cycle
 /// map.
@@ -64,7 +65,8 @@ pub(super) fn relax<S: Float, K: ContactChain<S>>(
     Ok(())
 }
 
-/// Makes one Euler step from the state `last`. Returns false if Newton's method does not find the state after the step.
+/// Makes one Euler step from the state `last`. `shift` is σ, the inverse of the step length. Returns false if Newton's
+/// method does not find the state after the step.
 fn step<S: Float, K: ContactChain<S>>(
     cycle_map: &mut CycleMap<'_, '_, S, K>,
     workspace: &mut Workspace<'_, S>,

@@ -13,7 +13,7 @@ use core::ops::Deref;
 /// same.
 const ALIKE: f64 = 1e-6;
 
-/// Numbers of a steady state with which the code compares it to another steady state.
+/// Numbers by which the code recognises a steady state that it has already found.
 #[derive(Clone, Copy, Debug)]
 pub struct Print<S> {
     sticks: bool,
@@ -50,8 +50,8 @@ where
 }
 
 impl<S: Float> Print<S> {
-    /// Returns true if two steady states are the same. The code always treats two stuck states as the same, because the
-    /// stuck states form one continuum with different offsets.
+    /// Returns true if two steady states agree within the tolerance [`ALIKE`]. The code always treats two stuck states
+    /// as the same, because the stuck states form one continuum with different offsets.
     pub(super) fn is_alike(&self, other: &Self) -> bool {
         let near = |(a, b): (&S, &S)| (*a - *b).abs() <= a.abs().max(b.abs()) * S::constant(ALIKE);
         let mut sizes = self.sizes.iter().zip(&other.sizes);

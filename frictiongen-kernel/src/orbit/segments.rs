@@ -1,7 +1,7 @@
 //! Iterates over the segments of a steady state.
 //!
-//! A *mark* is a segment whose initial state is stored. If a period has many segments, only some segments are marks.
-//! The iterator recomputes the segments between two marks.
+//! In a segment the contact either sticks, or slides in one direction. A *mark* is the stored start of a segment. If a
+//! period has many segments, only some of them have a mark. The iterator recomputes the segments between two marks.
 
 use super::cycle_map::MOST_EVENTS;
 use super::record::{passed, slack, within};
@@ -46,8 +46,9 @@ where
         }
     }
 
-    /// Returns the segment that contains the instant τ, and the phase from the start of this segment to τ in rad. τ = 0
-    /// is the origin of the orbit.
+    /// Returns the segment that contains the instant τ, with an iterator that has just returned it. The third result
+    /// is the time from the start of the segment to τ, in rad of the excitation. At τ = 0 the contact leaves its
+    /// largest relative displacement.
     pub(super) fn at(
         orbit: &'o Orbit<'a, S, P, V, C, K>,
         tau: S,
@@ -97,8 +98,8 @@ where
         parts.as_mut()
     }
 
-    /// Returns true if the next segment is not a mark. The iterator then computes it from the segment that it has
-    /// returned last.
+    /// Returns true if the next segment has no mark (stored start). The iterator then computes the segment from the
+    /// one that it has returned last.
     pub(super) fn follows(&self) -> bool {
         0 < self.more
     }

@@ -1,5 +1,5 @@
-//! Searches for the steady state as a fixed point of a map. The map is the half-period map times −1, or the period map.
-//! The period is one or several cycles of the excitation.
+//! Searches for the steady state as a fixed point of a map. The map advances a state by one period, or by half a
+//! period with a change of sign. The period is one or several cycles of the excitation.
 
 use super::candidate::{Candidate, CandidateVerdict, FoundState, MAX_PERIOD};
 use super::cycle_map::{CycleMap, EventPattern};
@@ -17,14 +17,14 @@ use crate::number::scalar::Float;
 const MAX_CYCLES_NEAR: u32 = 128;
 /// Largest number of possible periods that one search for a subharmonic state tests.
 const MOST_TRIED: u32 = 3;
-/// Number of cycles after which the search first tests for a subharmonic state.
+/// Number of cycles that the search follows before it first tests for a subharmonic state.
 const FIRST_ASKED: u32 = 16;
 /// Limit for a possible period n: the largest difference between two states n cycles apart, divided by the size of the
 /// motion.
 const NEARLY_BACK: f64 = 1e-2;
 /// Limit for a possible period n: the largest distance between two states n cycles apart, divided by the smallest
-/// distance after fewer than n cycles. After n cycles the motion thus comes back much closer to its state than after
-/// any smaller number of cycles.
+/// distance after fewer than n cycles. The limit is small, so that n cycles bring the motion much closer to its
+/// present state than any smaller number of cycles.
 const NEARER: f64 = 0.1;
 
 impl<S> Start<'_, S> {
@@ -265,9 +265,9 @@ fn repeats_sooner<S: Float, K: ContactChain<S>>(
     Ok(sooner)
 }
 
-/// Finds the number of cycles after which the motion returns close to its present state. The number is more than
-/// `after` and at most `most`. No smaller number brings the motion as close to its present state. Returns the number,
-/// and the events during these cycles.
+/// Finds the number of cycles after which the motion returns close to its present state, with the events during these
+/// cycles. The number is more than `after` and at most `most`. No smaller number of cycles brings the motion as close.
+/// Returns `None` if no such number exists.
 fn comes_back<S: Float, K: ContactChain<S>>(
     cycle_map: &mut CycleMap<'_, '_, S, K>,
     workspace: &mut Workspace<'_, S>,

@@ -20,8 +20,8 @@ pub enum Start<'s, S> {
     State(&'s [S], &'s [S]),
     /// The contact sticks at z̄ = 0. This state exists for β ≥ β*_lim.
     Stuck,
-    /// The state of the closed form at the given friction ratio. At the β of the search the motion from this state may
-    /// differ from the closed form.
+    /// The state of the closed form at the given friction ratio. The search may have another β. The motion from this
+    /// state then differs from the closed form.
     ClosedForm(S),
     /// The state of a motion from rest that has run at the given neighbouring friction ratio for some cycles.
     Neighbour(S),
@@ -74,7 +74,8 @@ impl<S: Float> Start<'_, S> {
         Ok(())
     }
 
-    /// Returns this initial state, or an error if it does not exist at the given β.
+    /// Returns this initial state, or an error if it does not exist at the given β. `holds` is true if a stuck state
+    /// exists at this β.
     pub(super) fn checked(self, holds: bool) -> Result<Self, OutOfDomain> {
         if self == Self::Stuck && !holds {
             return Err(OutOfDomain::StuckStart);

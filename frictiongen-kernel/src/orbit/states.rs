@@ -10,7 +10,8 @@ use core::fmt;
 
 /// Largest number of initial states in a search for steady states.
 const STARTS: usize = 9;
-/// Ratios β/β_lim at which the closed form gives an initial state, if the β of the search is at least β_lim.
+/// Friction ratios, divided by β_lim, at which the closed form gives an initial state. The search uses them if its own
+/// β is at least β_lim, because no closed form exists at this β.
 const FORMER: [f64; 2] = [0.98, 0.5];
 /// Factors by which the code multiplies β. Motions at the resulting neighbouring friction ratios give some initial
 /// states of the search.

@@ -11,12 +11,12 @@ pub const MAX_SEGMENTS: usize = 64;
 /// Largest number of cycles that the search follows from rest or from a given state.
 pub const MAX_CYCLES: u32 = 1024;
 
-/// Largest number of steps that all searches for events may take in one search for a steady state. Ordinary scenes need
-/// far fewer steps. A scene whose modes are a thousand times as fast as the excitation would need this number in every
-/// cycle.
+/// Largest number of steps that the searches for events may take together in one search for a steady state. Ordinary
+/// scenes need far fewer steps. A scene whose modes are a thousand times as fast as the excitation would need this
+/// number in every cycle.
 pub const MAX_STEPS: u32 = 1 << 20;
 
-/// Start of one segment of the period.
+/// Start of one segment of the period. In a segment the contact either sticks, or slides in one direction.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct SegmentStart<S> {
     /// State of the contact at the start of the segment. It includes the phase of the excitation within its cycle.
@@ -27,7 +27,8 @@ pub(super) struct SegmentStart<S> {
     pub(super) length: S,
     /// Relative displacement z̄ of the contact at the start of the segment.
     pub(super) relative: S,
-    /// Number of segments after this segment that are not stored. The code recomputes these segments from this segment.
+    /// Number of further segments before the next stored segment. The code recomputes these segments from this
+    /// segment.
     pub(super) more: u32,
 }
 
@@ -72,8 +73,8 @@ impl<S: Float> SegmentStart<S> {
 /// A steady state. Its motion repeats after one cycle of the excitation, or after [`Orbit::period`] cycles.
 ///
 /// `P` owns the oscillators. `V` owns the scalars of memory ([`numbers`](super::numbers)). `C` owns the Floquet
-/// multipliers, two for each mode that the contact drives. All three are arrays in emitted code and vectors at run
-/// time.
+/// multipliers: two for each mode that the contact drives, and one more for an elastic contact. All three are arrays
+/// in emitted code and vectors at run time.
 #[derive(Clone, Debug)]
 pub struct Orbit<'a, S, P, V, C, K = Chain<S>> {
     pub(super) setting: MotionSetting<'a, S, K>,

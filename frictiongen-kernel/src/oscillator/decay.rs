@@ -167,9 +167,9 @@ pub(crate) fn turn<S: Float>(kind: Kind, zeta: S, q: S, x: S, (t, tau): (S, S)) 
     }
 }
 
-/// Returns the two factors e^{x(−ζ ± iq)τ} by which the free motion of a mode grows or decays. Each factor belongs to
-/// one of the two complex solutions of the free motion. x is the natural frequency divided by the excitation frequency,
-/// and τ is the time of the argument `turn`.
+/// Returns the two factors e^{x(−ζ ± iq)τ} by which the two complex solutions of a mode's free motion change during
+/// the time τ. x is the natural frequency divided by the excitation frequency, and τ is the time of the argument
+/// `turn`.
 pub(crate) fn multipliers<S: Float>(kind: Kind, q: S, turn: &Turn<S>) -> [Complex<S>; 2] {
     let im = q * turn.s;
     match kind {

@@ -1,10 +1,9 @@
 //! One mode of the chain: its constants, and its response and damping functions at a frequency.
 //!
 //! Every function of a single mode depends on x = √λ/r, the natural frequency of the mode divided by the excitation
-//! frequency. The code rounds x once. The response v and the half-period damping functions u and g (7.11, 7.12)
-//! therefore stay consistent close to x = 1, where v and u of an undamped mode have a pole. The code multiplies sums
-//! over modes by the *scale* E, the smallest |x² − 1 + 2iζx| of the chain. All sums are then finite on a resonance and
-//! close to it.
+//! frequency. The code rounds x once. The response v and the damping functions u and g (7.11, 7.12) therefore stay
+//! consistent close to x = 1, where v and u of an undamped mode have a pole. The code multiplies sums over modes by
+//! the *scale* E, the smallest |x² − 1 + 2iζx| of the chain. All sums are then finite on a resonance and close to it.
 
 pub use super::values::ModeResponse;
 use super::values::denominator;
@@ -39,7 +38,8 @@ pub struct Mode<S> {
     pub resonance: S,
     /// Damping ratio ζ of the mode.
     pub zeta: S,
-    /// Damped natural frequency of the mode divided by its undamped natural frequency, q = √|1 − ζ²|.
+    /// q = √|1 − ζ²|. Below critical damping, q is the damped natural frequency of the mode divided by the undamped
+    /// natural frequency.
     pub q: S,
     /// 1 − q, with full relative accuracy, where q = √(1 − ζ²). Only modes of [`Kind::Light`] use this number.
     pub q_defect: S,
@@ -132,8 +132,8 @@ impl<S: Scalar> Mode<S> {
         }
     }
 
-    /// Returns |x² − 1| + 2ζx of a mode whose kind of damping the caller knows, where x = √λ/r. For an undamped mode at
-    /// its resonance the result is exactly 0.
+    /// Returns |x² − 1| + 2ζx of a mode whose kind of damping the caller knows, where x = √λ/r. For an undamped mode
+    /// at its resonance the result is exactly 0, unlike the tiny number that [`size`](Self::size) returns.
     #[inline(always)]
     pub(crate) fn size_but_zero(&self, kind: Kind, inverse_r: S) -> S {
         let x = self.resonance * inverse_r;

@@ -49,8 +49,9 @@ pub(super) fn response<S: Scalar>(
         at,
     );
     let a = -(-(S::constant(2.0) * pi * zeta * x)).exp_m1() * k;
-    // `defect` is 1 − e^{−2πζx} − (ζ/q)(e^{−slow} − e^{−fast}). The code writes `defect` with terms of the third order
-    // in x. The subtracted term is at most two thirds of the sum of the other terms.
+    // `defect` is 1 − e^{−2πζx} − (ζ/q)(e^{−slow} − e^{−fast}). The code computes `defect` from terms of the third
+    // order in x, so that no larger terms cancel. The subtracted term is at most two thirds of the sum of the other
+    // terms.
     let defect = if with_g {
         let half = S::constant(0.5);
         let minus_one =

@@ -177,9 +177,9 @@ impl<T: Scene> At<T> {
         &self.modes
     }
 
-    /// Searches for the velocity constraint max(S, H_c + μm*/r²), on which β_lim depends (5.54, 7.36). S is the maximum
-    /// of a sum over the modes in the half period. H_c + μm*/r² comes from the break-away condition at a reversal. The
-    /// result is multiplied by r² and by the scale E of [`ContactAt`].
+    /// Searches for max(S, H_c + μm*/r²), on which β_lim depends (5.54, 7.36). The velocity constraint S is the
+    /// maximum of F/sin τ in the half period, where F is a sum over the modes. H_c + μm*/r² comes from the break-away
+    /// condition at a reversal. The result is multiplied by r² and by the scale E of [`ContactAt`].
     #[must_use]
     pub fn velocity_constraint(&self) -> Peak<T::Scalar> {
         let numbers = self.scene.numbers();
@@ -190,13 +190,13 @@ impl<T: Scene> At<T> {
         })
     }
 
-    /// Returns the largest numbers of evaluations in one search at this frequency ratio r. The numbers are also upper
-    /// bounds at every larger r.
+    /// Returns upper bounds on the number of evaluations of the modal sum in one search, at this frequency ratio r and
+    /// at every larger r.
     ///
     /// The bounds at the smallest r of a sweep are therefore valid for the whole sweep. For slow modes, the bound is
     /// 256 evaluations for β_lim and 1024 for an amplitude. Fast modes increase each bound by max √λ(1 + 2ζ)/(16r)
-    /// evaluations. This increase is one evaluation for every 16 half turns of the fastest mode in a half period. No
-    /// bound exceeds [`MAX_EVALUATIONS`](search::MAX_EVALUATIONS).
+    /// evaluations. Without damping, this increase is one evaluation for every 16 half turns of the fastest mode in a
+    /// half period. No bound exceeds [`MAX_EVALUATIONS`](search::MAX_EVALUATIONS).
     ///
     /// A search stops before its evaluations would exceed the bound, and then reports [`Effort::Exceeded`]. In an
     /// undamped scene β_lim needs no search for r ≥ √λ_max/2, where √λ_max is the largest resonance. Searches usually
@@ -239,9 +239,9 @@ impl<T: Scene> At<T> {
     /// without damping, a search is needed only if the excitation is slower than half the natural frequency of some
     /// mode.
     ///
-    /// [`most_evaluations`](Self::most_evaluations) returns the largest number of evaluations of the modal sum.
-    /// [`limits_searched`](Self::limits_searched) returns how many evaluations the search took, and whether the search
-    /// is complete.
+    /// [`most_evaluations`](Self::most_evaluations) returns an upper bound on the evaluations of the modal sum in the
+    /// search. [`limits_searched`](Self::limits_searched) returns how many evaluations the search took, and whether
+    /// the search is complete.
     #[must_use]
     pub fn continuous_limit(&self) -> T::Scalar {
         if self.is_elastic() {
@@ -253,15 +253,16 @@ impl<T: Scene> At<T> {
     /// Returns the limits β_lim and β*_lim, with one search. The result gives the regime and the margin at any β
     /// without another search.
     ///
-    /// [`most_evaluations`](Self::most_evaluations) returns the largest number of evaluations in this search, at this r
-    /// and at every larger r. [`limits_searched`](Self::limits_searched) also returns how many evaluations the search
-    /// took.
+    /// [`most_evaluations`](Self::most_evaluations) returns an upper bound on the evaluations in this search, at this
+    /// r and at every larger r. [`limits_searched`](Self::limits_searched) also returns how many evaluations the
+    /// search took.
     #[must_use]
     pub fn limits(&self) -> Limits<T::Scalar> {
         self.limits_searched().0
     }
 
-    /// Returns the limits β_lim and β*_lim, and the number of evaluations that the search for β_lim took.
+    /// Returns the limits β_lim and β*_lim, and the number of evaluations that the search for β_lim took. [`Effort`]
+    /// also tells whether the search is complete.
     #[must_use]
     pub fn limits_searched(&self) -> (Limits<T::Scalar>, Effort) {
         if self.is_elastic() {
@@ -279,8 +280,9 @@ impl<T: Scene> At<T> {
         (limits, peak.effort())
     }
 
-    /// Returns an upper bound on β_lim without a search. The formula replaces the velocity constraint S by its limit
-    /// for τ → 0 (5.64). The bound is equal to β_lim if S is largest at the start of the half period.
+    /// Returns an upper bound on β_lim without a search. The formula replaces max(S, H_c + μm*/r²) by the break-away
+    /// term H_c + μm*/r² (5.64), where S is the velocity constraint. The bound is equal to β_lim if S does not exceed
+    /// the break-away term.
     #[inline]
     #[must_use]
     pub fn continuous_limit_without_search(&self) -> T::Scalar {
@@ -317,8 +319,8 @@ impl<T: Scene> At<T> {
         sliding_with_ends(&self.scene, self.r, limit)
     }
 
-    /// Returns the amplitude of the contact force in the stuck state, if masses on the other side of the contact act as
-    /// an absorber. Returns `None` if no mass acts as an absorber.
+    /// Returns the amplitude of the contact force in the stuck state, if masses beyond the contact (seen from the
+    /// load) act as an absorber. Returns `None` if no mass acts as an absorber.
     #[inline]
     pub(super) fn absorbed_force(&self) -> Option<T::Scalar> {
         let numbers = self.scene.numbers();

@@ -22,12 +22,13 @@ pub struct Friction<S> {
     pub unscale: S,
 }
 
-/// Fundamental component of a motion at the excitation frequency, as coefficients of cos τ and sin τ.
+/// Coefficients of cos τ and sin τ in the closed form of a motion. The closed form also contains one term for each
+/// mode.
 #[derive(Clone, Copy, Debug)]
 pub struct Fundamental<S> {
-    /// Coefficient of cos τ in the fundamental component of the displacement.
+    /// Coefficient of cos τ in the closed form of the displacement.
     pub cosine: S,
-    /// Coefficient of sin τ in the fundamental component of the displacement.
+    /// Coefficient of sin τ in the closed form of the displacement.
     pub sine: S,
     /// Complex response V_k of mass k to the load in the chain without friction.
     pub response: Complex<S>,
@@ -55,12 +56,13 @@ pub struct ModalCoefficients<S> {
     /// vibration of the mode after a unit displacement. x = 1/R is the natural frequency of the mode divided by the
     /// excitation frequency.
     pub rise: S,
-    /// Coefficient of the term cos τ − d, by which the mode's static displacement lags behind the excitation. d is the
-    /// free vibration of the mode after a unit displacement. The fundamental component contains the same cos τ with the
-    /// opposite sign. Without damping the coefficient is 0.
+    /// Coefficient of the term cos τ − d, which comes from the damping function g of the mode. d is the free vibration
+    /// of the mode after a unit displacement. [`Fundamental::cosine`] contains the same cos τ with the opposite sign.
+    /// Without damping the coefficient is 0.
     pub fall: S,
-    /// Coefficient of the term sin τ − R q̃, by which the mode lags behind the excitation. q̃ is the free vibration of
-    /// the mode after a unit velocity. R is the excitation frequency divided by the natural frequency of the mode.
+    /// Coefficient of the term sin τ − R q̃, which comes from the damping function u of the mode. q̃ is the free
+    /// vibration of the mode after a unit velocity. R is the excitation frequency divided by the natural frequency of
+    /// the mode.
     pub forced: S,
     /// φ_k(φᵀw)/r², the residue of the mode in the response of mass k to a force in the contact. φ is the mode shape
     /// and w the contact direction. Only the harmonics need this residue.

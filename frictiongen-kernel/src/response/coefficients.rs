@@ -1,16 +1,16 @@
 //! Coefficients of the exact continuous motion at one friction ratio (section 4 of `docs/derivation.md`).
 //!
 //! The response of mode i has a term with V, the response of the contact to the load, and a term with friction. Both
-//! terms have a pole at the mode's resonance, and the poles partly cancel. The formulas therefore use ν = p v/V and κ =
-//! (p v U − w u V)/V. p and w are the products φᵀp and φᵀw of the mode, v is its response, and u and g are its damping
-//! functions. If the terms of mode i would cancel in ν and κ, U and V leave them out.
+//! terms have a pole at the mode's resonance, and the poles partly cancel. The formulas therefore use ν = p v/V and κ
+//! = (p v U − w u V)/V. p and w are the products φᵀp and φᵀw of the mode, v is its response, and u and g are its
+//! damping functions. Where the terms of mode i itself would cancel in ν and κ, the code leaves them out of U and V.
 //!
-//! The formula of the motion of mass k then has no cancellation: x̄_k = Re[Q ρ e^{iτ}] + β Im[κ e^{iτ}] + β Σ φ_k w [
-//! (1 − d) − g d + uR²(sin τ − …) ]. Here ρ = V_k/V and Q = √(|V|² − β²U²), and d is the free vibration of the mode
-//! after a unit displacement.
+//! The formula of the motion of mass k then has no cancellation: x̄_k = Re[Q ρ e^{iτ}] + β Im[Σ φ_k κ e^{iτ}] + β Σ
+//! φ_k w [ (1 − d) − g d + uR²(sin τ − …) ]. Here ρ = Σ φ_k ν = V_k/V and Q = √(|V|² − β²U²). φ_k is the component of
+//! mass k in the mode shape. d is the free vibration of the mode after a unit displacement.
 //!
 //! Close to a damped resonance, the terms g d and Qρ are large and nearly proportional to cos τ. The code therefore
-//! adds −g cos τ to the fundamental component. The small term g (cos τ − d) remains.
+//! adds −g cos τ to the coefficient of cos τ. The small term g (cos τ − d) remains.
 
 pub use super::coefficient_types::{Friction, Fundamental, ModalCoefficients};
 use crate::contact::dominant::{DominantParts, DominantSums, Partner};
@@ -81,8 +81,8 @@ impl<S: Scalar> Chain<S> {
         }
     }
 
-    /// Returns the fundamental component of the contact's relative motion. The component is a cosine with the amplitude
-    /// of the contact, because the contact is at its maximum at τ = 0.
+    /// Returns the coefficients of cos τ and sin τ in the closed form of the contact's relative motion. The
+    /// coefficient of cos τ is the amplitude, and that of sin τ is 0, because the contact has its maximum at τ = 0.
     #[inline]
     pub fn contact_fundamental(
         &self,
@@ -148,8 +148,8 @@ impl<S: Scalar> Chain<S> {
     }
 
     /// Returns the response and damping functions of a mode. For a mass-controlled mode (resonance far below the
-    /// excitation frequency) u and g are 0 in the result. The response of such a mode is a single function that already
-    /// contains u and g.
+    /// excitation frequency) u and g are 0 in the result. The response of such a mode to friction is a single function
+    /// that already contains the effects of u and g.
     fn without_parts(&self, mode: &Mode<S>, at: &ModeAt<S>, index: usize) -> ModeAt<S> {
         let (slow, zero) = (
             is_mass_controlled(mode.kind, mode.zeta, at.x),
@@ -175,8 +175,8 @@ impl<S: Scalar> Chain<S> {
         }
     }
 
-    /// Returns the fundamental component of the motion of mass k. `shape` contains the component of mass k in each mode
-    /// shape.
+    /// Returns the coefficients of cos τ and sin τ in the closed form of the motion of mass k. `shape` contains the
+    /// component of mass k in each mode shape.
     pub fn fundamental(
         &self,
         shape: &[S],
@@ -189,8 +189,8 @@ impl<S: Scalar> Chain<S> {
         self.fundamental_loaded(shape, (modes, InPhase), at, contact, friction, inverse_r)
     }
 
-    /// Returns the fundamental component of the motion of mass k in a chain whose modes have loads in quadrature.
-    /// Without loads in quadrature, [`fundamental`](Self::fundamental) returns the same component.
+    /// Returns the coefficients of [`fundamental`](Self::fundamental), for modes with loads in quadrature (90° out of
+    /// phase).
     pub fn fundamental_loaded(
         &self,
         shape: &[S],
@@ -208,9 +208,9 @@ impl<S: Scalar> Chain<S> {
         self.fundamental_of((parts, quadratures), &sums, contact, friction)
     }
 
-    /// Returns the fundamental component of the motion of a mass, summed over the given modes. Each entry of `parts`
-    /// belongs to one mode. The entry consists of the index of the mode, the component of the mass in the mode shape,
-    /// the constants of the mode, and its functions at the frequency ratio r.
+    /// Returns the coefficients of cos τ and sin τ in the closed form of the motion of a mass, summed over the given
+    /// modes. Each entry of `parts` belongs to one mode. The entry consists of the index of the mode, the component of
+    /// the mass in the mode shape, the constants of the mode, and its functions at the frequency ratio r.
     pub(crate) fn fundamental_of<'a>(
         &self,
         (parts, quadratures): (
@@ -394,8 +394,8 @@ impl<S: Scalar> Chain<S> {
         self.stuck_loaded(shape, (modes, InPhase), at, contact, inverse_r)
     }
 
-    /// Returns the complex amplitude of mass k while the contact is stuck, in a chain whose modes have loads in
-    /// quadrature. Without loads in quadrature, [`stuck`](Self::stuck) returns the same amplitude.
+    /// Returns the complex amplitude of mass k while the contact is stuck, for modes with loads in quadrature (90° out
+    /// of phase). Without loads in quadrature, [`stuck`](Self::stuck) returns the same amplitude.
     pub fn stuck_loaded(
         &self,
         shape: &[S],
@@ -410,8 +410,8 @@ impl<S: Scalar> Chain<S> {
         self.stuck_with(shape, (modes, quadratures), at, (contact, &sums), inverse_r)
     }
 
-    /// Returns the complex amplitude of mass k while an elastic contact is stuck, in a chain whose modes have loads in
-    /// quadrature. In the argument `contact`, H includes the compliance of the contact.
+    /// Returns the complex amplitude of mass k while an elastic contact is stuck, for modes with loads in quadrature
+    /// (90° out of phase). In the argument `contact`, H includes the compliance of the contact.
     pub(crate) fn stuck_elastic(
         &self,
         shape: &[S],
@@ -428,8 +428,8 @@ impl<S: Scalar> Chain<S> {
         self.stuck_with(shape, (modes, quadratures), at, (contact, &sums), inverse_r)
     }
 
-    /// Returns the complex amplitude of a mass while the contact is stuck. In the sums over the modes, the terms of the
-    /// dominant mode would cancel. `sums` therefore contains the sums without the dominant mode.
+    /// Returns the complex amplitude of a mass while the contact is stuck. `sums` contains the sums without the
+    /// dominant mode's own terms, because these terms would cancel in the result.
     #[inline]
     fn stuck_with(
         &self,

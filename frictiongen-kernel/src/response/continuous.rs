@@ -19,7 +19,8 @@ pub trait ProvidesMotion: Scene {
     /// Type that `motion` returns. In emitted code this type has one method for each mass.
     type Motion: From<Continuous<Self>>;
 
-    /// Returns the relative motion of the contact. `friction` contains the friction ratio.
+    /// Returns the relative motion of the contact. `friction` contains the friction ratio, and the amplitude and phase
+    /// of the contact.
     #[inline]
     fn contact_motion(at: &At<Self>, friction: &Friction<Self::Scalar>) -> MotionOf<Self> {
         let numbers = at.scene.numbers();
@@ -47,8 +48,8 @@ pub trait ProvidesMotion: Scene {
     }
 }
 
-/// Returns the fundamental component of a motion, and the term of each mode in this motion. `shape` contains the
-/// component of the motion in each mode shape.
+/// Returns the coefficients of cos τ and sin τ in the closed form of a motion, and the term of each mode in this
+/// motion. `shape` contains the component of the motion in each mode shape.
 #[inline]
 fn fundamental_and_waves<T: Scene>(
     at: &At<T>,
@@ -79,14 +80,15 @@ impl<T: ProvidesMotion> At<T> {
     /// whether β is below β_lim, the limit of continuous motion.
     ///
     /// # Errors
-    /// [`NotContinuous`] gives the regime if the motion is not continuous. [`NotContinuous`] is also the error for an
-    /// undamped resonance that is unbounded at this β, and for a β outside the domain.
+    /// [`NotContinuous`] gives the regime if the motion is not continuous. [`NotContinuous`] is also the error if r is
+    /// an undamped resonance at which this β does not bound the amplitude, and for a β outside the domain.
     pub fn motion(&self, beta: T::Scalar) -> Result<T::Motion, NotContinuous> {
         let beta = self.admitted(beta)?;
         Ok(self.kept().closed_form(beta).into())
     }
 
-    /// Checks that the motion at the friction ratio β is continuous and bounded. Returns β.
+    /// Checks that the motion at the friction ratio β is continuous and bounded. Returns β, or 0 at r = ∞ if friction
+    /// has no effect there.
     ///
     /// # Errors
     /// The errors of [`motion`](Self::motion).
@@ -158,8 +160,8 @@ impl<T: ProvidesMotion> Continuous<T> {
 
     /// Returns the relative motion of the contact. For a mass that slides on a wall, the relative motion is the
     /// displacement x̄ of the mass. For a mass that slides on a base, it is x̄ of the mass minus the displacement of
-    /// the base. If two masses slide on each other, it is a difference of their displacements. The first term is x̄ of
-    /// the mass that comes later in the scene description, and the second term x̄ of the other mass.
+    /// the base. If two masses slide on each other, it is a difference: x̄ of the mass that comes later in the scene
+    /// description, minus x̄ of the other mass.
     #[inline]
     #[must_use]
     pub fn contact(&self) -> MotionOf<T> {

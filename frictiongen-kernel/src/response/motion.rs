@@ -104,8 +104,8 @@ impl<S: Float, D: Decay<S>, W: AsRef<[Wave<S, D>]>> Motion<S, D, W> {
 
     /// Returns the amplitude and the phase of this motion from one search, and the number of evaluations in the search.
     ///
-    /// [`At::most_evaluations`](crate::response::At::most_evaluations) is the largest number of evaluations. The motion
-    /// of the contact needs no search.
+    /// [`At::most_evaluations`](crate::response::At::most_evaluations) returns an upper bound on the number of
+    /// evaluations. The motion of the contact needs no search.
     pub fn largest(&self) -> Largest<S> {
         if self.is_contact {
             return Largest {

@@ -27,8 +27,9 @@ pub struct Numbers<'a, S> {
     pub ends: Ends<S>,
     /// Index of the mass that slides on a wall or base. `None` if two masses slide on each other.
     pub rubbing: Option<usize>,
-    /// True if the masses on the other side of a stuck contact may act as an absorber. V and H may then vanish at the
-    /// same frequency. V is the response of the contact to the load, and H its response to a force in the contact.
+    /// True if the masses beyond a stuck contact (seen from the load) may act as an absorber. V and H may then vanish
+    /// at the same frequency. V is the response of the contact to the load, and H its response to a force in the
+    /// contact.
     pub absorbs: bool,
     /// Frequency ratios of the undamped resonances that the load drives. At these frequency ratios the response may be
     /// unbounded.

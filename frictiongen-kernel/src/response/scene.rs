@@ -31,7 +31,7 @@ pub trait Scene: Clone {
     /// does not provide the motion of this mass.
     fn shape(&self, mass: usize) -> Option<&[Self::Scalar]>;
 
-    /// Returns the loads in quadrature with the motion of the base, in the form of
+    /// Returns the loads in quadrature (90° out of phase) with the motion of the base, in the form of
     /// [`Quadratures`](crate::contact::quadrature). If no damping acts on velocities relative to the moving base, the
     /// list is empty.
     #[inline]
@@ -66,9 +66,9 @@ pub trait Scene: Clone {
     /// frequency ratio.
     fn frequency_stage(&self, inverse_r: Self::Scalar) -> (ContactAt<Self::Scalar>, Self::Modes);
 
-    /// Returns the contact's sums of [`frequency_stage`](Self::frequency_stage), but not the functions of the modes and
-    /// not the sum G. G is the displacement of the contact that friction causes at a reversal. The limits β_lim and
-    /// β*_lim do not need G.
+    /// Returns the contact's sums of [`frequency_stage`](Self::frequency_stage), but not the functions of the modes
+    /// and not the sum G. G is the displacement at a reversal that a square wave of friction of unit amplitude causes
+    /// in the contact. The limits β_lim and β*_lim do not need G.
     #[inline]
     fn contact_without_g(&self, inverse_r: Self::Scalar) -> ContactAt<Self::Scalar> {
         self.frequency_stage(inverse_r).0
@@ -79,7 +79,8 @@ pub trait Scene: Clone {
     fn idle(&self) -> Self::Waves;
 
     /// Copies the response and damping functions of the modes, so that a motion can own the copy. The code generator
-    /// writes a plain copy. If a compiler optimises for size, `clone` becomes a slow loop over the modes.
+    /// writes a plain copy of the array instead, because a compiler that optimises for size makes a slow loop from
+    /// `clone`.
     #[inline]
     fn kept(modes: &Self::Modes) -> Self::Modes {
         modes.clone()
@@ -92,17 +93,18 @@ pub trait Scene: Clone {
         search(self.idle().as_mut())
     }
 
-    /// Returns the break-away term H_c + μm*/r² (5.63, 7.47). The contact breaks away at a reversal if Z + βG exceeds β
-    /// times this term. The result is multiplied by r² and by the scale E of [`ContactAt`].
+    /// Returns the break-away term H_c + μm*/r² (5.63, 7.47). The contact breaks away at a reversal if Z + βG exceeds
+    /// β times this term. Z is the amplitude of the contact's motion and G its damping function. The result is
+    /// multiplied by r² and by the scale E of [`ContactAt`].
     #[inline]
     fn break_away(&self, contact: &ContactAt<Self::Scalar>) -> Self::Scalar {
         self.numbers().chain.break_away(contact)
     }
 
-    /// Returns β_lim = |V|/√(U² + max(S, H_c + μm*/r²)²), the limit of continuous motion (5.65, 5.80, 5.96, 7.49). V is
-    /// the response of the contact to the load. U is the velocity of the contact that friction causes at a reversal. S
-    /// is the velocity constraint. The argument `constraint` is max(S, H_c + μm*/r²), multiplied by r² and by the scale
-    /// E of [`ContactAt`].
+    /// Returns β_lim = |V|/√(U² + max(S, H_c + μm*/r²)²), the limit of continuous motion (5.65, 5.80, 5.96, 7.49). V
+    /// is the response of the contact to the load. U is the velocity at a reversal that a square wave of friction of
+    /// unit amplitude causes in the contact. S is the velocity constraint. The argument `constraint` is max(S, H_c +
+    /// μm*/r²), multiplied by r² and by the scale E of [`ContactAt`].
     #[inline]
     fn continuous_limit(
         &self,

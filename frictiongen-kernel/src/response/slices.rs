@@ -13,9 +13,9 @@ impl<T: Scene> At<T> {
     /// length.
     ///
     /// # Errors
-    /// [`OutOfDomain`] if the slices have different lengths. Both result slices are then unchanged. At the first NaN or
-    /// negative r, the function stops and returns the same error. The result slices then contain the limits for the
-    /// frequency ratios before that r.
+    /// [`OutOfDomain`] if the slices have different lengths. Both result slices are then unchanged. [`OutOfDomain`]
+    /// also at the first NaN or negative r, where the function stops. The result slices then contain the limits for
+    /// the frequency ratios before that r.
     pub fn limits_into(
         scene: T,
         rs: &[T::Scalar],
@@ -34,9 +34,9 @@ impl<T: Scene> At<T> {
     /// lightly damped, the function computes several frequency ratios at the same time.
     ///
     /// # Errors
-    /// [`OutOfDomain`] if the slices have different lengths. Both result slices are then unchanged. At the first NaN or
-    /// negative r, the function stops and returns the same error. The result slices then contain the limits for the
-    /// frequency ratios before that r.
+    /// [`OutOfDomain`] if the slices have different lengths. Both result slices are then unchanged. [`OutOfDomain`]
+    /// also at the first NaN or negative r, where the function stops. The result slices then contain the limits for
+    /// the frequency ratios before that r.
     pub fn limits_without_search_into(
         scene: &T,
         rs: &[T::Scalar],

@@ -66,9 +66,9 @@ impl<T: ProvidesStuck> At<T> {
         Stuck { at: self }
     }
 
-    /// Returns the amplitude of a mass while the contact is stuck, if masses on the other side of the contact act as an
-    /// absorber. The code computes the amplitude from the force in the contact. Returns `None` if no mass acts as an
-    /// absorber.
+    /// Returns the amplitude of a mass while the contact is stuck, if masses beyond the contact (seen from the load)
+    /// act as an absorber. The code computes the amplitude from the force in the contact. Returns `None` if no mass
+    /// acts as an absorber.
     #[inline]
     fn absorbed_mass(&self, mass: usize) -> Option<Complex<T::Scalar>> {
         let force = self.absorbed_force()?;
@@ -128,8 +128,8 @@ impl<T: ProvidesStuck> Stuck<T> {
         {
             return Some(complex::real(amplitude));
         }
-        // If masses on the other side of the contact act as an absorber, V and H vanish at the same frequency. The
-        // general formula would then contain 0/0.
+        // If masses beyond the contact act as an absorber, V and H vanish at the same frequency. The general formula
+        // would then contain 0/0.
         if let Some(amplitude) = self.at.absorbed_mass(mass) {
             return Some(amplitude);
         }

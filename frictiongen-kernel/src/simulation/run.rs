@@ -49,7 +49,7 @@ impl<S: Float> Moment<S> {
 ///
 /// `P` owns the oscillators, and is an array in emitted code and a vector at run time. `L` is the law of kinetic
 /// friction. `L` is either [`Constant`], or consists of straight [`Lines`] that give the force as a function of the
-/// speed. `K` contains the constants of the chain, and selects the law of the contact.
+/// speed. `K` contains the constants of the chain, and says whether the contact is rigid or elastic.
 #[derive(Clone, Debug)]
 pub struct Simulation<'a, S, P, L = Constant, K = Chain<S>> {
     setting: MotionSetting<'a, S, K>,
@@ -61,8 +61,8 @@ pub struct Simulation<'a, S, P, L = Constant, K = Chain<S>> {
     start: Clock<S>,
     now: Clock<S>,
     /// The current segment after the search for its end. `passed` is the time in rad of the excitation (τ) since the
-    /// start of the segment. The simulation makes this search only once, even if the caller advances in many short
-    /// steps. A second search close to an event would find the same event again.
+    /// start of the segment. The simulation searches only once for each segment, even if the caller advances in many
+    /// short steps. A second search close to an event would find the same event again.
     sought: Option<Sought<S>>,
     passed: Total<S>,
 }
@@ -225,7 +225,8 @@ impl<'a, S: Float, P: AsMut<[Part<S>]> + AsRef<[Part<S>]>, L: KineticLaw<'a, S>,
     /// Advances the simulation to the next event, but by at most `reach` in rad of the excitation (τ). A `reach` of 0
     /// changes nothing.
     ///
-    /// The events of a simulation do not depend on the values of `reach`. Rounding errors do not accumulate.
+    /// The events of a simulation do not depend on the values of `reach`. Rounding errors do not accumulate over many
+    /// short calls.
     ///
     /// # Errors
     /// [`OutOfDomain`] if `reach` is negative, infinite or NaN. The simulation then keeps its state.
@@ -253,8 +254,8 @@ impl<'a, S: Float, P: AsMut<[Part<S>]> + AsRef<[Part<S>]>, L: KineticLaw<'a, S>,
         segment.contact = self.find_end(reach).contact_state.contact;
         let (length, mut ended) = self.advance_within(reach);
         segment.length = length;
-        // An earlier call has searched this segment. If the segment ends without an event before `reach`, the motion
-        // continues in another segment.
+        // An earlier call searched for the end of this segment, perhaps with a shorter reach. If the segment ends
+        // without an event before `reach`, the motion continues in another segment.
         if known && ended == Some(None) && length < reach {
             let (more, next) = self.advance_within(reach - length);
             segment.length = length + more;
@@ -274,8 +275,8 @@ impl<'a, S: Float, P: AsMut<[Part<S>]> + AsRef<[Part<S>]>, L: KineticLaw<'a, S>,
         segment
     }
 
-    /// Returns the current segment. If its end is unknown, the function searches for the end within `reach`. If `reach`
-    /// is shorter than one cycle, the function searches within one cycle.
+    /// Returns the current segment with its end. If the end is unknown, the function searches for it within `reach`,
+    /// but at least within one cycle.
     fn find_end(&mut self, reach: S) -> Sought<S> {
         if let Some(sought) = self.sought {
             return sought;

@@ -17,8 +17,8 @@ pub struct Work<S> {
     pub load: S,
     /// Energy that friction in the contact has dissipated since the start.
     pub friction: S,
-    /// Energy that modal damping has dissipated since the start. The code computes it as the work of the load minus the
-    /// energy that friction has dissipated, minus the stored energy.
+    /// Energy that modal damping has dissipated since the start. The code does not integrate this energy. It computes
+    /// the work of the load, minus the energy that friction has dissipated, minus the stored energy.
     pub damping: S,
     /// Increase of the chain's kinetic and elastic energy since the start.
     pub stored: S,

@@ -19,8 +19,8 @@ use crate::number::scalar::Float;
 const OVERLOADED: f64 = 1.0 + 1.0 / 1024.0;
 
 impl<S: Float, const D: usize, K: StepContact<S>> StepInterval<'_, '_, S, D, K> {
-    /// Returns two bounds for this sub-interval. The first bound is the number of events, and the second bound is the
-    /// number of pieces of motion. At either bound the stepper ends the sub-interval without a search.
+    /// Returns two bounds for this sub-interval: the number of events, and the number of pieces of motion between
+    /// events. At either bound the stepper ends the sub-interval without a search.
     pub(super) fn bounds(&self) -> (u32, u32) {
         if self.status.budget == 0 {
             // The rule costs at most as much as RULE pieces. The pieces and the rule together therefore cost at most as
@@ -90,7 +90,8 @@ impl<S: Float, const D: usize, K: StepContact<S>> StepInterval<'_, '_, S, D, K> 
         self.slide_on(&velocity, share * kinetic, left);
     }
 
-    /// Changes the contact from sticking to sliding if its force exceeds μF by more than rounding errors.
+    /// Changes the contact from sticking to sliding if its force exceeds μF by more than rounding errors. Returns the
+    /// start of the sliding motion, or `None` if the contact still sticks or is elastic.
     fn overloaded(&mut self) -> Option<Departure<S>> {
         let (law, force) = (self.law(), self.stuck_force());
         if self.status.wedged || force.abs() <= law.grip() * S::constant(OVERLOADED) {

@@ -7,8 +7,8 @@ use crate::motion::WALK;
 /// Largest number of evaluations of the contact's velocity or force in one search for an event, if the step has an
 /// event budget.
 pub(super) const SEARCH: u32 = 12;
-/// Cost of the rule that ends a sub-interval without a search, as a number of pieces of motion. In a chain of up to 64
-/// masses, the rule costs at most as much as these pieces.
+/// Cost of the rule that ends a sub-interval without a search for events, as a number of pieces of motion between
+/// events. In a chain of up to 64 masses, the rule costs at most as much as these pieces.
 pub(super) const RULE: u32 = 4;
 /// Largest number of pieces of motion before an event, if the step has an event budget and the friction force depends
 /// on the speed.
@@ -21,7 +21,7 @@ pub struct Extent {
     pub modes: u64,
     /// Number of modes that the contact drives.
     pub driven: u64,
-    /// Number of modes of the chain minus the number of modes of the chain with its contact stuck.
+    /// Number of modes that the chain loses when its contact sticks.
     pub lost: u64,
     /// Number of inputs of the stepper.
     pub inputs: u64,
@@ -35,8 +35,8 @@ pub struct Extent {
     pub on_moving_base: bool,
     /// True if damping acts relative to the moving base.
     pub damped_from_base: bool,
-    /// True if the friction law consists of at least two straight lines over the speed. A second search then finds the
-    /// instant at which the speed reaches the end of a line.
+    /// True if the friction law consists of at least two straight lines over the speed. After the search for a stop, a
+    /// second search then finds the instant at which the speed reaches the end of a line.
     pub lines: bool,
 }
 

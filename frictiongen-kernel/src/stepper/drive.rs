@@ -12,7 +12,7 @@ use crate::number::scalar::Float;
 pub struct Sample<'i, S> {
     /// Displacement and velocity of the base. A scene whose base is at rest ignores these two numbers.
     pub base: [S; 2],
-    /// Forces at the instant, one for each mass on which the input acts.
+    /// Forces on the masses at this instant, one for each mass on which the input acts.
     pub forces: &'i [S],
     /// Kinetic friction force F, which is at least 0. With linear input, F acts during the step that ends at this
     /// sample. With zero-order hold, F acts during the step that starts at this sample.
@@ -20,7 +20,8 @@ pub struct Sample<'i, S> {
 }
 
 impl<S: Float> Sample<'_, S> {
-    /// Returns an error if a number of the sample is outside the scene's domain.
+    /// Returns an error if the sample has a wrong number of forces, or a number outside the permitted range.
+    /// `stiction` is μ, the ratio of static to kinetic friction.
     pub(super) fn check<K: ContactChain<S>>(
         &self,
         scene: &StepScene<'_, S, K>,

@@ -1,9 +1,10 @@
 //! Elastic contact (a spring in series with a slider) within a step of the stepper.
 //!
-//! While the contact sticks, the field `stuck_at` of the status is the displacement of the slider. The two sides of the
-//! contact may still move. The field `contact_force` is the force of the spring at the end of every sub-interval, even
-//! while the slider moves. The slider has no mass. If the kinetic friction force falls below the force of the spring,
-//! the slider jumps. Friction then dissipates the energy that the spring loses.
+//! While an elastic contact sticks, its slider does not move, but its two sides may still move with the spring. The
+//! field `stuck_at` of the status is then the displacement of the slider. The field `contact_force` is the force of
+//! the spring at the end of every sub-interval, even while the slider moves. The slider has no mass. If the kinetic
+//! friction force falls below the force of the spring, the slider jumps. Friction then dissipates the energy that the
+//! spring loses.
 
 use super::interval::StepInterval;
 use super::law::StepContact;
@@ -48,7 +49,8 @@ impl<S: Float, const D: usize, K: StepContact<S>> StepInterval<'_, '_, S, D, K> 
     }
 
     /// Updates a sliding elastic contact after a change of the kinetic friction force between two steps. If the
-    /// friction force has become larger, the contact sticks, and the force of its spring increases further.
+    /// friction force has become larger, the contact sticks, and the force of its spring increases further. If the
+    /// friction force has become smaller, the slider jumps until the force of the spring equals it.
     pub(super) fn adapt_to_level(&mut self) {
         if self.status.contact == Contact::Stuck || self.status.unknown {
             return;
@@ -103,8 +105,8 @@ impl<S: Float, const D: usize, K: StepContact<S>> StepInterval<'_, '_, S, D, K> 
 
     /// Changes an elastic contact from sliding to sticking, under a given force of its spring. Computes the modes of
     /// the stuck chain (the chain with its contact stuck) from the modes of the chain. With a stiff spring, the force
-    /// is a small difference of displacements. The function therefore corrects the stiffest mode of the stuck chain, so
-    /// that the modes give this force.
+    /// is a small difference of displacements and would have a large rounding error. The function therefore corrects
+    /// the mode of the stuck chain that changes the force most, so that the modes give this force.
     pub(super) fn start_sticking_under(&mut self, force: S) {
         let zero = S::constant(0.0);
         let dynamics = &self.scene.dynamics;

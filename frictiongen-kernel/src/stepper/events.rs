@@ -1,4 +1,5 @@
-//! Sub-interval of a step in which the stepper searches for events, and advances from event to event.
+//! Searches a sub-interval of a step for events (stops, break-aways and reversals), and advances the motion from event
+//! to event.
 
 use super::interval::{ROUNDINGS, StepInterval};
 use super::law::StepContact;

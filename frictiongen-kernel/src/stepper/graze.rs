@@ -16,8 +16,8 @@ use crate::number::scalar::Float;
 /// Error δ of a function of the motion, divided by the sum of the absolute values of the function's terms. The value is
 /// the rounding error of an input in `f64`.
 const ROUNDED: f64 = f64::EPSILON;
-/// Largest relative error of the derivative of an event's instant at which the event is no graze (an event whose
-/// derivative is unreliable).
+/// Largest permitted relative error of the derivative of an event's instant. With a larger error, the event is a graze
+/// (an event whose derivative is unreliable).
 const BOUND: f64 = 1e-6;
 /// Largest difference between a contact force and μF at which rounding may decide whether the contact slides, divided
 /// by μF.

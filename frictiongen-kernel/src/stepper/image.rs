@@ -12,7 +12,7 @@
 //! | scalars | dt, the status, the modes, the modes of the stuck chain, the last sample |
 //! | 4 | CRC-32 of all bytes before |
 //!
-//! All numbers have their lowest byte first.
+//! The stuck chain is the chain with its contact stuck. All numbers are little-endian: their lowest byte comes first.
 
 use super::law::StepContact;
 use super::state::{FixedStore, Status, Store};
@@ -26,19 +26,21 @@ use crate::number::scalar::Float;
 const NAME: [u8; 2] = *b"fs";
 /// Version of the image format that [`Stepper::write_image`] writes.
 const VERSION: u8 = 1;
-/// Number of bytes in an image (saved state of a stepper) before its counts. These bytes contain the name, the version,
-/// the size of a scalar, and the hash of scene and step.
+/// Length in bytes of the first section of an image (saved state of a stepper). This section contains the name, the
+/// version, the size of a scalar, and the hash of scene and step.
 const HEAD: usize = 12;
-/// Number of bytes that an image (saved state of a stepper) uses for its counts and flags.
+/// Length in bytes of the second section of an image (saved state of a stepper). This section contains the counts of
+/// steps, the line of the friction law, the state of the contact, two flags and the event budget.
 const COUNTS: usize = 24;
 /// Number of bytes of the checksum at the end of an image (saved state of a stepper).
 const CHECKSUM: usize = 4;
-/// Number of scalars in an image before the scalars of the modes. The counted scalars are the time step dt and the
-/// numbers of the status.
+/// Number of scalars in an image (saved state of a stepper) that come before the scalars of the modes. They are the
+/// time step dt and the numbers of the status.
 const SCALARS: usize = 1 + super::state::SCALARS;
 
 /// Returns the length of an image (saved state of a stepper) in bytes. `scalar` is the size of a scalar in bytes.
-/// `modes`, `held` and `inputs` are the numbers of modes, of modes of the stuck chain, and of inputs.
+/// `modes` is the number of modes of the chain, and `held` the number of modes of the chain with its contact stuck.
+/// `inputs` is the number of inputs.
 #[doc(hidden)]
 #[must_use]
 pub const fn image_bytes(scalar: usize, modes: usize, held: usize, inputs: usize) -> usize {
@@ -48,7 +50,7 @@ pub const fn image_bytes(scalar: usize, modes: usize, held: usize, inputs: usize
 /// Checks all bytes of an image (saved state of a stepper), and returns the image's time step dt in seconds.
 ///
 /// # Errors
-/// [`OutOfDomain::ImageDamaged`] if the length or the checksum of the image is wrong. [`OutOfDomain::ImageVersion`] for
+/// [`OutOfDomain::ImageDamaged`] if the image is too short or has a wrong checksum. [`OutOfDomain::ImageVersion`] for
 /// another version of the image. [`OutOfDomain::Saved`] for another number type.
 #[doc(hidden)]
 pub fn image_step<S: Float>(bytes: &[u8]) -> Result<S, OutOfDomain> {
@@ -67,8 +69,8 @@ fn crc<'b>(bytes: impl Iterator<Item = &'b u8>) -> u32 {
     })
 }
 
-/// Checks the name, the version, the size of a scalar and the checksum of an image. The next item that the returned
-/// reader reads is the hash.
+/// Checks the name, the version, the size of a scalar and the checksum of an image (saved state of a stepper). Returns
+/// a reader that is positioned at the hash of scene and step.
 fn checked<S: Float>(bytes: &[u8]) -> Result<Reader<'_>, OutOfDomain> {
     let body = bytes.len().checked_sub(CHECKSUM);
     let (body, sum) = body
@@ -233,14 +235,16 @@ impl<S: Float, const D: usize, T: StepTables<S, D>, V: Store<S, D>, K: StepConta
         Writer(sum.iter_mut()).bytes(&crc(body.iter()).to_le_bytes());
     }
 
-    /// Restores the state in an image. From this state, the same inputs return results with the same bits.
+    /// Restores the state that an image contains. From this state, the same inputs give the same results to the last
+    /// bit.
     ///
     /// # Errors
     /// After an error the stepper keeps its state.
     ///
-    /// - [`OutOfDomain::ImageDamaged`] if the length or the checksum is wrong, which every changed bit causes.
+    /// - [`OutOfDomain::ImageDamaged`] if the image is too short, has a wrong checksum, or contains numbers that no
+    ///   stepper writes. Any single changed bit makes the checksum wrong.
     /// - [`OutOfDomain::ImageVersion`] for an image of another version of this library.
-    /// - [`OutOfDomain::Saved`] for an image of another scene or of another step.
+    /// - [`OutOfDomain::Saved`] for an image of another scene, another time step or another number type.
     pub fn restore_image(&mut self, bytes: &[u8]) -> Result<(), OutOfDomain> {
         let mut reader = checked::<S>(bytes)?;
         if reader.long() != self.mark() || bytes.len() != self.image_len() {

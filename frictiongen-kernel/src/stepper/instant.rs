@@ -13,8 +13,8 @@ impl<S: Float, const D: usize, T: StepTables<S, D>, V: Store<S, D>, K: StepConta
     /// Returns `None` if the step had no event. The events are the stops, break-aways and reversals that
     /// [`Stepped::events`](super::Stepped::events) counts.
     ///
-    /// Images and written states do not contain the instant. After a stepper has restored one of them, the result is
-    /// `None` until the next event.
+    /// A state that the stepper has saved as an image or through serde does not contain the instant. After a stepper
+    /// has restored such a state, the result is `None` until the next event.
     #[must_use]
     pub fn last_event(&self) -> Option<S> {
         self.status.last_event.map(|share| share * self.dt())

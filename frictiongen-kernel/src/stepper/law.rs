@@ -1,11 +1,11 @@
-//! Trait of a contact law that a stepper can follow. The trait provides the force in the contact while the contact
-//! sticks.
+//! Trait of the chains whose contact a stepper can follow: a rigid or an elastic contact. The trait provides the force
+//! in the contact while the contact sticks.
 
 use super::interval::StepInterval;
 use crate::motion::ContactChain;
 use crate::number::scalar::Float;
 
-/// Constants of a chain whose contact a stepper can follow.
+/// Trait of the chains whose contact a stepper can follow.
 pub trait StepContact<S: Float>: ContactChain<S> {
     /// Returns the force that keeps the contact stuck in a sub-interval, as a polynomial in time. The result does not
     /// contain the contribution of the stuck chain's modes to this force.

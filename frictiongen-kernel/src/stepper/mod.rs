@@ -1,16 +1,20 @@
-//! Motion under a force that is known at samples, in time steps of equal length.
+//! Computes the motion of a chain step by step, under an input that is known at samples. The input consists of the
+//! forces on the masses and of the motion of the base. All time steps have equal length.
 //!
-//! The stepper divides a step into equal sub-intervals, called `parts` in the code. In a sub-interval no oscillator
-//! advances by more than one radian. A power series over a sub-interval therefore converges, and its cost is bounded.
+//! The stepper divides a step into equal sub-intervals, called `parts` in the code. It computes the motion of
+//! oscillators: the modes of the chain, or the modes of the *stuck chain* (the chain with its contact stuck). The code
+//! calls the modes of the stuck chain `held`. In a sub-interval no oscillator advances by more than one radian. A
+//! power series of the motion over a sub-interval therefore needs few terms, and its cost is bounded.
 //!
 //! Over a sub-interval the input is a polynomial, and the response of each oscillator has a closed form. A constant
 //! table advances the state of the oscillator from the start of the sub-interval to its end. If the contact provably
 //! keeps sliding, or provably keeps sticking, one product with this table gives the motion.
 //!
-//! In every other case the stepper searches the sub-interval for events, and follows the motion in *pieces* between
-//! them. In a piece, the contact's velocity or the force in the stuck contact is a power series about an instant. The
-//! stepper finds the first zero of this series with the search that the simulation uses. The *stuck chain* is the chain
-//! with its contact stuck. The code calls its modes `held`. Section 11 of docs/derivation.md derives the method.
+//! In every other case the stepper searches the sub-interval for events (stops, break-aways and reversals). Between
+//! two events it follows the motion in one or more *pieces*. In a piece, the velocity of the sliding contact, or the
+//! force in the stuck contact, is a power series about the start of the piece. The piece ends at an event if this
+//! velocity reaches zero, or if this force reaches μF. The search for this instant is the same as in a simulation
+//! ([`motion`](crate::motion)). Section 11 of docs/derivation.md derives the method.
 
 mod account;
 mod advance;
@@ -62,15 +66,17 @@ pub use types::{ContactNow, DeclaredStepper, FixedStepper, MassNow, Stepped, Ste
 #[doc(hidden)]
 pub use written::NOT_FINITE;
 
-/// Largest number of events that the stepper follows in one sub-interval of a step without an event budget. After these
-/// events the stepper ends the sub-interval without a search. A contact at rest then stays stuck for the rest of the
-/// sub-interval. In every other case the friction force is constant for the rest of the sub-interval. The stepper
-/// chooses this force so that the contact moves as little as possible.
+/// Largest number of events (stops, break-aways and reversals) that the stepper follows in one sub-interval of a step
+/// without an event budget. After these events the stepper ends the sub-interval without a search. A contact at rest
+/// then stays stuck for the rest of the sub-interval, if its force does not exceed μF. In every other case the
+/// friction force is constant for the rest of the sub-interval. The stepper chooses this force so that the contact
+/// moves as little as possible.
 pub const MAX_EVENTS: u32 = 8;
 
-/// Largest number of pieces of motion that the stepper follows in one sub-interval of a step. A piece ends at an event,
-/// or when the speed reaches the next straight line of the friction law. Under a steep law a piece also ends where its
-/// power series stops converging. The rule that ends a sub-interval without a search counts as four pieces.
+/// Largest number of pieces of motion that the stepper follows in one sub-interval of a step without an event budget.
+/// A piece ends at an event. It also ends when the speed reaches the next straight line of a friction law over the
+/// speed. Under a steep law a piece also ends where its power series stops converging. The rule that ends a
+/// sub-interval without a search counts as four pieces.
 pub const MAX_STRETCHES: u32 = 8 * MAX_EVENTS;
 
 /// Largest number of sub-intervals in one step of a stepper.

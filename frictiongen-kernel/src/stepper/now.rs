@@ -13,8 +13,8 @@ use crate::number::scalar::Float;
 impl<S: Float, const D: usize, T: StepTables<S, D>, V: Store<S, D>, K: StepContact<S>>
     Stepper<'_, S, D, T, V, K>
 {
-    /// Returns upper bounds on the cost of a step, in floating-point operations. With an event budget, the bound
-    /// [`Cost::most`] on any step is much smaller than without a budget.
+    /// Returns the cost of a step, in floating-point operations. With a budget of a few events, the upper bound
+    /// [`Cost::most`] is much smaller than without an event budget.
     #[must_use]
     pub fn cost(&self) -> Cost {
         let pace = self.tables.view().pace;
@@ -59,8 +59,8 @@ impl<S: Float, const D: usize, T: StepTables<S, D>, V: Store<S, D>, K: StepConta
         self.status.stiction
     }
 
-    /// Returns the state of the contact, determined from its velocity. A velocity that is smaller than the rounding
-    /// error of its sum is treated as zero.
+    /// Returns the state of the contact, determined from its velocity. The velocity is a sum over the modes. A
+    /// velocity smaller than the rounding error of this sum counts as zero.
     pub(super) fn direction(&self) -> Contact {
         let [_, velocity] = self.carrying();
         let (mut sum, mut size) = (-velocity, velocity.abs() + self.status.given);
@@ -172,8 +172,8 @@ impl<S: Float, const D: usize, T: StepTables<S, D>, V: Store<S, D>, K: StepConta
         }
     }
 
-    /// Returns the sum of the modes' displacements and the sum of their velocities. In both sums each mode is
-    /// multiplied by its `weight`.
+    /// Returns two weighted sums over the modes: the sum of their displacements and the sum of their velocities.
+    /// `weight` returns the weight of the mode with a given index.
     pub(super) fn sum(&self, weight: impl Fn(usize) -> S) -> MassNow<S> {
         let zero = S::constant(0.0);
         let (mut displacement, mut velocity) = (zero, zero);

@@ -108,7 +108,7 @@ impl<S: Float, const D: usize, T: StepTables<S, D>, V: Store<S, D>, K: StepConta
         self.status.wedged = false;
     }
 
-    /// Sets the work of the energy balance to 0. The balance then starts at this instant.
+    /// Restarts the energy balance at this instant: the work of the load and the dissipated energy become 0.
     pub fn restart_work(&mut self) {
         self.status.load = crate::motion::Total::zero();
         self.status.dissipated = crate::motion::Total::zero();

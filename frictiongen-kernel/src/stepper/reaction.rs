@@ -54,7 +54,8 @@ impl<S: Float, const D: usize, K: StepContact<S>> StepInterval<'_, '_, S, D, K> 
         done + done
     }
 
-    /// Returns the rate of a mode's scaled velocity u that the velocity of the base causes through damping.
+    /// Returns the rate of a mode's scaled velocity u that the velocity of the base causes through damping, as a
+    /// polynomial over the sub-interval.
     fn base_load(&self, mode: usize) -> [S; D] {
         let mut sum = [S::constant(0.0); D];
         let load = self.table.loads_of(mode).get(1);

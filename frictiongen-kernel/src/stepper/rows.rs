@@ -5,8 +5,9 @@ use super::dot::{add, dot};
 use crate::motion::TERMS;
 use crate::number::scalar::Float;
 
-/// One row of a mode's table. The row contains the weights of the mode's displacement y, of its scaled velocity u (y′ =
-/// Ωu), and of the coefficients of its drive.
+/// One row of the constant table that advances a mode over a sub-interval. The row contains the weights of the mode's
+/// displacement y, of its scaled velocity u, and of the coefficients of its drive. y′ is Ωu, where Ω is the phase
+/// advance of the mode in a sub-interval. The drive is the polynomial that the forces on the mode add to u′.
 ///
 /// The first row of `moments` and the row `turn` are stored as three shears, so that rounded weights create no energy.
 /// First y increases by before·u, then u by turn·y + loss·u, then y by after·u. The `state` of the first moment is
@@ -19,9 +20,10 @@ pub struct Row<S, const D: usize> {
     pub drive: [S; D],
 }
 
-/// One row of the table of a mode of the chain with its contact stuck. The row contains the weights of the mode's
-/// displacement y and scaled velocity u, and of the coefficients of the drives of y′ and u′. The first row of `moments`
-/// and the first row of `turns` are stored as three shears, as in [`Row`].
+/// One row of the constant table that advances a mode of the chain with its contact stuck. The row contains the
+/// weights of the mode's displacement y and scaled velocity u, and of the coefficients of the drives. The drives are
+/// the polynomials that the inputs add to y′ and u′. The first row of `moments` and the first row of `turns` are
+/// stored as three shears, as in [`Row`].
 #[derive(Clone, Copy, Debug)]
 pub struct HeldRow<S, const D: usize> {
     /// Weights of the displacement y and of the scaled velocity u at the start of the sub-interval.
@@ -61,10 +63,12 @@ pub struct HeldStep<S, const D: usize> {
     pub angle: S,
     /// Modal damping ratio ζ of the mode.
     pub zeta: S,
-    /// Contact force caused by a unit displacement y of the mode, with the opposite sign.
+    /// Factor of the mode in the force of the stuck contact. A displacement y of the mode adds −`force`·y to this
+    /// force.
     pub force: S,
-    /// Rates of the mode's displacement y and of its scaled velocity u while the contact sticks to a moving base. A
-    /// unit velocity of the base causes the first pair, and a unit acceleration of the base the second pair.
+    /// Coupling of the mode with a moving base to which the contact sticks. Each pair contains the rates of the
+    /// displacement y and of the scaled velocity u. The first pair belongs to a unit velocity of the base, the second
+    /// pair to a unit acceleration.
     pub from_base: [[S; 2]; 2],
     /// Weights with which the code computes the moments ∫ sʲ y′ ds of the displacement y in the sub-interval, for j =
     /// 0, 1, …. Here s is the time since the start of the sub-interval.
@@ -75,8 +79,8 @@ pub struct HeldStep<S, const D: usize> {
 }
 
 /// Returns the next coefficients of the displacement y and the scaled velocity u in the power series of an oscillator,
-/// each multiplied by its order. The arguments are the present coefficients of y and u, and the present coefficients of
-/// the drives of y′ and u′.
+/// each multiplied by its order. The arguments are Ω and ζ of the oscillator, the present coefficients of y and u, and
+/// the present coefficients of the drives of y′ and u′.
 #[inline]
 pub(super) fn next<S: Float>(
     (angle, zeta): (S, S),
@@ -89,8 +93,8 @@ pub(super) fn next<S: Float>(
 }
 
 /// Computes the moments ∫ sʲ y′ ds for j < D and ∫ sʲ u′ ds for j < E, from 0 to `place`. y is the displacement of an
-/// oscillator, and u is its scaled velocity. The pair `[y, u]` contains y and u at s = 0. `drive` gives the power
-/// series of the load, term by term.
+/// oscillator, and u is its scaled velocity. The pair `[y, u]` contains y and u at s = 0. `drive` returns the
+/// coefficients of one order in the drives of y′ and u′. `terms` is the number of terms of the power series.
 // The function does not use `map` of arrays. In code that is optimised for size, this `map` would cost more than the
 // sums.
 #[inline]

@@ -13,7 +13,7 @@ use crate::motion::{Contact, steepest};
 use crate::number::scalar::Float;
 use core::marker::PhantomData;
 
-/// Largest change of the contact's velocity that a friction law may cause in a sub-interval, divided by this velocity.
+/// Largest relative change of the contact's velocity that a friction law over the speed may cause in a sub-interval.
 /// With a steeper law a power series would converge in only a small fraction of the sub-interval.
 const STEEPEST: f64 = 16.0;
 
@@ -41,8 +41,8 @@ impl<'a, S: Float, const D: usize, T: StepTables<S, D>, V: Store<S, D>, K: StepC
         Ok(stepper)
     }
 
-    /// Creates a stepper at rest without load, as a constant. `store` must be the storage of a stepper at rest. `zero`
-    /// is the number 0, and `stiction` is μ.
+    /// Creates a stepper at rest without load, in a constant expression. `store` must be the storage of a stepper at
+    /// rest. `zero` is the number 0, and `stiction` is μ, the ratio of static to kinetic friction.
     pub(super) const fn of(
         scene: StepScene<'a, S, K>,
         tables: T,
@@ -96,9 +96,9 @@ impl<'a, S: Float, const D: usize, T: StepTables<S, D>, V: Store<S, D>, K: StepC
         Ok(())
     }
 
-    /// Sets the input at the start of the first step. Without this call the input is 0. A linear input starts at
-    /// `sample`. After the call, [`contact`](Self::contact) returns the contact force under `sample`. For a moving
-    /// base, `contact` assumes a constant velocity of the base.
+    /// Sets the input at the start of the first step. Without this call the input at this instant is 0. With linear
+    /// input, the first step starts from `sample`. After the call, [`contact`](Self::contact) returns the contact
+    /// force under `sample`. For a moving base, `contact` assumes a constant velocity of the base.
     ///
     /// # Errors
     /// The errors of [`advance`](Self::advance), and [`OutOfDomain::Begun`] after the first step.
@@ -225,8 +225,9 @@ impl<'a, S: Float, const D: usize, T: StepTables<S, D>, V: Store<S, D>, K: StepC
         self.status.spent = 0;
     }
 
-    /// Advances the stepper through one sub-interval of a step. Returns the number of events and a flag. The flag is
-    /// true if the stepper has reached the bound on events and followed no further events.
+    /// Advances the stepper through one sub-interval of a step. Returns the number of events in it, and a flag. The
+    /// flag is true if the stepper has reached the bound on events or on pieces of motion and followed no further
+    /// events.
     #[inline(never)]
     fn advance_interval(
         &mut self,
@@ -239,7 +240,8 @@ impl<'a, S: Float, const D: usize, T: StepTables<S, D>, V: Store<S, D>, K: StepC
         (interval.events, interval.exceeded)
     }
 
-    /// Returns the data of a sub-interval at its start. The inputs are polynomials over the sub-interval.
+    /// Creates the data with which the stepper advances through a sub-interval. Writes the inputs as polynomials over
+    /// this sub-interval.
     #[inline]
     fn interval(
         &mut self,
@@ -262,8 +264,9 @@ impl<'a, S: Float, const D: usize, T: StepTables<S, D>, V: Store<S, D>, K: StepC
         }
     }
 
-    /// Applies the jump of the base at the start of a step with zero-order hold. If a mass slides on the base, the mass
-    /// does not jump with the base.
+    /// Applies the jump of the base at the start of a step with zero-order hold. The mass that rubs on the base does
+    /// not jump with the base. If the velocity of the base jumps, the next sub-interval determines the state of the
+    /// contact anew.
     fn jump_base(&mut self, [place, velocity]: [S; 2]) {
         if !self.scene.rubs_on_base() || self.status.unknown {
             return;
@@ -289,7 +292,8 @@ impl<'a, S: Float, const D: usize, T: StepTables<S, D>, V: Store<S, D>, K: StepC
         self.store.change().release(&self.scene, receptance, lifted);
     }
 
-    /// Writes the inputs in a sub-interval as polynomials. Returns the motion of the base as a polynomial.
+    /// Writes the inputs as polynomials over the sub-interval `stretch`. Returns the displacement of the base as a
+    /// polynomial over this sub-interval. `motion` is this displacement as a polynomial over the whole step.
     pub(super) fn write_inputs(
         &mut self,
         sample: &Sample<'_, S>,
@@ -332,10 +336,11 @@ impl<'a, S: Float, const D: usize, T: StepTables<S, D>, V: Store<S, D>, K: StepC
     ///
     /// A step within the budget has the same result to the last bit as without a budget. The exception is a step in
     /// which a search needs more than [`Cost::SEARCH`](super::Cost::SEARCH) evaluations. At the first event beyond the
-    /// budget, the stepper ends the step by a rule without a search, and reports [`Stepped::exceeded`]. By this rule, a
-    /// contact at rest stays stuck. In every other case the friction force is constant for the rest of a sub-interval.
-    /// This force is at most the kinetic force, and moves the contact as little as possible. The rule therefore creates
-    /// no energy. [`cost`](Self::cost) returns the largest cost of a step with the budget.
+    /// budget, the stepper ends the step by a rule without a search, and reports [`Stepped::exceeded`]. By this rule,
+    /// a contact at rest stays stuck if its force does not exceed μF. In every other case the friction force is
+    /// constant for the rest of a sub-interval. This force is at most the kinetic force, and moves the contact as
+    /// little as possible. The rule therefore creates no energy. [`cost`](Self::cost) returns the largest cost of a
+    /// step with the budget.
     ///
     /// [`save`](Self::save) and [`write_image`](Self::write_image) store the budget with the state.
     pub fn set_event_budget(&mut self, events: u8) {

@@ -10,7 +10,8 @@ use crate::number::scalar::Float;
 
 /// Saved state of a stepper without its tables. [`Stepper::save`](super::Stepper::save) returns it.
 ///
-/// With the feature `serde`, serde can write and read a saved state. Reading fails for a state of another version.
+/// With the feature `serde`, serde can write and read a saved state. Reading fails for a state in another version of
+/// the format.
 #[derive(Clone, Copy, Debug)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Saved<S, V> {
@@ -36,7 +37,7 @@ impl<S: Float, const D: usize, T: StepTables<S, D>, V: Store<S, D>, K: StepConta
         }
     }
 
-    /// Restores a saved state of the stepper. From this state, the same inputs return results with the same bits.
+    /// Restores a saved state of the stepper. From this state, the same inputs give the same results to the last bit.
     ///
     /// # Errors
     /// [`OutOfDomain::Saved`] if the state comes from a stepper with another scene or time step. A hash of the scene

@@ -27,14 +27,15 @@ pub struct StepScene<'a, S, K = Chain<S>> {
     pub units: Units<S>,
     /// True if the motion of the base excites the scene.
     pub on_base: bool,
-    /// Indices, in the scene description, of the masses on which a force acts. If a force excites the scene, the first
-    /// of these masses is the excited mass.
+    /// Indices of the masses on which a force acts, counted in the order of the scene description. If a force excites
+    /// the scene, the excited mass is the first entry of this list.
     pub forces: &'a [usize],
     /// Interpolation of the stepper's input between two samples.
     pub input: Input,
-    /// Points (v, f) of a friction law over the speed (Stribeck), with increasing v. v is the speed in the scene's
-    /// unit. f is the kinetic friction force at this speed, divided by that at speed zero. Without points the kinetic
-    /// friction is constant.
+    /// Points (v, f) of a friction law over the speed (Stribeck), with increasing speed v in the scene's unit. f is
+    /// the kinetic friction force at the speed v, divided by the force at speed zero. Straight lines connect the
+    /// points, and the first line starts at (0, 1). After the last point, and without points, the kinetic friction is
+    /// constant.
     pub law: &'a [[S; 2]],
 }
 
@@ -58,9 +59,10 @@ impl<S: Float, K: ContactChain<S>> StepScene<'_, S, K> {
         channel == 1 && self.damped_from_base()
     }
 
-    /// Returns 2ζ√λΓ, the load on a mode caused by a unit velocity of the base in the non-dimensional time t√(k₁/m₁). ζ
-    /// is the damping ratio of the mode, λ its squared frequency ratio, and Γ its participation factor φᵀΓ1
-    /// (docs/derivation.md, section 1).
+    /// Returns 2ζ√λφᵀΓ1, the load on a mode caused by a unit velocity of the base in the non-dimensional time
+    /// t√(k₁/m₁). ζ is the damping ratio of the mode, λ its squared frequency ratio, and φᵀΓ1 its participation
+    /// factor. φ is the mode shape, Γ the mass matrix divided by m₁, and 1 the vector of ones (docs/derivation.md,
+    /// section 1).
     pub(super) fn drag(&self, mode: usize) -> S {
         let zero = S::constant(0.0);
         let loads = self.dynamics.quadratures().get(mode);
@@ -79,21 +81,22 @@ impl<S: Float, K: ContactChain<S>> StepScene<'_, S, K> {
             if drag.is_zero() {
                 return sum;
             }
-            // `drag` is 2ζ√λΓ, with the mode's squared frequency ratio λ and participation factor Γ. The term of the
-            // mode is 2ζ√λΓ², which is the square of `drag` divided by 2ζ√λ.
+            // `drag` is 2ζ√λg, with the mode's squared frequency ratio λ and participation factor g. The term of the
+            // mode is 2ζ√λg², which is the square of `drag` divided by 2ζ√λ.
             sum + drag * drag / (two * mode.zeta * mode.resonance)
         })
     }
 
-    /// Returns the phase by which the fastest oscillator advances in a second, in rad. The phase includes the effect of
-    /// damping. The stepper divides a step dt into n sub-intervals, where n is this rate times dt, rounded up.
+    /// Returns the rate of the fastest oscillator, in rad/s. An oscillator is a mode of the chain, or a mode of the
+    /// chain with its contact stuck. Its rate is ω(1 + 2ζ), with its natural frequency ω and its damping ratio ζ. The
+    /// stepper divides a step dt into n sub-intervals, where n is the largest rate times dt, rounded up.
     #[must_use]
     pub fn fastest(&self) -> S {
         self.turning() * self.units.rate
     }
 
-    /// Returns the phase by which the fastest oscillator advances in a unit of the non-dimensional time t√(k₁/m₁), in
-    /// rad. The phase includes the effect of damping.
+    /// Returns the rate of the fastest oscillator in the non-dimensional time t√(k₁/m₁), in rad. The rate of an
+    /// oscillator is σ(1 + 2ζ). σ is its natural frequency as a frequency ratio, and ζ its damping ratio.
     pub(super) fn turning(&self) -> S {
         let (one, two) = (S::constant(1.0), S::constant(2.0));
         let turned = |frequency: S, zeta: S| frequency * (one + two * zeta);
@@ -104,8 +107,8 @@ impl<S: Float, K: ContactChain<S>> StepScene<'_, S, K> {
         modes.chain(held).fold(S::constant(0.0), S::max)
     }
 
-    /// Returns the number of coefficients of an input's polynomial over a step. Emitted tables have this number of
-    /// coefficients. The tables of a run-time system may have more.
+    /// Returns the number of coefficients of the polynomial that describes an input over a step. Emitted tables have
+    /// this number of coefficients. The tables of a run-time system may have more.
     fn coefficients(&self) -> usize {
         match (self.input, self.on_base) {
             (Input::Hold, false) => 1,
@@ -114,8 +117,8 @@ impl<S: Float, K: ContactChain<S>> StepScene<'_, S, K> {
         }
     }
 
-    /// Returns the number of terms of a power series that the stepper uses. `enough` is the number of terms that one
-    /// oscillator needs. Over a sub-interval, all further terms of the oscillator are smaller than rounding.
+    /// Returns the number of terms in the stepper's power series over a sub-interval. `enough` is the number of terms
+    /// that the free motion of one oscillator needs: all further terms are smaller than rounding.
     pub(super) fn terms(&self, enough: u32) -> usize {
         let terms = if self.law.is_empty() {
             usize::try_from(enough).unwrap_or(TERMS)
@@ -127,15 +130,15 @@ impl<S: Float, K: ContactChain<S>> StepScene<'_, S, K> {
         (terms + self.coefficients()).clamp(5, TERMS)
     }
 
-    /// Returns upper bounds on the cost of a step with `parts` sub-intervals. `coefficients` is the number of
-    /// coefficients of an input's polynomial. `terms` is the number of terms of a power series over a sub-interval
-    /// ([`series_terms`](super::series_terms)).
+    /// Returns the cost of a step with `parts` sub-intervals, in floating-point operations. `coefficients` is the
+    /// number of coefficients of an input's polynomial. `terms` is the number of terms of a power series over a
+    /// sub-interval ([`series_terms`](super::series_terms)).
     #[must_use]
     pub fn cost(&self, coefficients: usize, parts: u32, terms: u32) -> Cost {
         Cost::of(&self.extent(coefficients, parts, terms))
     }
 
-    /// Returns the sizes of the scene from which the code computes the cost of a step.
+    /// Returns the numbers of modes, inputs, coefficients and terms from which the code computes the cost of a step.
     pub(super) fn extent(&self, coefficients: usize, parts: u32, terms: u32) -> Extent {
         let count = |size: usize| u64::try_from(size).unwrap_or(u64::MAX);
         Extent {

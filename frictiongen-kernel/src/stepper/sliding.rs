@@ -110,7 +110,9 @@ impl<S: Float, const D: usize, K: StepContact<S>> StepInterval<'_, '_, S, D, K> 
     }
 
     /// Advances the sliding motion to the first of four instants. At these instants the contact stops, the speed
-    /// reaches the next line of the friction law, the sub-interval ends, or the power series ends.
+    /// reaches the next line of the friction law, the sub-interval ends, or the power series ends. If the contact
+    /// starts this motion from zero velocity, `departing` contains its acceleration. If the contact then slides on
+    /// from zero velocity, the function returns its new acceleration.
     pub(super) fn slide_to_event(
         &mut self,
         departing: Option<Departure<S>>,

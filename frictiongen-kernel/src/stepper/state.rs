@@ -7,8 +7,8 @@ use crate::number::scalar::Float;
 /// Mutable view of all numbers of a stepper.
 #[derive(Debug)]
 pub struct StoreMut<'s, S, const D: usize> {
-    /// Displacement y and scaled velocity u of each mode of the chain. While the contact sticks, only the numbers of
-    /// modes that the contact does not drive are valid.
+    /// Displacement y and scaled velocity u of each mode of the chain. u is the velocity divided by the natural
+    /// frequency. While the contact sticks, only the numbers of modes that the contact does not drive are valid.
     pub modes: &'s mut [[S; 2]],
     /// Displacement y and scaled velocity u of each mode of the chain with its contact stuck. These numbers are valid
     /// only while the contact sticks.
@@ -22,8 +22,9 @@ pub struct StoreMut<'s, S, const D: usize> {
 }
 
 impl<S: Float, const D: usize> StoreMut<'_, S, D> {
-    /// Writes the state of the modes that the contact drives. The code computes this state from the modes of the chain
-    /// with its contact stuck, and from the displacement and velocity of the stuck contact.
+    /// Computes the state of the modes that the contact drives, when the contact stops sticking. The code computes
+    /// this state from the modes of the chain with its contact stuck. `lifted` contains the displacement and the
+    /// velocity of the stuck contact.
     pub(super) fn release<K: ContactChain<S>>(
         &mut self,
         scene: &StepScene<'_, S, K>,
@@ -39,7 +40,8 @@ impl<S: Float, const D: usize> StoreMut<'_, S, D> {
 /// Read-only view of the numbers that define a stepper's state.
 #[derive(Clone, Copy, Debug)]
 pub struct StoreRef<'s, S> {
-    /// Displacement y and scaled velocity u of each mode of the chain.
+    /// Displacement y and scaled velocity u of each mode of the chain. u is the velocity divided by the natural
+    /// frequency.
     pub modes: &'s [[S; 2]],
     /// Displacement y and scaled velocity u of each mode of the chain with its contact stuck.
     pub held: &'s [[S; 2]],
@@ -88,7 +90,7 @@ impl<S: Float, const D: usize, const MODES: usize, const HELD: usize, const INPU
         Self::of(S::constant(0.0))
     }
 
-    /// Creates the numbers of a stepper at rest, as a constant. `zero` is the number 0.
+    /// Creates the numbers of a stepper at rest, in a constant expression. `zero` is the number 0.
     pub(super) const fn of(zero: S) -> Self {
         Self {
             modes: [[zero; 2]; MODES],
@@ -132,7 +134,7 @@ impl<S: Float, const D: usize, const MODES: usize, const HELD: usize, const INPU
     }
 }
 
-/// Number of scalars of a [`Status`].
+/// Number of scalars of a [`Status`] in an image or another saved state.
 pub(super) const SCALARS: usize = 13;
 
 /// State of a stepper, except for the states of its oscillators.
@@ -176,8 +178,9 @@ pub struct Status<S> {
     /// Energy of the chain at the start of the first step, divided by k₁.
     pub energy: S,
     pub pull: S,
-    /// Sum of the absolute values of the terms in the contact's velocity, for a given initial state. The rounding error
-    /// of this velocity is proportional to the sum. After the first step the field is zero.
+    /// Size of the contact's velocity in an initial state that the caller has given. The size is the sum of the
+    /// absolute values of the terms in this velocity. The rounding error of the velocity is proportional to the size.
+    /// After the first step the field is zero.
     pub given: S,
     /// Instant of the last event in the last step, as a fraction of the step from 0 to 1. `None` if the step had no
     /// event. Images and written states do not contain this instant.
@@ -192,7 +195,8 @@ impl<S: Float> Status<S> {
         scene.dynamics.chain.law_with(self.level, self.stiction)
     }
 
-    /// Creates the status of a stepper at rest, as a constant. `zero` is the number 0.
+    /// Creates the status of a stepper at rest, in a constant expression. `zero` is the number 0, and `stiction` is μ,
+    /// the ratio of static to kinetic friction.
     pub(super) const fn new(zero: S, stiction: S) -> Self {
         Self {
             contact: Contact::Stuck,
@@ -219,7 +223,7 @@ impl<S: Float> Status<S> {
         }
     }
 
-    /// Returns the scalars of the status in the order of an image.
+    /// Returns the scalars of the status, in the order in which an image (saved state) contains them.
     pub(super) fn scalars(&self) -> [S; SCALARS] {
         let [base, velocity] = self.base;
         let ([load, load_low], [lost, lost_low]) = (self.load.parts(), self.dissipated.parts());
@@ -240,7 +244,8 @@ impl<S: Float> Status<S> {
         ]
     }
 
-    /// Returns a status with the scalars in the order of an image. The other fields are those of a stepper at rest.
+    /// Creates a status from its scalars, in the order in which an image (saved state) contains them. The other fields
+    /// are those of a stepper at rest.
     pub(super) fn of_scalars(scalars: [S; SCALARS]) -> Self {
         let [
             stuck_at,

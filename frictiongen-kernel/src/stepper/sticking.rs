@@ -56,7 +56,7 @@ impl<S: Float, const D: usize, K: StepContact<S>> StepInterval<'_, '_, S, D, K> 
     }
 
     /// Advances the motion until the contact breaks away or the sub-interval ends. The contact breaks away when its
-    /// force reaches μF.
+    /// force reaches μF. If a rigid contact breaks away, the function returns the start of the sliding motion.
     pub(super) fn stick_to_event(&mut self) -> Option<Departure<S>> {
         let zero = S::constant(0.0);
         let left = S::constant(1.0) - self.progress;

@@ -125,7 +125,8 @@ impl<S: Float, const D: usize, K: StepContact<S>> StepInterval<'_, '_, S, D, K> 
     }
 
     /// Returns the work of the inputs from the present instant to the instant `place`, while the contact sticks to a
-    /// moving base. The result does not contain the contribution of the modes.
+    /// moving base. The result does not contain the contribution of the modes. `still` is the contact force without
+    /// this contribution, if the caller has computed it.
     pub(super) fn carried_work(&self, still: Option<&[S; 4]>, place: S) -> S {
         let zero = S::constant(0.0);
         if !self.scene.rubs_on_base() {

@@ -16,9 +16,10 @@ const BELOW_ROUNDING: f64 = 16.0;
 pub struct HeldLoad<S> {
     /// Rates of the mode's displacement y and of its scaled velocity u caused by one unit of the input.
     pub drive: [S; 2],
-    /// Displacement of the point on which the input acts, caused by a unit displacement y of the mode and by a unit
-    /// scaled velocity u. The code computes the work of the input from these numbers. For the velocity of the base the
-    /// numbers have the opposite sign, because damping relative to the base also acts on the base.
+    /// Displacement of the point on which the input acts. The first number is caused by a unit displacement y of the
+    /// mode, the second number by a unit scaled velocity u. The code computes the work of the input from these
+    /// numbers. For the velocity of the base the numbers have the opposite sign, because damping relative to the base
+    /// also acts on the base.
     pub reach: [S; 2],
 }
 
@@ -38,11 +39,11 @@ pub struct Channel<S> {
 pub struct View<'t, S, const D: usize> {
     /// Division of the step into sub-intervals.
     pub pace: Pace<S>,
-    /// Tables of all modes, with the constants of one step.
+    /// Tables of all modes of the chain over a sub-interval.
     pub modes: &'t [ModeStep<S, D>],
-    /// Tables of the modes of the chain with its contact stuck.
+    /// Tables of the modes of the chain with its contact stuck, over a sub-interval.
     pub held: &'t [HeldStep<S, D>],
-    /// Rate of the scaled velocity u caused by one unit of an input, for each mode and input.
+    /// Rate of a mode's scaled velocity u caused by one unit of an input, for each mode and input.
     pub loads: &'t [S],
     /// Coupling of each input with each mode of the chain with its contact stuck.
     pub held_loads: &'t [HeldLoad<S>],
@@ -88,11 +89,11 @@ pub struct FixedTables<
 > {
     /// Division of the step into sub-intervals.
     pub pace: Pace<S>,
-    /// Tables of all modes, with the constants of one step.
+    /// Tables of all modes of the chain over a sub-interval.
     pub modes: [ModeStep<S, D>; MODES],
-    /// Tables of the modes of the chain with its contact stuck.
+    /// Tables of the modes of the chain with its contact stuck, over a sub-interval.
     pub held: [HeldStep<S, D>; HELD],
-    /// Rate of the scaled velocity u caused by one unit of an input, for each mode and input.
+    /// Rate of a mode's scaled velocity u caused by one unit of an input, for each mode and input.
     pub loads: [[S; INPUTS]; MODES],
     /// Coupling of each input with each mode of the chain with its contact stuck.
     pub held_loads: [[HeldLoad<S>; INPUTS]; HELD],
@@ -257,7 +258,8 @@ pub fn series_terms<S: Float>(rate: S, epsilon: f64) -> u32 {
     u32::try_from(terms).unwrap_or(u32::MAX)
 }
 
-/// Divides a step of the stepper into sub-intervals.
+/// Divides a step of the stepper into sub-intervals. Returns an error if the length of the step is outside its
+/// permitted range.
 fn pace<S: Float, K: ContactChain<S>>(
     scene: &StepScene<'_, S, K>,
     step: S,

@@ -5,8 +5,8 @@ use super::rows::{HeldStep, ModeStep};
 use crate::number::scalar::Float;
 
 impl<S: Float, const D: usize> ModeStep<S, D> {
-    /// Returns the state of the mode at the end of a sub-interval, and the work that the load `load` does on the mode
-    /// in the sub-interval.
+    /// Returns the state of the mode at the end of a sub-interval, and the work that `load` does on the mode in the
+    /// sub-interval. `drive` is the whole load on the mode, including the friction force.
     #[inline]
     pub(super) fn moved(&self, [y, u]: [S; 2], drive: &[S; D], load: &[S; D]) -> ([S; 2], S) {
         let mut moments = [S::constant(0.0); D];

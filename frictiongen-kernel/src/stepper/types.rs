@@ -12,8 +12,8 @@ use core::marker::PhantomData;
 /// Motion of a chain as a function of time, under an input that is known step by step.
 ///
 /// `T` owns the tables and `V` the state. Tables and state are arrays or constants in emitted code, and vectors at run
-/// time. `D` is the number of coefficients of an input's polynomial over a step. `K` contains the constants of the
-/// chain, and selects the law of the contact.
+/// time. An input is a polynomial over a step, and `D` is the number of its coefficients. `K` contains the constants
+/// of the chain, and selects the law of the contact.
 #[derive(Clone, Debug)]
 pub struct Stepper<'a, S, const D: usize, T, V, K = Chain<S>> {
     pub(super) scene: StepScene<'a, S, K>,
@@ -64,7 +64,8 @@ where
     S: Float,
     K: StepContact<S>,
 {
-    /// Creates a stepper at rest without load, as a constant. `zero` is the number 0, and `stiction` is μ.
+    /// Creates a stepper at rest without load, in a constant expression. `zero` is the number 0, and `stiction` is μ,
+    /// the ratio of static to kinetic friction.
     #[doc(hidden)]
     #[must_use]
     pub const fn declared(
@@ -87,8 +88,8 @@ pub struct Stepped<S> {
     pub force: S,
     /// Number of stops, break-aways and reversals in the step.
     pub events: u32,
-    /// True if a sub-interval of the step has reached the bound on events or on pieces of motion. In the rest of this
-    /// sub-interval the stepper has followed no further events.
+    /// True if the stepper has reached its bound on events, or on pieces of motion between events, in a sub-interval
+    /// of the step. The stepper has then followed no further events in the rest of this sub-interval.
     pub exceeded: bool,
 }
 
@@ -133,15 +134,16 @@ impl<S: Float> ContactNow<S> {
     }
 
     /// Returns the relative velocity of the contact at the end of the last step, in the scene's unit of length per
-    /// second. This velocity is 0 while the contact sticks.
+    /// second. This velocity is 0 while a rigid contact sticks. An elastic contact can move with its spring while it
+    /// sticks.
     #[must_use]
     pub fn velocity(&self) -> S {
         self.motion.velocity
     }
 
-    /// Returns the friction force in the contact at the end of the last step, in the scene's unit of force. While the
-    /// contact sticks, the friction force is the force that keeps the contact at rest. A positive force opposes sliding
-    /// in the positive direction.
+    /// Returns the friction force in the contact at the end of the last step, in the scene's unit of force. While a
+    /// rigid contact sticks, the friction force is the force that keeps the contact at rest. While an elastic contact
+    /// sticks, it is the force of the contact's spring. A positive force opposes sliding in the positive direction.
     #[must_use]
     pub fn force(&self) -> S {
         self.force

@@ -1,4 +1,4 @@
-//! A scene at one frequency ratio. Tables approximate its limits β_lim and β*_lim.
+//! A scene at one frequency ratio r whose limits β_lim and β*_lim come from tables of a declared accuracy.
 
 use crate::contact::regime::{self, Limits};
 use crate::errors::{OutOfDomain, Ratio, Regime};
@@ -154,8 +154,8 @@ impl<T: Tabled> Compiled<T> {
         }
     }
 
-    /// Returns an upper bound on β_lim from the exact formulas, without a search. The formula replaces the velocity
-    /// constraint S by its limit for τ → 0 (5.64).
+    /// Returns an upper bound on β_lim from the exact formulas, without a search. The formula replaces max(S, H_c +
+    /// μm*/r²) by the break-away term H_c + μm*/r² (5.64), where S is the velocity constraint.
     #[must_use]
     pub fn continuous_limit_without_search(&self) -> T::Scalar {
         self.exact().continuous_limit_without_search()
@@ -198,9 +198,10 @@ impl<T: Tabled> Compiled<T> {
         self.scene.domain().never_stuck || beta < self.sliding_limit()
     }
 
-    /// Returns true if β is below β*_lim. The caller has checked that β is below β_lim. With μ ≤ 1 the result is always
-    /// true, because β_lim is then the smaller limit. With μ ≤ 1 a stuck state and a motion that slides all the time
-    /// cannot both exist, because the difference of the two motions would lose energy for ever.
+    /// Returns true if β is below β*_lim. The caller has checked that β is below β_lim. With μ = 1 the result is
+    /// always true, because β_lim is then the smaller limit. The reason is that, with μ = 1, a stuck state and a
+    /// motion that slides all the time cannot both exist. The difference of the two motions would lose energy for
+    /// ever.
     #[inline]
     fn slides_if_admitted(&self, beta: T::Scalar) -> bool {
         let one = T::Scalar::constant(1.0);

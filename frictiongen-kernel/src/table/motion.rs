@@ -10,8 +10,8 @@ use crate::number::scalar::Float;
 use crate::response::motion::Largest;
 use crate::response::{Continuous, MotionOf, ProvidesMotion};
 
-/// Numbers from the tables at one frequency ratio, from which the code computes the amplitude and the phase of the
-/// contact at any friction ratio β.
+/// Numbers from the tables at one frequency ratio. With these numbers the code computes the amplitude and the phase of
+/// the contact at any friction ratio β.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct ContactTable<S> {
     /// Limit of continuous motion β_lim at this frequency ratio.
@@ -68,8 +68,8 @@ impl<S: Float> ContactTable<S> {
         }
     }
 
-    /// Returns √((1 − ρ²) + ρ²(1 − a²)), the in-phase term of the contact's motion divided by |V|. |V| is the amplitude
-    /// of the contact without friction, and a is β_lim·U/|V|. The argument `share` is ρ = β/β_lim.
+    /// Returns √(1 − ρ²a²), the in-phase term of the contact's motion divided by |V|. |V| is the amplitude of the
+    /// contact without friction, and a is β_lim·U/|V|. The argument `share` is ρ = β/β_lim.
     #[inline]
     fn in_phase(&self, share: S) -> S {
         let one = S::constant(1.0);
@@ -114,8 +114,8 @@ impl<T: TabledMotion> Compiled<T> {
     /// tables.
     ///
     /// # Errors
-    /// [`NotContinuous`] with the regime if the motion is not continuous. Also [`NotContinuous`] at an undamped
-    /// resonance that is unbounded at this β, and for a β outside the domain.
+    /// [`NotContinuous`] with the regime if the motion is not continuous. Also [`NotContinuous`] if r is an undamped
+    /// resonance at which this β does not bound the amplitude, and for a β outside the domain.
     pub fn motion(&self, beta: T::Scalar) -> Result<T::Moving, NotContinuous> {
         let mut table = None;
         if !self.is_within() {

@@ -1,6 +1,6 @@
 //! Tables of piecewise polynomials in the frequency ratio r. Each table divides its range of r into buckets of equal
-//! width. A lookup finds the bucket of r first. Then the lookup halves the list of the bucket's pieces a few times,
-//! until only the polynomial that is valid at r is left.
+//! width. A lookup first finds the bucket of r. A few comparisons of r with the starts of the bucket's pieces then
+//! select the polynomial that is valid at r.
 
 use crate::number::scalar::Float;
 
@@ -19,16 +19,17 @@ pub struct Piece<S, const F: usize, const C: usize> {
 
 /// Table of `F` functions of the frequency ratio r over a range of r, as piecewise polynomials.
 ///
-/// A lookup has no branch that depends on r. It takes the index of a first piece from the bucket of r. From this piece,
-/// `halvings` comparisons lead to the piece that contains r.
+/// A lookup makes the same number of comparisons for every r. It takes the index of a first piece from the bucket of
+/// r. The piece that contains r is one of the 2^`halvings` pieces from this index on.
 #[derive(Clone, Copy, Debug)]
 pub struct Table<'a, S, B, const F: usize, const C: usize> {
     /// Smallest frequency ratio r of the table, at which the first bucket starts.
     pub low: S,
     /// Number of buckets per unit of the frequency ratio r. All buckets have the same width.
     pub density: S,
-    /// Number of comparisons with which a lookup finds a polynomial piece in a bucket. At most 2^halvings − 1 pieces
-    /// begin in one bucket.
+    /// Number of times that a lookup halves the list of a bucket's polynomial pieces until one piece is left. At most
+    /// 2^halvings − 1 pieces begin in one bucket. On processors with other than 32-bit pointers, the lookup may count
+    /// pieces instead of halving.
     pub halvings: u32,
     /// For each bucket, the index of the polynomial piece that contains the start of the bucket. The number of buckets
     /// is a power of two.

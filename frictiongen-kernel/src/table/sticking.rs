@@ -8,8 +8,8 @@ use crate::response::{ProvidesStuck, Stuck};
 
 /// A scene that stores its response with the contact stuck as products over zeros and poles.
 ///
-/// The default methods of this trait use the exact formulas. For a scene with products, the code generator replaces
-/// these methods.
+/// The default methods of this trait use the exact formulas. For a scene that stores such products, the code generator
+/// replaces these methods.
 pub trait TabledStuck: Tabled + ProvidesStuck {
     /// Type that `stuck` returns. In emitted code this type has one method for each mass.
     type Sticking: From<Sticking<Self>>;

@@ -1,5 +1,5 @@
-//! Interval arithmetic with outward rounding. A result contains every value that the function takes over the
-//! interval. A result may also contain the slope of the function.
+//! Interval arithmetic with outward rounding. A result contains every value that the function takes over the interval.
+//! A [`Jet`] also bounds the slope of the function.
 
 mod jet;
 
@@ -28,8 +28,8 @@ const ABOVE: f64 = 1.0 + f64::EPSILON;
 /// Allowance for underflow in a product. A subnormal number would suffice, but processors compute much more slowly
 /// with subnormal numbers. Products with this number are normal.
 pub const TINY: f64 = 1e-290;
-/// Bound on the relative error of libm's exponential, of more than two units in the last place. The actual error is at
-/// most one unit.
+/// Bound on the relative error of libm's exponential. It is more than two units in the last place. The actual error is
+/// at most one unit.
 const EXPONENTIAL: f64 = 5e-16;
 
 impl Interval {
@@ -49,7 +49,7 @@ impl Interval {
         high: 1.0,
     };
 
-    /// Returns the interval from `low` to `high`, which must not be less than `low`.
+    /// Returns the interval from `low` to `high`. `high` must not be less than `low`.
     #[inline(always)]
     #[must_use]
     pub fn new(low: f64, high: f64) -> Self {

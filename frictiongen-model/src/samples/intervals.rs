@@ -14,7 +14,7 @@ impl RandomNumbers {
         random(&mut self.0)
     }
 
-    /// Returns a random number of either sign whose modulus is within ten decades. The result is sometimes 0.
+    /// Returns a random number of either sign, with a modulus from 10⁻⁵ to 10⁵. The result is sometimes 0.
     pub fn end(&mut self) -> f64 {
         let size = 10_f64.powf(10.0 * self.unit() - 5.0);
         match (16.0 * self.unit()) as u32 {

@@ -53,7 +53,8 @@ pub struct Damper {
     pub coefficient: f64,
 }
 
-/// Several contacts, and dashpots. Both lists are empty for a scene with one contact and without dashpots.
+/// The contacts of the field `contacts`, and the dashpots. Both lists are empty for a scene with the field `contact`
+/// and without dashpots.
 #[derive(Clone, Debug, PartialEq, Default)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[doc(hidden)]

@@ -1,4 +1,4 @@
-//! Derivatives of the loads that damping relative to the moving base adds.
+//! Derivatives of the load that damping relative to the moving base puts on each mode.
 
 use super::{RelativeChange, dual, set};
 use crate::modal::Modal;
@@ -8,8 +8,8 @@ use frictiongen_kernel::number::dd::Dd;
 use frictiongen_kernel::number::dual::Dual;
 
 impl RelativeChange {
-    /// Sets the derivatives of the participation factors φᵀΓ1 and of the modal forces φᵀK_w1 of the springs to the
-    /// wall. They exist if damping acts on velocities relative to the base.
+    /// Sets the derivatives of the participation factors φᵀΓ1 for base motion, and of the forces φᵀK_w1 on the modes
+    /// from the springs to the wall. Both lists are empty unless damping acts on velocities relative to the base.
     pub(super) fn project_base(
         &self,
         scene: &Scene,

@@ -3,7 +3,7 @@
 use frictiongen_kernel::Scalar;
 use frictiongen_kernel::number::dd::Dd;
 
-/// Two modes count as equal in frequency if their λ differ relatively by at most this value.
+/// Two modes count as equal in frequency if their resonances √λ differ by at most this fraction of their sum.
 const EQUAL: f64 = 1e-24;
 
 /// Upper bound on the number of sweeps of Jacobi rotations in a group of equal modes. Each sweep squares the remaining

@@ -14,7 +14,7 @@ const POINTS: usize = 64;
 /// Number of decades down to which comparison points approach a zero: to 10^−13 of the piece's length.
 const DECADES: f64 = 13.0;
 /// Number of frequency ratios, spread over the range, at which the check compares a product over zeros and poles with
-/// exact values. Additional points are near zeros, resonances and subharmonics.
+/// exact values. Additional points are near zeros, resonances, and subharmonics (resonances divided by 3, 5, 7, …).
 const PRODUCT_POINTS: usize = 256;
 /// Change of r, in rounding units, whose effect is allowed in the comparison. It covers the rounding of r in the
 /// computation of an exact value.

@@ -8,8 +8,8 @@ use super::split::LimitZero;
 use super::worst::Worst;
 use frictiongen_kernel::Float;
 
-/// Ratio of the shortest length that is too long to the longest acceptable length of a piece. The search for the
-/// longest piece ends at this ratio. More fits would reduce the number of pieces by at most a tenth.
+/// The search for the longest piece ends if the shortest length that was too long, divided by the longest acceptable
+/// length, is at most this ratio. More fits would reduce the number of pieces by at most a tenth.
 const LONGEST: f64 = 1.1;
 /// Step to which the code rounds the end of a polynomial piece for readers, as a fraction of the piece's length. An
 /// end at a kink of β_lim or at a bound of the range is not rounded.
@@ -18,8 +18,8 @@ const END: f64 = 0.02;
 /// locates the kink. The error of a piece with a kink is proportional to its length. The error of a smooth piece
 /// falls with a high power of its length.
 const KINK: f64 = 30.0;
-/// Ratio of the shortest length that is too long to the longest acceptable length of a piece. The search for a kink
-/// ends at this ratio.
+/// The search for a kink ends if the shortest length of a piece that was too long, divided by the longest acceptable
+/// length, is at most this ratio.
 const KINK_FOUND: f64 = 1.0 + 1e-3;
 /// Largest number of polynomial pieces that the code fits a second time, after the check found too large an error.
 /// Each repetition adds a point at which later fits are compared. With more repetitions the construction would
@@ -34,11 +34,11 @@ const SHORTEST: f64 = 1e-13;
 const LONGER: f64 = 1.5;
 /// Largest number of fits in the search for the longest polynomial piece from one start.
 const MOST_FITS: usize = 200;
-/// Target error of the next length that the search tries, divided by the allowed error, after a length with an
-/// acceptable error.
+/// Error at which the search aims with its next length, as a fraction of the allowed error. This value applies after a
+/// length with an acceptable error.
 const AIM: f64 = 0.8;
-/// Target error of the next length that the search tries, divided by the allowed error, after a length that was too
-/// long.
+/// Error at which the search aims with its next length, as a fraction of the allowed error. This value applies after a
+/// length that was too long.
 const AIM_AGAIN: f64 = 0.7;
 /// Error of a fit, divided by the allowed error, from which the code extrapolates the next length. A smaller error
 /// gives no information about the best length.
@@ -60,7 +60,7 @@ pub(super) struct Cover<'a, 'm, S> {
     pub comparison: Comparison<'a, 'm, S>,
     /// Kinks of β_lim, as frequency ratios in ascending order.
     pub kinks: Vec<f64>,
-    /// Allowed errors of the check: of β_lim, and of the amplitude and the phase of the contact.
+    /// Errors that the check allows: first that of β_lim, then that of the amplitude and the phase of the contact.
     pub whole: (f64, f64),
     /// Largest number of pieces that the construction may make.
     pub most_pieces: usize,

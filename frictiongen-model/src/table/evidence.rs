@@ -11,7 +11,7 @@ pub enum Evidence {
     Proven,
     /// The error of the table is below a bound at every r except in some intervals, where the table is only checked.
     Partly,
-    /// The table was compared with exact values at many points. Between them its error may be larger.
+    /// The table was compared with exact values at many points. Between these points its error may be larger.
     Checked,
 }
 

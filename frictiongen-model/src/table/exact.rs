@@ -34,7 +34,7 @@ pub struct ExactValues {
     pub tau: Option<f64>,
 }
 
-/// A scene that computes the exact values of a table's functions, and stores them for later calls.
+/// Evaluator of a table's functions for one scene. It computes exact values, and stores them for later calls.
 pub struct Exact<'a> {
     /// The modal analysis of the scene.
     pub modal: &'a Modal,
@@ -46,7 +46,7 @@ pub struct Exact<'a> {
 }
 
 impl<'a> Exact<'a> {
-    /// Creates a scene without stored values.
+    /// Creates the evaluator for a scene, without stored values.
     #[must_use]
     pub fn new(modal: &'a Modal) -> Self {
         Self {

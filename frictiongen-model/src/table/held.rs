@@ -95,7 +95,7 @@ impl<S: Float> HeldForm<S> {
         }
     }
 
-    /// Returns the number of numbers in the gain and the zeros, and the number of numbers in the poles.
+    /// Returns how many numbers the response stores: first for its gain and zeros, then for its poles.
     fn numbers(&self) -> (usize, usize) {
         let of_roots = |roots: &[Root<S>]| -> usize {
             let numbers = roots.iter().map(|root| match root {

@@ -9,17 +9,16 @@ use frictiongen_kernel::number::complex;
 use frictiongen_kernel::number::dd::Dd;
 use frictiongen_kernel::{Complex, Float};
 
-/// Bound on |s² + 2ζσs + σ²|/σ² of a mode. Below it, s is so close to the resonance σ that the sums over the modes
-/// lose half of their 30 digits.
+/// Bound on |s² + 2ζσs + σ²|/σ² of a mode. Below this bound, s is so close to the resonance σ that the sums over the
+/// modes lose half of their 30 digits.
 const ON_RESONANCE: f64 = 1e-12;
 
-/// Upper bound on the number of corrections of a zero, and the relative correction at which the iteration ends. These
-/// values are for the first part of the iteration, in double precision. `LAST_STEPS` are for the second part, in
-/// double-double.
+/// Largest number of corrections of a zero in double precision, and the relative correction at which these corrections
+/// end. The corrections in double-double follow (`LAST_STEPS`).
 const FIRST_STEPS: (usize, f64) = (100, 1e-11);
-/// Upper bound on the number of corrections of a zero in double-double, and the relative correction at which the
-/// iteration ends. Each correction is about the cube of the previous correction, so after a correction of 10⁻²³ only
-/// rounding errors remain.
+/// Largest number of corrections of a zero in double-double, and the relative correction at which the iteration ends.
+/// Each correction is about the cube of the previous correction, so after a correction of 10⁻²³ only rounding errors
+/// remain.
 const LAST_STEPS: (usize, f64) = (60, 1e-23);
 
 /// Response of a mass, or the contact force, while the contact is stuck.
@@ -101,7 +100,7 @@ impl HeldAt {
     }
 }
 
-/// Returns s, the coefficient of the base motion in z̄ = wᵀx̄ − s cos τ. It is 1 if the contact slides on the moving
+/// Returns s, the coefficient of the base motion in z̄ = wᵀx̄ − s cos τ_e. s is 1 if the contact slides on the moving
 /// base, and otherwise 0.
 fn carried(modal: &Modal) -> Dd {
     Dd::from(if modal.on_moving_base { 1.0 } else { 0.0 })
@@ -181,8 +180,8 @@ fn held_pole(modal: &Modal, zero: Zero) -> Option<Pole> {
     })
 }
 
-/// Returns the poles of modes in which the contact does not move. They include combinations of equal modes in which
-/// the contact does not move.
+/// Returns the poles of all modes in which the contact does not move. A combination of equal modes also counts as such
+/// a mode.
 fn untouched_poles(modal: &Modal) -> Vec<Pole> {
     let equal = |a: usize, b: usize| {
         let near = |values: &[Dd]| match (values.get(a), values.get(b)) {
@@ -355,8 +354,9 @@ fn of_mass(poles: &[Pole], mass: usize, damped: bool) -> Option<Response> {
     }))
 }
 
-/// Returns the number of zeros of Σ R/(s − z), where z are poles and R their residues. It follows from the expansion of
-/// the sum in powers of 1/s, and depends on the first power whose coefficient is larger than its rounding error.
+/// Returns the number of zeros of Σ R/(s − z), where z are poles and R their residues. The number follows from the
+/// expansion of the sum in powers of 1/s. It depends on the first power whose coefficient is larger than its rounding
+/// error.
 fn degree(simple: &[[Complex<Dd>; 2]]) -> Option<usize> {
     let mut powers: Vec<Complex<Dd>> = simple.iter().map(|[_, residue]| *residue).collect();
     for lost in 1..=simple.len() {

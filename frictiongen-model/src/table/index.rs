@@ -12,8 +12,8 @@ const BUCKETS: [usize; 8] = [FEWEST, 16, 32, 64, 128, 256, 512, 1024];
 /// Largest number of buckets of r, as a multiple of the count of numbers in the polynomial pieces. More buckets would
 /// save too few comparisons for their memory.
 const CROWDED: usize = 1;
-/// Number of comparisons in a lookup that the code does not reduce further. More buckets would reduce this number, but
-/// would need too much memory.
+/// Number of comparisons in a lookup that is small enough. More buckets would reduce this number further, but would
+/// need too much memory.
 const FEW: u32 = 2;
 
 /// Buckets that divide a range of r into equal parts, by which a lookup finds the polynomial piece that contains r.
@@ -30,8 +30,8 @@ pub struct Index<S> {
 }
 
 impl<S: Float> Index<S> {
-    /// Returns the smallest number of buckets with which a lookup needs at most `FEW` comparisons. If no tried number
-    /// suffices, returns the number that needs the fewest comparisons.
+    /// Returns the smallest set of buckets with which a lookup needs at most `FEW` comparisons. If no tried number of
+    /// buckets suffices, returns the set that needs the fewest comparisons.
     pub(super) fn of(pieces: &[Fitted<S>], (low, high): (S, S)) -> Self {
         let mut best: Option<Self> = None;
         let numbers: usize = pieces.iter().map(Fitted::numbers).sum();

@@ -1,5 +1,5 @@
-//! Kinks of β_lim. β_lim has a kink where the maximum of the velocity constraint jumps to another phase τ in the half
-//! period.
+//! Kinks of β_lim. The velocity constraint is the function of the phase τ whose maximum over the half period
+//! determines β_lim. β_lim has a kink where this maximum jumps to another τ.
 
 use super::exact::Exact;
 

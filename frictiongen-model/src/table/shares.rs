@@ -17,16 +17,16 @@ const SHARE: f64 = 0.75;
 /// Fraction of the accuracy that the error of a table may take at the points of the check. The rest is for larger
 /// errors between these points.
 const CHECKED: f64 = 0.9;
-/// Fraction of the accuracy that the fit may take with `side: safe`. The table then aims half the accuracy away from
-/// the exact limit.
+/// Fraction of the accuracy that the fit may take with `side: safe`. The fit then aims at a value that is below the
+/// exact limit by half the accuracy.
 const SAFE_SHARE: f64 = 0.4;
 /// Fraction of the accuracy that may be lost if a coefficient is rounded to decimals.
 const ROUNDING: f64 = 1e-3;
 /// Largest number of polynomial pieces in a table.
 const MOST_PIECES: usize = 20_000;
 
-/// Returns the settings for polynomial pieces that meet a request: the allowed errors, the number of functions and
-/// the number of coefficients. It contains no pieces yet.
+/// Returns the settings for polynomial pieces that meet a request: the allowed errors, the number of functions and the
+/// number of coefficients. The result contains no pieces yet.
 pub(super) fn cover<'a, 'm, S: Float>(
     exact: &'a mut Exact<'m>,
     landmarks: Landmarks,
@@ -61,7 +61,7 @@ pub(super) fn cover<'a, 'm, S: Float>(
     }
 }
 
-/// Converts an error that is divided by the error that the check allows to a relative error.
+/// Converts an error, given as a multiple of the error that the check allows, to a relative error.
 pub(super) fn relative(worst: Worst, request: &Request) -> Worst {
     let error = match request.side {
         Side::Near => worst.error * CHECKED * request.accuracy,

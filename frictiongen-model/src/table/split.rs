@@ -27,7 +27,8 @@ impl LimitZero {
     }
 }
 
-/// Relative distances from a zero of β_lim, a resonance or a subharmonic at which the error of a table is checked.
+/// Relative distances from a zero of β_lim, a resonance or a subharmonic at which the error of a table is checked. A
+/// subharmonic is a resonance divided by 3, 5, 7 and so on.
 const BESIDE: [f64; 13] = [
     0.0, 1e-13, 1e-12, 1e-11, 1e-10, 1e-9, 1e-8, 1e-6, 1e-5, 1e-4, 1e-3, 3e-3, 1e-2,
 ];
@@ -35,7 +36,8 @@ const BESIDE: [f64; 13] = [
 /// table.
 const OUTSIDE: f64 = 1e-2;
 /// Largest damping at which a resonance, a subharmonic or a zero causes a narrow feature of β_lim. For the subharmonic
-/// of order n of a mode the damping is nζ. For a complex zero x + iy of the contact's response to the load it is |x|/y.
+/// of order n of a mode, which is its resonance divided by n, the damping is nζ. For a complex zero x + iy of the
+/// contact's response to the load it is |x|/y.
 const BROAD: f64 = 0.5;
 /// Largest number of subharmonics that the code considers for each mode.
 const MOST: usize = 10_000;
@@ -50,7 +52,8 @@ pub struct Landmarks {
     /// resonances.
     pub jumps: Vec<f64>,
     /// Frequency ratios, in ascending order, at which the code evaluates the error of a table, in addition to the
-    /// points of the fit and of the check. They are at and near zeros of β_lim, resonances and subharmonics.
+    /// points of the fit and of the check. They are at and near zeros of β_lim, resonances, and subharmonics
+    /// (resonances divided by 3, 5, 7, …).
     pub closely: Vec<f64>,
 }
 

@@ -27,8 +27,8 @@ const ABOVE: f64 = 1.4;
 /// point on an axis, the iteration would stay on that axis.
 const LEAST_ANGLE: f64 = 0.1;
 /// Range of the angles, in rad, of the points from which the search for zeros starts. It begins at `LEAST_ANGLE` and
-/// is divided into elevenths. Each angle is seven elevenths beyond the previous angle, so that neighbouring points have
-/// very different angles.
+/// is divided into elevenths. Each angle is seven elevenths beyond the previous angle (modulo the range), so that
+/// neighbouring points have very different angles.
 const ANGLES: f64 = 0.7;
 
 /// A zero or pole s = x + iy of a function of s = ir, in double-double. A conjugate pair is represented by the number

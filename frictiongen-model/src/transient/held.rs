@@ -2,7 +2,7 @@
 //! chain with its contact stuck.
 //!
 //! A pair of roots of s² + 2αs + ω² is one oscillator (y, u), with u = ẏ/ω in the time t√(k₁/m₁). While only this
-//! oscillator moves, mode i of the sliding chain has the modal coordinate η_i = g_i y + h_i u. This mode has the
+//! oscillator moves, mode i of the sliding chain has the modal coordinate η_i = g_i y + h_i u. Mode i has the
 //! resonance σ_i = √λ_i, the damping ratio ζ_i and the contact displacement w_i. The participations g_i and h_i follow
 //! from w_i/(s² + 2ζ_iσ_i s + λ_i) = g_i + (h_i/ω)s modulo the polynomial of the pair. All numbers are real, also at a
 //! double root.
@@ -49,8 +49,9 @@ pub(super) fn held<T: Float, S: Scalar>(
             force = force + mode.contact * (lambda * g + loss * g_rate);
         }
         let determinant = first * second - mixed * mixed;
-        // The participations belong to the contact force −y, divided by the largest participation. If an elastic
-        // contact moves, `force` also contains the inertia of the contact. The code then uses `largest` instead.
+        // The participations in `own` are those for the contact force −y, divided by `largest`. An elastic contact
+        // moves in a held mode, so `force` then also contains the inertia of this motion. The code uses `largest`
+        // instead.
         let per_y = if compliance.is_zero() {
             force / inverse_mass
         } else {
@@ -82,8 +83,9 @@ fn participations_of<T: Float>(
 ) -> (Vec<[T; 2]>, T) {
     let (zero, two) = (T::constant(0.0), T::constant(2.0));
     let mut own = vec![[zero; 2]; modes.len()];
-    // Finds the mode with the largest term in 1/κ + Σ c_i/(s² + 2ζ_iσ_i s + λ_i) = 0. The denominator of that mode
-    // may be only rounding, so its participation must balance the participations of the other modes.
+    // Finds the mode with the largest term in 1/κ + Σ c_i/(s² + 2ζ_iσ_i s + λ_i) = 0. The denominator of that mode may
+    // be only rounding error. The code therefore computes the participation of that mode from those of the other
+    // modes, so that the sum is 0.
     let (mut nearest, mut part) = (0, zero);
     for (index, (mode, participation)) in modes.iter().zip(&mut own).enumerate() {
         // The denominator d = s² + 2ζ_iσ_i s + λ_i is as + b modulo s² + 2αs + ω², the polynomial of the pair. The
@@ -123,9 +125,9 @@ fn participations_of<T: Float>(
 }
 
 /// Returns ω and ζ of the held modes (modes of the chain with its contact stuck), with derivatives. The function makes
-/// one Newton step from the known ω and ζ. The step solves the equation that the remainder of 1/κ + Σ c_i/(s² + 2ζ_iσ_i
-/// s + λ_i) modulo s² + ps + q vanishes. `compliance` is 1/κ, the compliance of an elastic contact, and 0 for a rigid
-/// contact.
+/// one Newton step from the known ω and ζ. The unknowns are p and q in s² + ps + q, the polynomial of a pair of roots.
+/// At the roots, 1/κ + Σ c_i/(s² + 2ζ_iσ_i s + λ_i) has the remainder 0 modulo this polynomial. `compliance` is 1/κ,
+/// the compliance of an elastic contact, and 0 for a rigid contact.
 pub(super) fn moving(
     driven: &[DrivenMode],
     modes: &[&SlidingMode<Dual<Dd>>],

@@ -9,8 +9,8 @@ use frictiongen_kernel::number::dd::Dd;
 /// can cause a difference of this size.
 pub(super) const EQUAL: f64 = 1e-24;
 
-/// Fraction of the largest value that a component of a mode can have. A component of at most this fraction is
-/// rounding noise.
+/// Bound on a component of a mode that is only rounding noise, as a fraction of the largest value that the component
+/// can have. The code sets such a component to zero.
 const NOISE: f64 = 1e-26;
 
 /// Constants of one mode of the sliding chain in double-double, with or without derivatives.

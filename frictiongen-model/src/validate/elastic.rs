@@ -7,9 +7,9 @@ use super::settings::item_name;
 use crate::modal::Modal;
 use crate::scene::{FrictionLaw, Precision, Provide, Scene};
 
-/// Largest angle, in rad, by which the fastest mode of the stuck chain may turn in a cycle at the lowest resonance. The
-/// rounding of this angle changes the contact force. An angle of 10⁶ rad keeps an accuracy of 10⁻¹⁰ in `f64`, and an
-/// angle of 10⁴ rad keeps 10⁻³ in `f32`.
+/// Largest phase, in rad, of the fastest mode of the stuck chain after one period of the lowest resonance that the
+/// contact drives. The rounding of this phase changes the contact force. A phase of 10⁶ rad keeps an accuracy of 10⁻¹⁰
+/// in `f64`, and a phase of 10⁴ rad keeps 10⁻³ in `f32`.
 fn most_turned(precision: Precision) -> f64 {
     match precision {
         Precision::F64 => 1e6,
@@ -17,7 +17,7 @@ fn most_turned(precision: Precision) -> f64 {
     }
 }
 
-/// Returns the number of digits that the contact force keeps at the angle of [`most_turned`].
+/// Returns the number of correct digits that the contact force keeps at the phase of [`most_turned`].
 fn kept(precision: Precision) -> u32 {
     match precision {
         Precision::F64 => 10,

@@ -8,7 +8,7 @@ use core::fmt;
 /// macro, because every build of the library would then wait for syn.
 macro_rules! scene_errors {
     ($($name:ident { $($field:ident: $kind:ty),* } => $message:literal,)*) => {
-        /// An error for which a scene makes no physical sense.
+        /// An error in a scene that makes no physical sense.
         #[derive(Clone, Debug, PartialEq)]
         #[non_exhaustive]
         #[allow(

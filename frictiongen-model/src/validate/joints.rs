@@ -275,7 +275,8 @@ fn check_loops(scene: &Scene, errors: &mut Vec<SceneError>) {
     }
 }
 
-/// Returns the contacts on the path between two nodes of a graph without loops.
+/// Returns the indices of the contacts on the path between two nodes, in a graph of contacts without loops. Returns
+/// `None` if no path exists.
 fn path(tree: &[(usize, usize, usize)], from: usize, to: usize) -> Option<Vec<usize>> {
     let mut reached: Vec<(usize, Vec<usize>)> = vec![(from, Vec::new())];
     let mut next = 0;

@@ -1,8 +1,8 @@
 //! Names that a mass may have, and names that are reserved.
 
 /// Reserved words, which cannot be the name of a mass: the words of a description, and all methods of the generated
-/// types. The name of a mass becomes a method of the generated types. The words below are the only list of reserved
-/// words.
+/// types. The name of a mass becomes a method of these types, so it must differ from their other methods. No other
+/// list of reserved words exists.
 pub const RESERVED: &[&str] = &[
     // Words of a description.
     "base",

@@ -43,9 +43,9 @@ pub struct Drawn<'a> {
 /// Largest difference of phase, in rad, between two neighbouring points that a line joins. A larger difference is a
 /// jump of the phase.
 const TURN: f64 = 0.6;
-/// Smallest amplitude at which a figure shows the phase, as a fraction of the median amplitude of the curve piece. At a
-/// smaller amplitude the phase is mostly rounding error, because the amplitude has an error of about 1e-13 of the
-/// largest term of its sum.
+/// Smallest amplitude at which a figure shows the phase, as a fraction of the median amplitude of the curve piece. At
+/// a smaller amplitude the phase is mostly rounding error, because the amplitude has an error of about 1e-13 of the
+/// largest term of its modal sum.
 const VANISHING: f64 = 1e-10;
 
 /// Returns the stroke that marks a regime in the curves, such as dotted for a stuck contact.
@@ -84,8 +84,8 @@ impl Reading {
         matches!(self, Self::Phase | Self::HarmonicPhase(_))
     }
 
-    /// Returns the amplitude of the motion `part` at a point of the curve, in the unit of the amplitude axis. `part`
-    /// is an index among the requested motions.
+    /// Returns the amplitude of a motion (or its [`MotionQuantity`]) at a point of the curve, in the unit of its axis.
+    /// `part` is the index of the motion among the requested motions.
     fn size(
         self,
         piece: &CurvePiece,
@@ -197,7 +197,7 @@ fn phases(piece: &CurvePiece, part: usize, reading: Reading, scales: &Scales) ->
 const FULL: f64 = std::f64::consts::TAU;
 
 /// Returns the layers that draw the motion `part` of a curve: one line for each regime, and dots for motions that do
-/// not become periodic. All lines have the same legend name. If their strokes differ, the legend shows only the colour.
+/// not become periodic. All lines share one legend entry. If their strokes differ, this entry shows only the colour.
 #[must_use]
 pub fn lines(
     drawn: &Drawn<'_>,

@@ -4,8 +4,8 @@ use super::map::{AxisCells, upper};
 use super::scales::Scales;
 use crate::{Axis, Cells, Colour, Figure, Fill, Label, Line, Panel, Point, Raster, Stroke};
 
-/// Largest number of classes of which each has its own colour. In a map with more classes, all further sets of contacts
-/// that never slide share one class.
+/// If a map already has more classes than this number, all further sets of contacts that never slide share one class.
+/// Otherwise each set has its own class and colour.
 const CLASSES: usize = 6;
 
 /// The class of one cell of a map. It says which contacts slide in the steady state at the cell's frequency and
@@ -24,8 +24,8 @@ pub enum JoinedClasses {
     Unsettled,
 }
 
-/// The cells of a map over frequency and friction. The list begins with the cells of the lowest friction, in the
-/// order of the frequencies.
+/// The cells of a map over frequency and friction. The cells of the lowest friction come first. The cells of one
+/// friction have the order of the frequencies.
 #[derive(Clone, Debug)]
 pub enum JoinedCells {
     /// The class of each cell.

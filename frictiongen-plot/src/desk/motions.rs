@@ -135,7 +135,7 @@ fn loop_panel(slip: &[f64], force: &[f64], scales: &Scales) -> Panel {
     Panel::new(title, across, up).with(Line::unnamed(Colour::Black, Stroke::Solid, vec![path]))
 }
 
-/// Returns the panel with these lines added on top of its other layers.
+/// Returns `panel` with `lines` added on top of its other layers.
 fn with_lines(panel: Panel, lines: Vec<Line>) -> Panel {
     lines
         .into_iter()

@@ -87,7 +87,8 @@ pub fn regimes(title: impl Into<Label>, lines: &LimitLines, top: f64, scales: &S
     panel.with(continuous).with(sliding)
 }
 
-/// A boundary curve of an area between the limits, over frequency.
+/// Lower or upper edge of a named area in a panel of the regimes. `Least` and `Most` are the smaller and the larger of
+/// β_lim and β*_lim.
 #[derive(Clone, Copy)]
 enum AreaEdge {
     Zero,
@@ -110,9 +111,9 @@ impl AreaEdge {
     }
 }
 
-/// Returns the frequency ratio and friction ratio at which an area has the most space for its name, or `None` without
-/// enough space. Each item of `places` is a frequency ratio with the lower and the upper edge of the area. The area
-/// counts only up to the friction ratio `top`.
+/// Returns the frequency ratio and friction ratio at which an area has the most space for its name. Returns `None` if
+/// the area has too little space. Each item of `places` is a frequency ratio with the lower and the upper edge of the
+/// area. The area counts only up to the friction ratio `top`.
 fn roomiest(places: &[(f64, f64, f64)], top: f64) -> Option<(f64, f64)> {
     let first = places.first()?.0;
     let width = places.last()?.0 - first;

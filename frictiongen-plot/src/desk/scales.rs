@@ -112,7 +112,7 @@ impl Scales {
     }
 
     /// Returns a copy of these units with other scales of the axes. If `frequency` is true, the frequency axis is
-    /// logarithmic. If `amplitude` is true, the amplitude axes are.
+    /// logarithmic. If `amplitude` is true, the amplitude axes are logarithmic.
     #[must_use]
     pub fn with_log(self, frequency: bool, amplitude: bool) -> Self {
         Self {
@@ -259,7 +259,7 @@ impl Scales {
         }
     }
 
-    /// Returns the name of a friction ratio in the legend, for example `β = 0.3`, or the force in N.
+    /// Returns the text for a friction ratio in the legend: for example `β = 0.3`, or the friction force in N.
     #[must_use]
     pub fn friction_name(&self, beta: f64) -> Label {
         self.swept_name(beta, "")

@@ -309,8 +309,8 @@ impl<const N: usize> IntervalSeries<N> {
         joined
     }
 
-    /// Returns the series over an interval with narrower coefficients. Taylor's formula computes them from the series
-    /// `at` a point of the interval. `away` is the interval minus that point.
+    /// Returns this series, which is over an interval, with narrower coefficients. Taylor's formula gives these
+    /// coefficients from the series `at` a point of the interval. `away` is the interval minus that point.
     #[must_use]
     pub fn refined(&self, at: &Self, away: Interval) -> Self {
         let mut refined = *self;
@@ -331,7 +331,8 @@ impl<const N: usize> IntervalSeries<N> {
     }
 
     /// Returns bounds on the polynomial's values for all t in an interval. The result is the intersection of two
-    /// bounds. They come from the mean value form at the middle and from plain interval evaluation.
+    /// bounds. One comes from the mean value form at the middle of the interval, the second from plain interval
+    /// evaluation.
     #[must_use]
     pub fn range(&self, t: Interval) -> Interval {
         let middle = Interval::point(t.middle());

@@ -32,6 +32,7 @@ impl Located<'_> {
     }
 
     /// Returns the position of the field `contacts`. Without this field, returns the position of the field `dampers`.
+    /// Without both, returns the position of the scene's name.
     #[must_use]
     pub fn joints(&self) -> TokenPosition {
         self.places.joints()

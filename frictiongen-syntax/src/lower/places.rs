@@ -11,7 +11,8 @@ use crate::parse::syntax::{
 /// The entries of a description from which the items of a scene come.
 pub(super) struct Places<'s> {
     pub(super) syntax: &'s Syntax,
-    /// Entry in the description for each spring of the scene. Springs with errors are in neither list.
+    /// Entry in the description for each spring of the scene. The list has no entry for a spring with an error,
+    /// because the scene does not contain this spring.
     pub(super) springs: Vec<&'s SpringEntry>,
     /// Entry in the description for each contact of the field `contacts`.
     pub(super) contacts: Vec<&'s JointEntry>,
@@ -99,6 +100,7 @@ impl Places<'_> {
     }
 
     /// Returns the position of the field `contacts`. Without this field, returns the position of the field `dampers`.
+    /// Without both, returns the position of the scene's name.
     pub(super) fn joints(&self) -> TokenPosition {
         let fields = &self.syntax.fields;
         let contacts = fields.contacts.given().map(|placed| placed.place);

@@ -198,8 +198,8 @@ impl<'s> Lowering<'s, '_> {
         })
     }
 
-    /// Returns the index of the mass with this name. `supports` lists the other words (`base`, `wall`) that the field
-    /// accepts instead of a mass.
+    /// Returns the index of the mass with this name. Without such a mass, returns an error. Its message may suggest
+    /// one of `supports`: the words (`base`, `wall`) that the field accepts instead of a mass.
     pub(super) fn mass(&mut self, name: &Name, supports: &[&str]) -> Result<usize, Reported> {
         let text = name.text.as_str();
         if let Some(&index) = self.names.index.get(text) {

@@ -87,8 +87,8 @@ fn spring(
     )
 }
 
-/// Parses `node - node: number`. In error messages, `what` names the entry, and `parts` names the two sides of the
-/// entry's colon.
+/// Parses `node - node: number`. For error messages, `what` names the entry, such as "a spring". `parts` names what
+/// the colon separates, such as "the ends of a spring and its stiffness".
 pub(crate) fn link(
     reader: &mut TokenReader<'_>,
     problems: &mut Problems,

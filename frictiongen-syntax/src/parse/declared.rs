@@ -1,4 +1,5 @@
-//! Parses the fields of a description that declare the accuracy of the emitted code and its range.
+//! Parses the fields of a description about tables, which replace the exact formulas: their accuracy, the range of r
+//! and β in which they are valid, and more.
 
 use frictiongen_model::scene::{Beyond, Proving, Side};
 
@@ -123,7 +124,8 @@ fn part(
     Ok(())
 }
 
-/// Parses the side on which limits may err: `near` (either side) or `safe` (only the safe side).
+/// Parses the side of the exact limits on which the limits from tables may lie: `near` (either side) or `safe` (only
+/// the safe side).
 pub(crate) fn side(reader: &mut TokenReader<'_>, problems: &mut Problems) -> Read<Choice<Side>> {
     choice(
         reader,
@@ -142,7 +144,7 @@ pub(crate) fn beyond(
     choice(reader, problems, "beyond", choices)
 }
 
-/// Parses the extent of the requested proof: `quick` or `whole`.
+/// Parses the time that the macro may spend on a proof of the tables' accuracy: `quick` or `whole`.
 pub(crate) fn proof(
     reader: &mut TokenReader<'_>,
     problems: &mut Problems,

@@ -21,8 +21,8 @@ const PROVIDE: [&str; 7] = [
     "self_check",
 ];
 
-/// Parses the reference of the velocities in the damping: `rest` for absolute velocities, or `base` for velocities
-/// relative to the moving base.
+/// Parses the velocities on which damping acts: `rest` for absolute velocities, or `base` for velocities relative to
+/// the moving base.
 pub(crate) fn damping_from(
     reader: &mut TokenReader<'_>,
     problems: &mut Problems,
@@ -141,7 +141,8 @@ fn rayleigh(
     }
 }
 
-/// Parses the numbers in parentheses. Fails if an error leaves it uncertain which number has which index.
+/// Parses the numbers in parentheses. Fails if the parser could not read all numbers, because the positions of the
+/// other numbers in the list are then uncertain.
 fn arguments(mut inside: Inside<'_>, problems: &mut Problems) -> Result<Vec<Number>, Reported> {
     let list = numbers(&mut inside.reader, problems);
     if list.complete {

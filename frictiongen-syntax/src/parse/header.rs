@@ -160,7 +160,8 @@ pub(crate) fn visibility(reader: &mut TokenReader<'_>, problems: &mut Problems) 
     }
 }
 
-/// Parses `struct Name`. Returns `None` if the text that follows cannot be a description.
+/// Parses `struct Name`. Returns `None` if the text that follows cannot be a description. Returns `Some(None)` if only
+/// the name is missing or not usable.
 pub(crate) fn name(reader: &mut TokenReader<'_>, problems: &mut Problems) -> Option<Option<Name>> {
     let place = reader.place();
     if is_word(reader, 0, "struct") {

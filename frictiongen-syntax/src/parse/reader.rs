@@ -25,7 +25,7 @@ pub(crate) struct Inside<'t> {
     pub(crate) place: TokenPosition,
 }
 
-/// A parsed item. `clean` is false if an error leaves the position of the reader uncertain.
+/// A parsed item. `clean` is false if the reader may not be at the end of the item, because of an error.
 pub(crate) struct Read<T> {
     pub(crate) value: Option<T>,
     pub(crate) clean: bool,

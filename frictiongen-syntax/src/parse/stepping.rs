@@ -60,8 +60,8 @@ pub(crate) fn friction(
     }
 }
 
-/// Parses the points of a friction law, in parentheses. Fails if an error leaves it uncertain which point has which
-/// index.
+/// Parses the points of a friction law, in parentheses. Fails if the parser could not read all points, because the
+/// positions of the other points in the list are then uncertain.
 fn points(
     reader: &mut TokenReader<'_>,
     problems: &mut Problems,

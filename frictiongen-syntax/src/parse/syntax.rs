@@ -192,7 +192,8 @@ pub struct Syntax {
     pub visibility: Visibility,
     /// The name of the struct. `None` if the written name cannot be used.
     pub name: Option<Name>,
-    /// Position of an error about a missing field.
+    /// Position for the error of a missing field: the name of the struct, or the start of the struct if the
+    /// description has no usable name.
     pub(crate) place: TokenPosition,
     /// True if the description has braces with fields.
     pub(crate) has_body: bool,

@@ -28,8 +28,8 @@ pub enum TokenKind {
     Quoted {
         /// The string, character or byte, as written in the description.
         text: String,
-        /// The value, if the token is a string in a text. For tokens that the caller passes, the value is in the
-        /// caller's own list.
+        /// The value of a string in a text. For a token of a macro call this value is empty, because the compiler's
+        /// token contains the value.
         value: String,
     },
     /// A single character of punctuation.

@@ -68,7 +68,7 @@ impl<'r> Inputs<'r> {
     ///
     /// # Errors
     /// [`MeasureError`] for channels with other names, for units that do not fit, and for a missing excitation.
-    /// [`MeasureError`] also unless there is exactly one friction force.
+    /// [`MeasureError`] also for a friction force that is missing or given twice.
     pub fn of(
         recording: &'r Recording,
         system: &System,
@@ -78,7 +78,7 @@ impl<'r> Inputs<'r> {
         Self::of_channels((recording, &channels), system, friction)
     }
 
-    /// Collects the inputs of a scene from some channels of a recording, as [`of`](Self::of) does from all.
+    /// Collects the inputs of a scene from the given channels of a recording. [`of`](Self::of) uses all channels.
     pub(super) fn of_channels(
         (recording, channels): (&Recording, &[&'r Channel]),
         system: &System,
@@ -169,8 +169,7 @@ impl<'r> Inputs<'r> {
     }
 }
 
-/// Input of a scene with several contacts at one sample. It has the names of the recording, not yet checked against the
-/// scene.
+/// Input of a scene with several contacts at one sample. Each mass has the name of its channel in the recording.
 #[doc(hidden)]
 #[derive(Clone, Debug)]
 pub struct DriveSample<'r> {
@@ -180,7 +179,7 @@ pub struct DriveSample<'r> {
     pub force: f64,
     /// Forces on other masses at the sample, in N. Each force has the name of its mass.
     pub others: Vec<(&'r str, f64)>,
-    /// Kinetic friction force in the contact, in N.
+    /// Kinetic friction force, in N. The force of each contact is this force times the contact's share.
     pub friction: f64,
 }
 

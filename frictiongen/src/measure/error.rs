@@ -64,7 +64,7 @@ pub enum MeasureError {
         channel: String,
         /// Value at which the clipped channel stays, in the unit of the channel.
         value: f64,
-        /// Fraction of the samples that stay at the value of the clipped channel.
+        /// Fraction of the channel's samples that have the clipped value.
         share: f64,
     },
     /// The name of a channel is not the name of the excitation, and not the name of a mass.
@@ -74,7 +74,7 @@ pub enum MeasureError {
         /// Names that a channel can have in this scene.
         known: Vec<String>,
     },
-    /// The excitation was not recorded. The field has the name of its channel.
+    /// The excitation was not recorded. The field is the name of the missing channel.
     NoDrive(&'static str),
     /// The friction force was neither given nor recorded.
     NoFriction,
@@ -98,7 +98,8 @@ pub enum MeasureError {
         /// Frequency of the excitation at the end of the recording, in Hz.
         to: f64,
     },
-    /// The amplitude of the excitation is not constant during the recording. The number is the relative change.
+    /// The amplitude of the excitation is not constant during the recording. The number is the largest relative
+    /// deviation from the mean amplitude.
     Swells(f64),
     /// The motion in a channel is never steady. The field is the name of the channel.
     NotSteady(String),
@@ -111,16 +112,16 @@ pub enum MeasureError {
     },
     /// No observation contains the quantities that the request requires.
     NoObservation,
-    /// The measured amplitude differs by a power of 1000 from every amplitude that the scene can have. A unit is
-    /// therefore wrong.
+    /// The measured amplitude of a mass is 1000 or a million times too large or too small for the scene at any
+    /// friction force. A unit is therefore wrong.
     WrongUnit {
-        /// The measured amplitude, divided by the nearest amplitude that the scene can have, and rounded to a power of
-        /// 1000.
+        /// Number by which the code must divide the measured amplitude so that the scene explains it. It is 1000, a
+        /// million, or the inverse of one of these.
         factor: f64,
         /// Name of the mass whose measured motion causes the error.
         mass: String,
     },
-    /// No friction force gives the scene the measured amplitude of a mass.
+    /// The scene does not have the measured amplitude of a mass at any friction force.
     NotExplained {
         /// Name of the mass whose measured motion causes the error.
         mass: String,
@@ -129,7 +130,7 @@ pub enum MeasureError {
         /// The amplitude |x̄| of the scene that is nearest to the measured amplitude.
         nearest: f64,
     },
-    /// No friction force gives the scene the measured phase of a mass.
+    /// The scene does not have the measured phase of a mass at any friction force.
     PhaseNotExplained {
         /// Name of the mass whose measured motion causes the error.
         mass: String,

@@ -1,4 +1,4 @@
-//! Least squares by the damped Gauss–Newton steps of Levenberg and Marquardt, with exact Jacobians.
+//! Least squares by the damped Gauss–Newton steps of Levenberg and Marquardt. The caller computes the Jacobian.
 //!
 //! The crate `levenberg-marquardt` offers the same method for nalgebra 0.34. It would add a second version of nalgebra
 //! (16 crates in all), because this crate uses nalgebra 0.35. The crate argmin would add 21 crates. This module needs
@@ -8,17 +8,17 @@ use nalgebra::{DMatrix, DVector};
 
 /// Largest number of steps of a fit, including rejected steps.
 const MOST_STEPS: usize = 200;
-/// Largest change of each parameter in the last step, divided by the value of the parameter, at which the fit ends. The
-/// fit also ends if the last step changes all residuals together by at most this fraction of a standard deviation.
+/// The fit ends if the last step changes each parameter by at most this fraction of its value. The fit also ends if
+/// the last step changes all residuals together by at most this fraction of a standard deviation.
 const SMALL: f64 = 1e-10;
 /// Factor by which the damping of the Gauss–Newton steps grows after a rejected step, and by which it shrinks after an
 /// accepted step (Marquardt's choice).
 const GROWTH: f64 = 10.0;
-/// Smallest singular value of a direction in parameter space that the data determine, divided by the largest singular
+/// Smallest singular value at which the data determine a direction in parameter space, divided by the largest singular
 /// value.
 const RANK: f64 = 1e-12;
-/// Largest |cosine| of the angle between the gradient of a quantity and an undetermined direction in parameter space.
-/// The data do not determine the quantity if the |cosine| is larger for any undetermined direction.
+/// The data determine a quantity only if its gradient is orthogonal to every undetermined direction in parameter
+/// space. The gradient counts as orthogonal if the |cosine| of the angle is at most this number.
 const APART: f64 = 1e-6;
 
 /// Residuals of a fit, and their derivatives with respect to the parameters. The Jacobian has one column for each

@@ -157,8 +157,9 @@ impl Measured {
         })
     }
 
-    /// Returns the complex amplitude X_n of harmonic n of a mass, divided by the amplitude of the excitation. The phase
-    /// τ is 0 at a maximum of the excitation. Returns `None` if the recording does not contain the mass.
+    /// Returns the complex amplitude X_n of harmonic n of a mass, divided by the amplitude of the excitation. In the
+    /// displacement Re Σ X_n e^{inτ}, the phase τ is 0 at a maximum of the excitation. Returns `None` if the recording
+    /// does not contain the mass.
     #[must_use]
     pub fn harmonic(&self, mass: usize, n: u32) -> Option<Complex<f64>> {
         let tone = self.tone(mass)?;

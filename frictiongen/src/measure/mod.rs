@@ -12,7 +12,7 @@
 //! * [`Inputs`]: inputs of a scene's stepper, from a recording.
 //! * [`Recording::regression`]: mass and friction of an axis that has no spring.
 //!
-//! On a microcontroller [`crate::watch`] evaluates one frequency, sample by sample.
+//! On a microcontroller, [`crate::watch`] computes the amplitude of a signal at one frequency, sample by sample.
 
 #[doc(hidden)]
 pub mod columns;

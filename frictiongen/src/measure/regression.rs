@@ -1,13 +1,12 @@
 //! Finds mass, viscous and Coulomb friction of an axis without a spring by linear regression.
 //!
-//! The equation M q̈ + F_v q̇ + F_c sgn q̇ + offset = force is linear in the four unknowns M, F_v, F_c and offset. q is
-//! the position of the axis. Drives are identified by this equation, as in the EMPS benchmark (Janot, Gautier and
-//! Brunot, Data set and reference models of EMPS, 2019).
+//! The equation M q̈ + F_v q̇ + F_c sgn q̇ + offset = force is linear in the four unknowns M, F_v, F_c and offset. q
+//! is the position of the axis. The EMPS benchmark identifies a drive by this equation (Janot, Gautier and Brunot,
+//! Data set and reference models of EMPS, 2019).
 //!
 //! The method differentiates no signal. It multiplies the equation by a bump function and integrates by parts
 //! (modulating functions, Shinbrot 1957). The bump function is zero with zero slope at both ends of a window. The
-//! alternative would be the derivative of a smoothed position. Smoothing makes this derivative too small, and therefore
-//! the mass too large by the same factor.
+//! derivative of a smoothed position would be too small, and the mass therefore too large by the same factor.
 
 use super::identify::Estimate;
 use super::recording::{Channel, Dimension};
@@ -17,7 +16,7 @@ use nalgebra::{DMatrix, DVector};
 
 /// Speed below which the direction of sliding is uncertain, divided by the largest speed.
 const SLOW: f64 = 0.02;
-/// Smallest number of windows from which the regression determines the four unknowns and their scatter.
+/// Smallest number of windows from which the regression determines the four unknowns and their uncertainty.
 const FEWEST: usize = 12;
 
 /// Mass, viscous friction, Coulomb friction and constant force of an axis, found by regression.
@@ -41,9 +40,9 @@ impl Recording {
     /// Finds mass, viscous friction, Coulomb friction and offset of an axis. The channel `axis` is the position of the
     /// axis, and the channel `force` the force on the axis.
     ///
-    /// The call divides both channels into windows of `seconds`, which should be short compared with the motion. It
-    /// leaves out windows in which the direction changes. The windows do not overlap, so that their errors are
-    /// independent.
+    /// The call divides both channels into windows with a length of `seconds`, which should be short compared with the
+    /// motion. It leaves out windows in which the axis reverses or is nearly at rest. The windows do not overlap, so
+    /// that their errors are independent.
     ///
     /// # Errors
     /// [`MeasureError`] for a channel that is missing or has the wrong quantity, and for windows of fewer than 5
@@ -135,7 +134,7 @@ fn bump(length: usize, step: f64) -> Vec<[f64; 3]> {
 
 /// The equation of motion of the axis, integrated over one window.
 struct Window {
-    /// The four integrals over the window that are the factors of M, F_v, F_c and the offset in the equation.
+    /// The four integrals over the window by which the equation multiplies M, F_v, F_c and the offset.
     columns: [f64; 4],
     force: f64,
     /// Smallest distance between the mean positions of two neighbouring quarters of the window. It is 0 if the axis

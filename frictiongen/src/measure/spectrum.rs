@@ -1,12 +1,12 @@
-//! Response spectra: the largest displacement of damped oscillators on a base with a recorded motion.
+//! Response spectra: the largest displacement of damped oscillators whose base follows a recorded motion.
 
 use super::drive::accelerations;
 use super::{MeasureError, Recording};
 
 /// Name of the recording's channel with the motion of the base.
 const BASE: &str = "base";
-/// Smallest number of time steps in a period of the oscillator. The code interpolates the displacement at a reversal
-/// between two steps. The relative error is below ((2π/40)²/8)²/2, about 5e-6.
+/// Smallest number of time steps in a period of the oscillator. The code interpolates the displacement at an extreme
+/// between two steps. The relative error of the extreme is below ((2π/40)²/8)²/2, about 5e-6.
 const STEPS: f64 = 40.0;
 /// Number of periods that [`periods`] returns in a decade.
 const DECADE: f64 = 60.0;
@@ -29,8 +29,8 @@ impl PeakResponse {
     }
 }
 
-/// Returns the periods of the oscillators for the spectrum of a record, in s. The list has 60 periods in a decade, from
-/// two samples to the length of the record.
+/// Returns the natural periods of the oscillators for the response spectrum of a record, in s. The list has 60 periods
+/// in a decade, from twice the time between two samples to the length of the record.
 #[doc(hidden)]
 #[must_use]
 pub fn periods(recording: &Recording) -> Vec<f64> {
@@ -148,7 +148,8 @@ impl Oscillator {
                 let [_, v] = state;
                 let [u, w] = next;
                 if v * w < 0.0 {
-                    // The displacement has its extreme near the instant at which the chord of the velocity is zero.
+                    // The displacement has its extreme near the instant at which the straight line between the two
+                    // velocities is zero.
                     let [turning, _] = self.moved(state, a, slope, h * v / (v - w));
                     peak = peak.max(turning.abs());
                 }

@@ -23,8 +23,8 @@ pub(super) fn is_chance(misfit: Option<f64>, freedom: usize) -> bool {
     misfit.is_none_or(|misfit| misfit <= most_by_chance(freedom))
 }
 
-/// Returns the factor by which the variances of a fit are multiplied. The factor is the misfit if noise does not
-/// explain the misfit. Otherwise the factor is 1, because the deviations of the data are known.
+/// Returns the factor by which a fit must multiply its variances. The factor is the misfit if noise does not explain
+/// the misfit. Otherwise the factor is 1, because the deviations of the data are known.
 pub(super) fn excess(misfit: Option<f64>, freedom: usize) -> f64 {
     let unexplained = misfit.filter(|misfit| !is_chance(Some(*misfit), freedom));
     unexplained.unwrap_or(1.0)
@@ -48,8 +48,8 @@ pub(super) fn student(freedom: usize) -> f64 {
     0.5 * (low + high)
 }
 
-/// Largest number of degrees of freedom for which the code evaluates Student's distribution. For larger numbers, the
-/// code uses the distribution for this number. The error of the quantile is then about 2e-4 at most.
+/// Largest number of degrees of freedom for which the code evaluates Student's distribution. For more degrees of
+/// freedom, the code uses the distribution for this number. The error of the quantile is then about 2e-4 at most.
 const MANY: usize = 10_000;
 
 fn within(t: f64, freedom: usize) -> f64 {
@@ -57,7 +57,7 @@ fn within(t: f64, freedom: usize) -> f64 {
     let angle = (t / n.sqrt()).atan();
     let cosine_squared = angle.cos().powi(2);
     let odd = !freedom.min(MANY).is_multiple_of(2);
-    // With the cosine c of `angle`, the series is 1 + c²/2 + 3c⁴/8 + … for an even number of degrees of freedom. For an
+    // With the cosine c of `angle`, the sum is 1 + c²/2 + 3c⁴/8 + … for an even number of degrees of freedom. For an
     // odd number it is c + 2c³/3 + ….
     let (mut term, mut k) = if odd { (angle.cos(), 1.0) } else { (1.0, 0.0) };
     let mut sum = 0.0;

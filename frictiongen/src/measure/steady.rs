@@ -1,4 +1,4 @@
-//! Finds the interval of a recording in which the motion is steady, and checks that its excitation is steady.
+//! Finds the interval of a recording in which the motion is steady, and checks that the excitation is steady.
 
 use super::MeasureError;
 use super::tone::ToneBasis;
@@ -11,19 +11,20 @@ const BLOCK: f64 = 2.0;
 const MOST_BLOCKS: usize = 40;
 /// Smallest number of blocks of samples from which the code decides that the motion is steady.
 const FEWEST_BLOCKS: usize = 4;
-/// Largest deviation of the excitation's phase from the phase of a constant frequency, in rad, at which the frequency
-/// is treated as constant. This deviation corresponds to a variation of the frequency by 1/30 of the width of a
+/// The frequency is treated as constant if the excitation's phase deviates by at most this angle, in rad, from the
+/// phase of a constant frequency. This deviation corresponds to a variation of the frequency by 1/30 of the width of a
 /// spectral line.
 const STRAY: f64 = 0.05;
-/// Largest relative change of the excitation's amplitude at which the excitation is treated as steady.
+/// Largest relative deviation of the excitation's amplitude from its mean at which the excitation is treated as
+/// steady.
 const SWELL: f64 = 0.05;
 /// Largest change of an amplitude that is treated as noise, in standard deviations of the noise.
 const SURE: f64 = 6.0;
-/// Largest relative changes of a motion's fundamental component at which the motion is treated as steady. The search
-/// first tries the smaller value. The larger value permits a friction force that changes slowly.
+/// A motion is treated as steady if its fundamental component changes by at most this fraction. The search first tries
+/// the smaller fraction. The larger fraction permits a friction force that changes slowly.
 const STEADY: [f64; 2] = [2e-3, 2e-2];
-/// Largest scatter of a motion's fundamental component about its mean at which the motion is treated as steady, divided
-/// by the mean.
+/// A motion is treated as steady only if the scatter of its fundamental component, divided by the mean of this
+/// component, is at most this number.
 const SCATTER: f64 = 0.1;
 
 /// Complex fundamental of a channel in each block of samples. The phases of all blocks refer to the same origin of
@@ -44,7 +45,7 @@ fn blocks(samples: &[f64], per_sample: f64, length: usize) -> Option<Blocks> {
         values.push(tone.fundamental() * Complex::new(cos, -sin));
         deviations.push(tone.deviation);
     }
-    // The last third of the blocks gives the noise. At the start of the recording, a transient would be part of the
+    // The last third of the blocks gives the noise. The first blocks may contain a transient, which would count as
     // noise.
     let last = deviations.len().div_ceil(3);
     let deviation = deviations.iter().rev().take(last).sum::<f64>() / last as f64;
@@ -55,7 +56,7 @@ fn mean(values: &[Complex<f64>]) -> Complex<f64> {
     values.iter().sum::<Complex<f64>>() / values.len().max(1) as f64
 }
 
-/// Returns the index of the first sample after which all channels are steady. The first of `channels` is the
+/// Returns the index of the sample from which on the motion in all channels is steady. The first of `channels` is the
 /// excitation.
 pub(super) fn start(
     channels: &[(&str, &[f64])],
@@ -87,8 +88,8 @@ pub(super) fn start(
     Ok(first * length)
 }
 
-/// Fails unless frequency and amplitude of the excitation are constant. The check ignores the start of an excitation
-/// that begins at rest.
+/// Fails unless frequency and amplitude of the excitation are constant. The check ignores the first quarter of the
+/// blocks, because the excitation may begin at rest.
 fn steady_drive(name: &str, blocks: &Blocks, hertz: f64, seconds: f64) -> Result<(), MeasureError> {
     let skip = blocks.values.len() / 4;
     let kept = blocks.values.get(skip..).unwrap_or(&[]);
@@ -120,8 +121,8 @@ fn steady_drive(name: &str, blocks: &Blocks, hertz: f64, seconds: f64) -> Result
     Ok(())
 }
 
-/// Fits straight lines to the phases of the blocks. Returns the slope over the first half of the blocks, and the slope
-/// over the second half. The third number is the largest distance of a phase from the line through all phases.
+/// Fits straight lines to the phases of the blocks. Returns three numbers: the slope over the first half of the
+/// blocks, the slope over the second half, and the largest distance of a phase from the line through all phases.
 fn bend(phases: &[f64]) -> (f64, f64, f64) {
     let line = |part: &[f64]| {
         let n = part.len().max(1) as f64;
@@ -151,7 +152,7 @@ fn settled(name: &str, blocks: &Blocks) -> Result<usize, MeasureError> {
         .unwrap_or(&[]);
     let middle = mean(last);
     // The code computes the scatter from the differences of neighbouring blocks, after it has subtracted the mean of
-    // these differences. A trend therefore does not increase the scatter.
+    // these differences. A steady growth or decrease therefore does not increase the scatter.
     let pairs = last
         .windows(2)
         .filter_map(|pair| Some(pair.last()? - pair.first()?));

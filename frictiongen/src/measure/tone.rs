@@ -9,7 +9,7 @@ use nalgebra::{DMatrix, DVector};
 use rustfft::FftPlanner;
 use std::f64::consts::TAU;
 
-/// Largest number of harmonics that the code computes. With few samples in a cycle the number is smaller.
+/// Largest number of harmonics that the code computes. If a cycle has few samples, the code computes fewer.
 pub const HARMONICS: usize = 5;
 /// Half-width of the frequency band in which the code estimates the noise, divided by the driving frequency. A wider
 /// band would include 0.5 and 1.5 times the driving frequency, at which a contact may cause components of the motion.
@@ -46,7 +46,7 @@ impl Tone {
     }
 }
 
-/// The weights of the Hann window, and the factors e^{iωt} of a frequency, for a number of samples.
+/// The weights of the Hann window and the factors e^{iωt} at one frequency, for a given number of samples.
 pub(super) struct ToneBasis {
     /// Weights w_t of the Hann window, one for each sample.
     window: Vec<f64>,
@@ -95,7 +95,8 @@ impl ToneBasis {
         }
     }
 
-    /// Returns mean and complex harmonics of samples. Returns `None` if the samples do not determine them.
+    /// Returns the mean and the complex amplitudes of the harmonics of the samples. Returns `None` if the samples do
+    /// not determine these values.
     fn components(&self, samples: &[f64]) -> Option<(f64, Vec<Complex<f64>>)> {
         let mut sums = vec![Complex::new(0.0, 0.0); self.harmonics + 1];
         for ((value, weight), turn) in samples.iter().zip(&self.window).zip(&self.turns) {
@@ -220,7 +221,7 @@ fn normal(sums: &[Complex<f64>], harmonics: usize) -> DMatrix<f64> {
 
 /// Factor by which appended zeros lengthen the samples before the code computes their spectrum.
 const PADDING: usize = 4;
-/// Number of samples from which on the code appends no zeros.
+/// Number of samples at and above which the code appends no zeros.
 const LONG: usize = 1 << 20;
 /// Number of steps that refine a frequency. A step compares the phase of the first half of the samples with the phase
 /// of the second half.

@@ -157,7 +157,7 @@ impl FrequencyRange {
         let (given, unit) = chosen(arguments)?;
         let argument = argument(unit);
         let Some((from, to)) = ends(argument, given)? else {
-            // This call rejects a text with the message for texts, instead of the message for ranges below.
+            // For a text, this call returns the error for texts. Otherwise the error for ranges follows.
             numbers(argument, given)?;
             return Err(domain(format_args!(
                 "{argument}: a band is needed, a tuple (from, to); lists and arrays are points, for `limits`, `response` and `map`"
@@ -191,7 +191,7 @@ impl FrequencyRange {
                 "step is {given:?}: it must be above 0 and finite"
             )));
         }
-        // An answer may not have more points than this limit, which is the same in the command.
+        // An answer must not have more points than this limit. The command has the same limit.
         if super::MOST_POINTS as f64 <= (self.to - self.from) / step {
             return Err(domain(format_args!(
                 "step is {given:?}: it gives more than {} points",

@@ -37,8 +37,8 @@ pub const MOST_HARMONICS: u32 = 9999;
 /// A Python argument that the caller may leave out.
 pub type Optional<'py> = Option<Bound<'py, PyAny>>;
 
-/// Returns the settings with which the library builds its tables. The grids of frequencies and frictions are empty,
-/// because only printed tables need their numbers of decimals.
+/// Returns the settings with which the library builds its tables. The lists of given frequencies and frictions are
+/// empty, because only printed tables use them, to choose the numbers of decimals.
 pub fn setting<'a>(
     system: &'a System,
     measure: Measure,

@@ -35,7 +35,7 @@ pub fn free_decay<'py>(
         }
         (Some(ratio), false) => Some(ratio),
         (None, true) => None,
-        // Without a fit of the damping, the fit takes the damping of the description as known.
+        // If the caller does not request a fit of the damping, the damping of the description is taken as known.
         (None, false) => system.described_damping(),
     };
     let (owned, record) = (Arc::clone(system), recording.recording.clone());

@@ -41,8 +41,8 @@ fn row(argument: &str, given: &Bound<'_, PyAny>, count: usize, gaps: bool) -> Py
     Ok(given.values)
 }
 
-/// Returns the points of a measured sweep. They have the same order as in the table of a sweep: by frequency, then by
-/// mass.
+/// Returns the points of a measured sweep. The points have the same order as in the table of a sweep: by frequency,
+/// then by mass.
 fn points(
     system: &System,
     hertz: &Bound<'_, PyAny>,

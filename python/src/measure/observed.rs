@@ -251,8 +251,8 @@ impl Observed {
         Ok(())
     }
 
-    /// Returns the quantities in which measured and computed motions are compared. `by` names amplitude, phase, or
-    /// amplitude and phase. The default is every quantity that all measured motions have.
+    /// Returns the quantities of a motion that the fit compares: amplitude, phase, or both. `by` names these
+    /// quantities. The default is every quantity that all measured motions have.
     pub fn using(&self, by: Option<&str>) -> PyResult<Using> {
         let none = |without: Known| self.known.iter().all(|known| *known != without);
         let (amplitudes, phases) = (none(Known::Phase), none(Known::Amplitude));

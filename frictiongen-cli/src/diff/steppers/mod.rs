@@ -16,14 +16,14 @@ const STEPS_IN_PERIOD: f64 = 20.0;
 const PERIODS: f64 = 10.0;
 /// Smallest and largest number of steps in the compared run.
 const STEPS: (f64, f64) = (200.0, 10_000.0);
-/// Friction force of each contact in the compared run. It is this fraction of the largest force that the stuck contact
-/// carries in the old scene.
+/// Friction force of each contact in the compared run, divided by the largest force that this contact carries in the
+/// old scene while all contacts are stuck.
 const FRICTION: f64 = 0.3;
 /// Friction force that keeps every contact stuck in a run, as a multiple of the load. For base motion the load is the
 /// amplitude of the base times the largest spring stiffness.
 const HOLDS: f64 = 1e6;
-/// Largest velocity of a contact without friction in the compared run, divided by a speed. The speed is the last one in
-/// the field `friction: stribeck` of the scene description.
+/// Largest velocity of a contact without friction in the compared run, divided by the largest speed in the field
+/// `friction: stribeck` of the old scene.
 const SPEED: f64 = 2.0;
 
 /// Largest difference, over the compared steps, between the two steppers in one result.
@@ -72,7 +72,7 @@ pub struct Steppers {
     /// Time step that each scene description declares, old and new. `None` if a description declares no step.
     pub declared: (Option<f64>, Option<f64>),
     /// Facts about the emitted steppers, old and new, such as step tables and bounds on the cost. `None` if one of the
-    /// scenes has several contacts or no emitted code.
+    /// scenes has several contacts or dashpots, or no emitted code.
     pub facts: Option<(StepFacts, StepFacts)>,
     /// Results of both steppers in a run of steps. `None` if the runs were not compared.
     pub answers: Option<RunDifferences>,
@@ -108,8 +108,8 @@ pub fn compare([old, new]: [&System; 2], texts: &[String; 2]) -> Option<Steppers
     Some(found)
 }
 
-/// Returns the facts about the emitted steppers of both scene descriptions, such as step tables. Returns `None` if a
-/// description has no emitted stepper.
+/// Returns the facts about the emitted steppers of both scene descriptions, such as step tables. Returns `None` if the
+/// macro rejects a description, or if a scene has several contacts or dashpots.
 fn facts(texts: &[String; 2]) -> Option<(StepFacts, StepFacts)> {
     // If the macro rejects a scene description, the comparison of emitted code reports the errors.
     let limits = SizeLimits {
@@ -203,8 +203,8 @@ fn follow(
     Ok(())
 }
 
-/// Position of a number in the results of a step: a mass by its index, or a contact and one of its numbers by their
-/// indices.
+/// A number in the results of a step: the displacement of a mass, by the index of the mass, or a number of a contact,
+/// by the indices of the contact and of the number.
 #[derive(Clone, Copy)]
 enum Place {
     Mass(usize),

@@ -226,7 +226,7 @@ fn band(
     ))
 }
 
-/// Rounds friction ratios to two digits, and returns them as frictions. Under a load, the frictions are in N.
+/// Converts friction ratios β to frictions, which are in N under a load, and rounds the frictions to two digits.
 fn levels(betas: &[f64], measure: &Measure) -> Result<Frictions, Failure> {
     let scale = measure.scale();
     let values = betas.iter().map(|beta| {
@@ -264,8 +264,7 @@ fn stuck(question: &Question<'_>) -> Result<Vec<StuckAnswers>, Failure> {
     Ok(all)
 }
 
-/// Returns two values of `limit`, the friction ratio from which no contact slides. The first value is the median, and
-/// nine tenths of the limits do not exceed the second value.
+/// Returns the median and the 0.9 quantile of the friction ratios from which no contact slides.
 fn middle(stuck: &[StuckAnswers]) -> (f64, f64) {
     let limits = stuck.iter().map(|stuck| stuck.limit);
     let mut limits: Vec<f64> = limits

@@ -25,7 +25,8 @@ struct JointsEmission<'a> {
     friction: Ident,
     contacts: Vec<NamedContact>,
     contact_names: Vec<Ident>,
-    /// The masses on which a force acts, each with the name of its field in the input. The excited mass is the first.
+    /// The masses on which a force acts, each with the name of its field in the input. If a force drives the scene,
+    /// the excited mass is the first.
     loads: Vec<(usize, Ident)>,
     scalar: TokenStream,
     /// The type argument that fixes the lengths of all arrays.
@@ -107,7 +108,8 @@ impl<'a> JointsEmission<'a> {
         self.provides(&Provide::Simulation) || self.provides_at()
     }
 
-    /// Returns the numbers of the two nodes of a spring, dashpot or contact.
+    /// Returns the numbers of the two nodes of a spring, dashpot or contact. The node whose motion counts as positive
+    /// comes first.
     fn ends(&self, from: Node, to: Node) -> [Literal; 2] {
         let masses = self.description.scene.masses.len();
         let (plus, minus) = numbered(masses, from, to).unwrap_or_default();
@@ -262,7 +264,8 @@ impl<'a> JointsEmission<'a> {
     }
 }
 
-/// Returns the emitted types in the user's module, and the hidden items.
+/// Emits the code of a scene with several contacts or dashpots. Returns the types for the user's module, and the
+/// hidden items.
 pub(super) fn emit(description: &Description) -> (TokenStream, TokenStream) {
     let emission = JointsEmission::of(description);
     let scene = &description.scene;

@@ -30,7 +30,7 @@ pub(super) fn emit(emission: &JointsEmission<'_>) -> (TokenStream, TokenStream) 
     (types, items)
 }
 
-/// Returns the call that starts the simulation of a scene, for its documentation.
+/// Returns the call that starts the simulation of a scene, for the documentation of the scene's type.
 pub(super) fn start(scene: &Scene) -> &'static str {
     if scene.friction == FrictionLaw::Coulomb {
         "simulation(r, beta)"
@@ -39,7 +39,7 @@ pub(super) fn start(scene: &Scene) -> &'static str {
     }
 }
 
-/// Lines about the start of a simulation with constant kinetic friction.
+/// Documentation of the emitted constructor of a simulation, for constant kinetic friction.
 const ABOUT: [&str; 5] = [
     " Starts the exact motion in time from rest, at a maximum of the excitation.  β is the common friction: the",
     " friction of each contact is its share of it.",
@@ -48,7 +48,7 @@ const ABOUT: [&str; 5] = [
     " `OutOfDomain` unless r is positive and finite, and β finite and not negative.",
 ];
 
-/// Lines about the start of a simulation whose kinetic friction depends on the speed.
+/// Documentation of the emitted constructor of a simulation, for kinetic friction that depends on the speed.
 const ABOUT_UNDER: [&str; 6] = [
     " Starts the exact motion in time from rest, at a maximum of the excitation.  `amplitude` is that of the load, in",
     " the units of the scene.  β is the common friction at vanishing speed: the friction of each contact is its share of",

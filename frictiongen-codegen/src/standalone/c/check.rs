@@ -113,7 +113,8 @@ pub(super) fn source<S: Float>(source: &Source<'_, S>, formulas: &Formulas, name
     text
 }
 
-/// Writes the comparison of `frequency_ratio` with the resonances.
+/// Writes the C statements that compare `frequency_ratio` with the resonances, and `friction_ratio` with a known
+/// quotient.
 fn ratios<S: Float>(source: &Source<'_, S>, numbers: NumberFormat, name: &str) -> String {
     let NumberFormat { real, .. } = numbers;
     let turn = numbers.write(2.0 * std::f64::consts::PI);
@@ -139,7 +140,7 @@ fn ratios<S: Float>(source: &Source<'_, S>, numbers: NumberFormat, name: &str) -
     )
 }
 
-/// Writes the comparison of the answers at one frequency.
+/// Writes the C statements that compare the answers at one frequency ratio with the known answers.
 fn answers<S: Float>(source: &Source<'_, S>, numbers: NumberFormat, name: &str) -> String {
     let NumberFormat { real, .. } = numbers;
     let letter = numbers.letter();
@@ -201,7 +202,7 @@ fn answers<S: Float>(source: &Source<'_, S>, numbers: NumberFormat, name: &str) 
     text
 }
 
-/// Writes the comparison of the checksums of all numbers in C.
+/// Writes the C functions that compute the checksums of all numbers.
 fn sums<S: Float>(source: &Source<'_, S>, formulas: &Formulas) -> String {
     let NumberFormat { real, single, .. } = formulas.numbers;
     let (left, right) = (checksum::TURN, u32::BITS - checksum::TURN);

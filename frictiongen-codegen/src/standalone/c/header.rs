@@ -9,7 +9,7 @@ use crate::standalone::origin::c_text;
 use crate::units::{UnitConstants, domain};
 use frictiongen_kernel::Float;
 
-/// Writes the header with the declarations. Its functions and constants begin with `name`.
+/// Writes the C header with its declarations. The names of its functions and constants begin with `name`.
 #[must_use]
 pub fn c_header<S: Float>(source: &Source<'_, S>, name: &str) -> String {
     let Source { scene, origin, .. } = source;

@@ -58,8 +58,8 @@ fn refusal(condition: &str, status: &str) -> String {
     format!("    if ({condition}) {{\n        return {status};\n    }}\n")
 }
 
-/// Writes the source file. If `header` is `None`, the source file contains the header and the numbers as well. The
-/// names of its functions begin with `name`, as in the header.
+/// Writes the C source file. If `header` is `None`, this file contains the header and the numbers as well. The names
+/// of its functions begin with `name`, as in the header.
 ///
 /// Returns `None` if β*_lim is not stored as a product, because then only the exact formulas have the accuracy.
 #[must_use]
@@ -130,7 +130,7 @@ fn lookup<S: Float>(source: &Source<'_, S>, formulas: &Formulas) -> String {
     )
 }
 
-/// Writes the statements of a polynomial of an even number of terms.
+/// Writes the C statements that evaluate a polynomial with an even number of terms.
 fn polynomial(real: &str, terms: usize) -> String {
     let pair = |k: usize| format!("c[{k}] + (c[{}] * t)", k + 1);
     let last = 2 * (terms / 2).saturating_sub(1);

@@ -10,7 +10,8 @@ use crate::standalone::origin::c_text;
 use crate::units::UnitConstants;
 use frictiongen_kernel::Float;
 
-/// Writes the file that `frame.c` includes as `frame_tables.h`. Returns `None` if β*_lim is not stored as a product.
+/// Writes the C file of numbers, such as `frame_tables.h`, which `frame.c` includes. Returns `None` if β*_lim is not
+/// stored as a product.
 #[must_use]
 pub fn c_tables<S: Float>(source: &Source<'_, S>, name: &str) -> Option<String> {
     let lines = about(source);
@@ -44,7 +45,8 @@ pub(super) fn without_head<S: Float>(source: &Source<'_, S>, name: &str) -> Opti
     Some(text)
 }
 
-/// Writes the buckets and the pieces.
+/// Writes the pieces of the tables in C, and the buckets. A piece is an interval of r with its polynomials. The
+/// buckets are equal intervals of r, by which the code finds a piece.
 fn pieces<S: Float>(source: &Source<'_, S>, numbers: NumberFormat) -> String {
     let tables = source.tables;
     let NumberFormat { real, .. } = numbers;
@@ -141,7 +143,7 @@ fn known<S: Float>(source: &Source<'_, S>, numbers: NumberFormat, name: &str) ->
     )
 }
 
-/// Writes the checksums of the tables' numbers in C.
+/// Writes the expected checksums of all numbers as constants in C.
 fn checksums<S: Float>(source: &Source<'_, S>, formulas: &Formulas) -> String {
     let numbers = formulas.numbers;
     let (tolerance, known) = known_answers(source);

@@ -181,7 +181,7 @@ fn sums(numbers: NumberFormat) -> String {
     )
 }
 
-/// Writes the comparison of the checksums of all numbers in Rust.
+/// Writes the Rust function that compares the checksums of all numbers with the expected checksums.
 fn checked_numbers<S: Float>(source: &Source<'_, S>, formulas: &Formulas, knows: bool) -> String {
     let NumberFormat { real, .. } = formulas.numbers;
     let tables = source.tables;
@@ -234,7 +234,8 @@ fn checked_numbers<S: Float>(source: &Source<'_, S>, formulas: &Formulas, knows:
     )
 }
 
-/// Writes the comparison of `frequency_ratio` with the resonances.
+/// Writes the Rust function that compares `frequency_ratio` with the resonances, and `friction_ratio` with a known
+/// quotient.
 fn ratios(numbers: NumberFormat) -> String {
     let NumberFormat { real, .. } = numbers;
     format!(

@@ -14,8 +14,8 @@ use crate::units::{UnitConstants, domain};
 use frictiongen_kernel::Float;
 use frictiongen_model::table::Tables;
 
-/// Writes the file, for crates with and without std. Returns `None` if β*_lim is not stored as a product, because then
-/// only the exact formulas have the accuracy.
+/// Writes the Rust file, for crates with and without std. Returns `None` if β*_lim is not stored as a product, because
+/// then only the exact formulas have the accuracy.
 #[must_use]
 pub fn rust_source<S: Float>(source: &Source<'_, S>) -> Option<String> {
     let formulas = Formulas::of(source, Language::Rust)?;
@@ -239,7 +239,7 @@ fn lookup<S: Float>(formulas: &Formulas, tables: &Tables<S>) -> String {
     )
 }
 
-/// Writes the statements of a polynomial of an even number of terms.
+/// Writes the Rust statements that evaluate a polynomial with an even number of terms.
 fn polynomial(terms: usize) -> String {
     let pair = |k: usize| format!("c[{k}] + c[{}] * t", k + 1);
     let last = 2 * (terms / 2).saturating_sub(1);

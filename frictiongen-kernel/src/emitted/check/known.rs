@@ -1,4 +1,5 @@
-//! Known results of an emitted scene. The self-check compares the known results with those that the scene computes.
+//! Known results of an emitted scene, which the code generator wrote. The self-check compares them with the results
+//! that the scene computes.
 
 use super::{Fault, Listed};
 use crate::Complex;
@@ -93,11 +94,12 @@ impl<S: Float, const MASSES: usize, const FORCES: usize> Known<S, MASSES, FORCES
 }
 
 impl<S: Float, const MASSES: usize> KnownMotion<S, MASSES> {
-    /// Returns the computed motion if the known results also contain a motion. Returns `None` if neither the scene nor
-    /// the known results have a motion, and both give the same reason.
+    /// Returns the computed motion if the known results also contain a motion. Returns `None` if both the scene and
+    /// the known results give the same reason why no continuous motion exists.
     ///
     /// # Errors
-    /// [`Fault::Answer`] if only the scene or only the known results have a motion, or if the reasons differ.
+    /// [`Fault::Answer`] if only the scene or only the known results have a motion, or if they give different reasons
+    /// why no motion exists.
     pub fn found<M>(&self, own: Result<M, NotContinuous>) -> Result<Option<M>, Fault> {
         match (own, self.error) {
             (Ok(motion), None) => Ok(Some(motion)),

@@ -11,10 +11,10 @@ use super::{MaximumSearch, Weight};
 use crate::number::scalar::Float;
 use crate::oscillator::decay::Decay;
 
-/// Factor ρ of the first attempt to close the cells around a local maximum. A closed cell is proven to contain no
-/// larger value. The attempt requires that the sum is concave up to the distance of ρ Newton steps from the maximum. If
-/// the attempt fails, the code tries the smaller factor `REACH`. A larger ρ can close the cells around a flatter
-/// maximum.
+/// First factor ρ with which the code tries to close the cells around a local maximum. A closed cell is proven to
+/// contain no larger value. The proof requires that the sum is concave up to the distance of ρ Newton steps from the
+/// maximum. If the proof fails with this ρ, the code tries the smaller factor `REACH`. A larger ρ can close the cells
+/// around a flatter maximum.
 const FAR: f64 = 97.0;
 
 /// Difference E between a modal sum and a level, near a local maximum. E is ±sum − level. In a search of sum/sin τ, E

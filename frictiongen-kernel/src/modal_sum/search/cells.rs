@@ -13,8 +13,9 @@ use super::{EQUAL, MaximumSearch, Weight};
 use crate::number::scalar::Float;
 use crate::oscillator::decay::{Decay, Instant};
 
-/// Permitted error of the cubic in a cell, divided by the largest value of the sum. The code chooses the width of the
-/// cells from this error. A smaller error needs more nodes. A larger error leaves more cells open.
+/// Permitted error of the cubic that approximates the sum in a cell, divided by the largest value of the sum. The code
+/// chooses the width of the cells from this error. A smaller error needs more nodes. A larger error leaves more cells
+/// open.
 const SLACK: f64 = 2e-3;
 /// Smallest estimate of the sum's largest value, divided by the sum of the modal amplitudes. The code estimates the
 /// largest value to choose the cell width of the first grid. The largest value may be far below the sum of the
@@ -103,7 +104,7 @@ impl<S: Float, D: Decay<S>> MaximumSearch<'_, S, D> {
         }
     }
 
-    /// Returns true if `to` is the end τ = π of the half period, where the sum and sin τ both vanish.
+    /// Returns true if `to` is the end of the half period, τ = π. The sum and sin τ both vanish at this phase.
     fn ends_at_pi(&self, to: S) -> bool {
         !(to < self.problem.end) && !(to < S::pi() * S::constant(0.75))
     }

@@ -36,8 +36,8 @@ pub(super) struct Stretch<S> {
 }
 
 impl<S: Float> Stretch<S> {
-    /// Creates an interval from `from` to `end`, with cells of at most the given width. If one grid cannot cover the
-    /// whole interval with such cells, the interval ends before `end`.
+    /// Creates an interval that starts at `from`, with cells of at most the given width. The interval ends at `end`,
+    /// or before `end` if one grid of such cells cannot cover the whole interval.
     pub fn new(from: S, end: S, width: S, keeps_forcing: bool) -> Self {
         let (mut rows, mut cells) = (1, S::constant(LANES as f64 - 1.0));
         let left = end - from;

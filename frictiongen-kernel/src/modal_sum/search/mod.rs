@@ -37,8 +37,9 @@ const OF_MOTION: u32 = 1024;
 /// need at most one evaluation for 120 half turns.
 const HALF_TURNS: usize = 16;
 
-/// Returns the upper bound on the number of evaluations in one search. `fastest` is the largest √λ(1 + 2ζ)/r among the
-/// modes.
+/// Returns the upper bound on the number of evaluations of the modal sum in one search. The bound grows with
+/// `fastest`, the largest √λ(1 + 2ζ)/r among the modes. √λ/r is the natural frequency of a mode divided by the
+/// excitation frequency, and ζ its damping ratio.
 ///
 /// A search stops before a grid if the evaluations for this grid and its local maxima could exceed the bound.
 #[must_use]
@@ -81,8 +82,8 @@ pub struct SearchSettings<S> {
     pub end: S,
     /// Smallest value that the search looks for. The search ignores smaller values.
     pub floor: S,
-    /// Limit for τ → 0 of the function that the search maximises. The function is `start` plus the quotient of the
-    /// modal sum and 1 or sin τ. The modal sum itself does not contain `start`.
+    /// Limit for τ → 0 of the function that the search maximises. This function is `start` + sum or `start` + sum/sin
+    /// τ. The modal sum itself does not contain `start`.
     pub start: S,
     /// Tolerance of the search. The search may miss a value that exceeds the result by less than `tolerance` times
     /// (result + `start`).
@@ -142,9 +143,9 @@ struct MaximumSearch<'a, S, D> {
     sum: Sum<'a, S, D>,
     problem: SearchSettings<S>,
     peak: Peak<S>,
-    /// Upper bound on the rounding error of the sum. A smaller value of the sum may be pure rounding error.
+    /// Upper bound on the rounding error of the sum. A value of the sum below this bound may be pure rounding error.
     rounding: S,
-    /// Largest number of evaluations of the modal sum in the search.
+    /// Upper bound on the number of evaluations of the modal sum in the search.
     most: u32,
     /// Position near which the search looks for its first maximum, predicted by earlier searches.
     guess: Option<Maximiser<S>>,

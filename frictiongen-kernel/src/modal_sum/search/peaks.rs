@@ -5,8 +5,9 @@ use crate::number::scalar::Float;
 use crate::oscillator::decay::Decay;
 
 impl<S: Float, D: Decay<S>> MaximumSearch<'_, S, D> {
-    /// Records a local maximum if it is at least as large as the largest value so far, apart from rounding. The
-    /// function compares `best` with the largest value so far. If `best` is larger, `kept` becomes the largest value.
+    /// Records a local maximum if its value is at least the largest value found so far, apart from rounding. `best` is
+    /// the value minus its possible rounding error, and serves for this comparison. If `best` is larger, the value
+    /// `kept` becomes the largest value.
     pub(super) fn keep(&mut self, best: S, kept: S, place: Maximiser<S>) {
         let share = S::constant(1.0 - EQUAL * S::RESOLUTION);
         if self.peak.value < best {

@@ -1,4 +1,5 @@
-//! Rows of four neighbouring nodes of a grid, which the code advances together.
+//! Rows of four neighbouring nodes of a grid, which the code advances together. A node is an instant at which the grid
+//! evaluates the modal sum.
 //!
 //! The code writes out all operations on the four numbers of a row. A compiler that optimises for size would keep a
 //! loop, and half of the instructions would count its passes.
@@ -20,8 +21,9 @@ pub(super) struct Matrix<S> {
 }
 
 impl<S: Float> Matrix<S> {
-    /// Returns the matrix that advances displacement and velocity of a free mode by a time step. `free` and `slope` are
-    /// the free displacement p and its derivative p′ after the step.
+    /// Returns the matrix that advances displacement and velocity of a free mode by a time step. x is the natural
+    /// frequency divided by the excitation frequency, and `loss` is 2ζx. `free` and `slope` are the free displacement
+    /// p and its derivative p′ after the step.
     pub fn of(x: S, loss: S, (free, slope): (S, S)) -> Self {
         Self {
             a: slope + loss * free,

@@ -9,8 +9,8 @@ use crate::oscillator::decay::{Decay, Instant};
 
 /// Largest number of evaluations of the modal sum in one search for a local maximum by Newton's method.
 pub(super) const EVALUATIONS: u32 = 5;
-/// Distance, in Newton steps, up to which the terms that a Newton step neglects must be small. If these terms are not
-/// small, another Newton step follows.
+/// Distance from the present position, in Newton steps, within which the terms that a Newton step neglects must be
+/// small. If these terms are not small, another Newton step follows.
 pub(super) const REACH: f64 = 7.0;
 
 /// Position from which one Newton step leads to a local maximum, with the modal sum and its derivatives at this
@@ -43,7 +43,8 @@ impl<S: Float> Summit<S> {
 }
 
 impl<S: Float> Cubic<S> {
-    /// Returns the signed distance to the local maximum, from a Newton step with a correction by the third derivative.
+    /// Returns the estimated signed distance to the local maximum: a Newton step with a correction by the third
+    /// derivative.
     pub fn step(&self) -> S {
         let half = S::constant(0.5);
         let newton = -(self.slope / self.curvature);

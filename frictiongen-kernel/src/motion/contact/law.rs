@@ -1,7 +1,8 @@
 //! Interface between the motion of a chain and the law of its contact.
 //!
-//! The type of the chain's constants selects the law: [`Chain`] has a rigid contact. Motion, simulation and steady
-//! states have this type as a type parameter. A scene therefore contains only the code of its own law.
+//! The type of the chain's constants selects the law. For example, [`Chain`] selects the law of a rigid contact.
+//! Motion, simulation and steady states have this type as a type parameter. A scene therefore contains only the code
+//! of its own law.
 
 use super::kinetic::KineticLine;
 use super::state::{Contact, ContactState, SegmentEnd};
@@ -12,7 +13,8 @@ use crate::number::complex::Complex;
 use crate::number::scalar::Float;
 use core::fmt::Debug;
 
-/// The law of a contact with one kinetic friction force. All forces have the same unit.
+/// Friction law of a contact: its forces, and the decision between sticking and sliding. All forces have the same
+/// unit.
 pub trait Law<S: Float>: Copy + Debug {
     /// Returns the kinetic friction force at zero sliding speed.
     fn level(self) -> S;
@@ -27,7 +29,8 @@ pub trait Law<S: Float>: Copy + Debug {
     /// rest. Returns the start of sliding, or `None` if the contact sticks.
     fn leave_rest(self, force: S) -> Option<SlideStart<S>>;
 
-    /// Returns the start of sliding at the instant at which the force in the stuck contact reaches its largest value.
+    /// Returns the start of sliding in the direction of `contact`, at the instant at which the force in the stuck
+    /// contact reaches the static friction force.
     fn break_away(self, contact: Contact) -> SlideStart<S>;
 
     /// Returns the start of sliding in the direction of `contact`. `force` is the force that would keep the contact at
@@ -46,8 +49,8 @@ pub trait Law<S: Float>: Copy + Debug {
         force.abs().min(self.grip()).copysign(force)
     }
 
-    /// Returns true if rounding decides whether a stuck contact slides. The force is then close to the static friction
-    /// force. `share` is the largest distance that counts as close, divided by the static friction force.
+    /// Returns true if `force` is so close to the static friction force that rounding decides whether a stuck contact
+    /// slides. `share` is the largest difference that counts as close, divided by the static friction force.
     fn is_marginal(self, force: S, share: S) -> bool {
         let grip = self.grip();
         (force.abs() - grip).abs() <= grip * share
@@ -67,7 +70,8 @@ pub trait Law<S: Float>: Copy + Debug {
         [sign * self.level() * line.level, self.level() * line.slope]
     }
 
-    /// Returns the contact force while the contact slides at a speed on a line of the friction law.
+    /// Returns the contact force while the contact slides at `speed`, on a line of the friction law that contains this
+    /// speed.
     #[inline]
     fn kinetic_at(self, line: &KineticLine<S>, contact: Contact, speed: S) -> S {
         contact.sign::<S>() * (self.level() * (line.level + line.slope * speed))
@@ -120,16 +124,16 @@ pub trait ContactChain<S: Float>: Copy + Debug {
         Self::contact_state(setting, parts, contact_state.t)
     }
 
-    /// Returns the number that the contact stores when it stops, or `None` if the law stores nothing. `Contact` is the
-    /// direction in which the contact slid.
+    /// Returns the number that the contact stores when it stops, or `None` if the law stores nothing. The argument of
+    /// type `Contact` is the direction in which the contact slid.
     #[inline]
     fn memory_at_stop(_: &MotionSetting<'_, S, Self>, _: Contact) -> Option<S> {
         None
     }
 
-    /// Returns the number that the contact stores while it sticks at the displacement `place`. `stuck_modes` are the
-    /// oscillators of the chain with its contact stuck. `at` is sine and cosine of the excitation's phase at this
-    /// instant.
+    /// Returns the number that the contact stores while it sticks at the displacement `place`, or `None` if the law
+    /// stores nothing. `stuck_modes` are the oscillators of the chain with its contact stuck. `at` is sine and cosine
+    /// of the excitation's phase at this instant.
     #[inline]
     fn memory_at(_: &MotionSetting<'_, S, Self>, _: &[Part<S>], _: S, _: (S, S)) -> Option<S> {
         None
@@ -143,10 +147,11 @@ pub trait ContactChain<S: Float>: Copy + Debug {
     /// Returns the constants of the chain that do not depend on the law of the contact.
     fn chain(&self) -> &Chain<S>;
 
-    /// Returns the law for a kinetic friction force, and for a ratio μ of the static to the kinetic force.
+    /// Returns the law with the kinetic friction force `level` and the ratio μ = `stiction` of the static to the
+    /// kinetic force.
     fn law_with(&self, level: S, stiction: S) -> Self::Law;
 
-    /// Returns the law for a kinetic friction force, with the μ of the chain.
+    /// Returns the law with the kinetic friction force `level` and the ratio μ of the chain.
     #[inline]
     fn law(&self, level: S) -> Self::Law {
         self.law_with(level, self.chain().stiction)
@@ -202,7 +207,7 @@ pub trait ContactChain<S: Float>: Copy + Debug {
     );
 }
 
-/// The way in which sliding starts, from rest or from a stuck contact.
+/// Direction and excess force with which a contact starts to slide.
 #[derive(Clone, Copy, Debug)]
 pub struct SlideStart<S> {
     /// Direction in which the contact slides.

@@ -90,8 +90,8 @@ impl<S: Float, K: ContactChain<S>> MotionSetting<'_, S, K> {
         OscillatorSum::new(modes, zero, (cosines, sines), at, reach)
     }
 
-    /// Changes the velocities in a small deviation of the modes at an event. The deviation delays the event by the time
-    /// `later`, in rad of the excitation. At the event the contact force falls by `jump`.
+    /// Changes the velocities in `column`, a small deviation of the modes, at an event. The contact force falls by
+    /// `jump` at this event. The deviation delays the event by the time `later`, in rad of the excitation.
     pub(super) fn delay(&self, jump: S, later: S, column: &mut [S]) {
         for (mode, state) in self.dynamics.driven().iter().zip(pairs_mut(column)) {
             if let [_, u] = state {

@@ -74,9 +74,9 @@ pub struct ContactState<S> {
     pub t: S,
     /// State of the contact: stuck, or its direction of sliding.
     pub contact: Contact,
-    /// Number that the contact stores from its last event. If the contact starts to slide from zero velocity, the
-    /// number is the relative acceleration in the direction of sliding. If an elastic contact sticks, the number is the
-    /// contact force divided by P.
+    /// Number that the contact stores at the start of a segment, or `None`. If the contact starts to slide from zero
+    /// velocity, the number is the relative acceleration in the direction of sliding. If an elastic contact sticks,
+    /// the number is the contact force divided by P.
     pub memory: Option<S>,
     /// True if the contact has just failed to start sliding. A contact force that exceeds μβ only by rounding must then
     /// not make the contact slide a second time.
@@ -122,7 +122,8 @@ pub(crate) struct Sought<S> {
     pub contact_state: ContactState<S>,
     /// Length of the segment in rad of the excitation (τ).
     pub tau: S,
-    /// Relative displacement z̄ of the contact, if the contact sticks in the segment.
+    /// If the contact sticks in the segment, the displacement that stays constant: z̄ for a rigid contact, and the
+    /// displacement of the slider for an elastic contact.
     pub offset: S,
     /// The way in which the segment ends.
     pub outcome: SegmentOutcome,
@@ -142,7 +143,7 @@ pub(crate) enum SegmentOutcome {
     /// The segment ends because the force in the stuck contact reaches its bound. The contact then slides in the given
     /// direction.
     Breaks(Contact),
-    /// The segment has the length 0, because the contact cannot leave zero velocity.
+    /// The segment has the length 0, because the contact cannot start to move from zero velocity.
     Holds,
 }
 
@@ -160,7 +161,7 @@ impl<S: Float> Sought<S> {
         }
     }
 
-    /// Returns true if the contact cannot leave zero velocity. The contact then continues to stick.
+    /// Returns true if the contact cannot start to move from zero velocity. The contact then sticks.
     pub(crate) fn holds(&self) -> bool {
         self.outcome == SegmentOutcome::Holds
     }

@@ -40,7 +40,8 @@ impl<S: Float, K: ContactChain<S>> MotionSetting<'_, S, K> {
     }
 
     /// Sets the oscillators of the chain with its contact stuck, from the states of the chain's modes. Returns the
-    /// contact force and the relative displacement z̄.
+    /// contact force as a function of time, and the displacement that stays constant while the contact sticks. This
+    /// displacement is z̄ for a rigid contact, and that of the slider for an elastic contact.
     pub(crate) fn start_sticking<'p>(
         &self,
         modes: &mut [Part<S>],
@@ -129,8 +130,8 @@ impl<S: Float, K: ContactChain<S>> MotionSetting<'_, S, K> {
         Some(sum)
     }
 
-    /// Returns the displacement of the stuck contact including the displacement of the base, and the velocity of this
-    /// sum. The velocity refers to the non-dimensional time t√(k₁/m₁).
+    /// Returns the displacement of the stuck contact plus the displacement of the base, and the velocity of this sum.
+    /// The velocity is the derivative with respect to the non-dimensional time t√(k₁/m₁).
     pub(crate) fn lifted(&self, offset: S, (sine, cosine): (S, S)) -> (S, S) {
         let z = Complex::new(self.base, S::constant(0.0));
         (

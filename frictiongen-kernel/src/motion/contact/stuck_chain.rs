@@ -62,8 +62,9 @@ impl<S: Float, K: ContactChain<S>> Dynamics<'_, S, K> {
         [Complex::new(re_y, im_y), Complex::new(re_u, im_u)]
     }
 
-    /// Computes the states of the chain's modes. The arguments are the displacement y and the scaled velocity u of the
-    /// modes of the chain with its contact stuck, and the displacement of the contact.
+    /// Computes the states of the chain's modes from those of the chain with its contact stuck. A state is the
+    /// displacement y and the scaled velocity u of a mode. `lifted` contains the displacement of the contact and its
+    /// derivative with respect to the time t√(k₁/m₁).
     pub(crate) fn release<'s>(
         &self,
         receptance: S,
@@ -103,8 +104,8 @@ impl<S: Float, K: ContactChain<S>> Dynamics<'_, S, K> {
 }
 
 impl<S: Float, K: ContactChain<S>> Dynamics<'_, S, K> {
-    /// Returns the largest relative change of a state if the contact sticks and is immediately released. In the tested
-    /// states two modes move, but the contact does not.
+    /// Returns the largest relative change of a state that rounding causes if the contact sticks and is immediately
+    /// released. In the tested states two modes move, but the contact does not.
     ///
     /// If the modes of the chain with its contact stuck are well separated, the change is of the order of rounding. If
     /// many modes are at or beyond critical damping, their frequencies are close together. The contributions of the

@@ -1,5 +1,5 @@
-//! A function of time between two events. A search for its zeros uses its derivatives at an instant, or its power
-//! series from the start.
+//! A function of time between two events, in which a search finds zeros. The search uses the derivatives of the
+//! function at an instant, or its power series from the start.
 
 use crate::number::scalar::Float;
 
@@ -43,7 +43,8 @@ impl<S: Float> LocalSeries<S> {
         Self { terms, reach }
     }
 
-    /// Returns value, slope and curvature of the series at τ. `bound` becomes the bound on the third derivative.
+    /// Returns value, slope and curvature of the series at τ. The result contains `bound` as the bound on the third
+    /// derivative.
     pub(crate) fn at(&self, tau: S, bound: S) -> Local<S> {
         // The code writes out the terms. In a loop, a microcontroller would compute the reciprocals by divisions in
         // double precision.
@@ -112,6 +113,6 @@ pub(crate) trait Walked<S> {
     fn series(&self, value: S, slope: S) -> LocalSeries<S>;
     /// Returns the rounding error of a value of the function.
     fn noise(&self) -> S;
-    /// Returns the length in τ within which the function is searched.
+    /// Returns the length of the searched interval, in τ (rad of the excitation).
     fn reach(&self) -> S;
 }

@@ -1,4 +1,5 @@
-//! A power series in time of a function of the contact. A search finds the zeros of the function in this series.
+//! Power series in time of a function that describes the contact, such as its relative velocity. A search finds the
+//! zeros of the series.
 
 use super::local::{Local, LocalSeries, ORDER, ROUNDINGS, SERIES_REACH, Walked};
 use crate::number::scalar::Float;

@@ -6,9 +6,8 @@ use super::step;
 use crate::motion::series::{Local, LocalSeries, ROUNDINGS, Walked};
 use crate::number::scalar::Float;
 
-/// Factor on the rounding error of a force, for a contact that has just failed to start sliding. The force of this
-/// contact counts as larger than the break-away level only if it exceeds the level by more than this factor times its
-/// rounding error.
+/// Factor on the rounding error of a force, for a contact that has just failed to start sliding. This contact breaks
+/// away only if its force exceeds the break-away level by more than the factor times the rounding error.
 const WEDGED: f64 = 16.0;
 /// Smallest distance, in rounding units, at which a search continues after a point where the function touches zero
 /// without a change of sign.
@@ -93,8 +92,8 @@ pub(crate) fn first_zero<S: Float, F: Walked<S>>(
     WalkResult::Until(tau)
 }
 
-/// Finds the first instant at or after `from` at which |sum| reaches `level`. The flag is true if the sum reaches
-/// −level. Adds the number of steps to `steps`.
+/// Finds the first instant at or after `from` at which |`sum`| reaches `level`. The flag in the result is true if the
+/// sum reaches −`level`. Adds the number of steps to `steps`.
 pub(crate) fn first_reach<S: Float, F: Walked<S>>(
     sum: &F,
     level: S,

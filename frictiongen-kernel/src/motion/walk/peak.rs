@@ -1,5 +1,5 @@
-//! Finds the largest absolute value of a sum over oscillators between two events. The code finds the peaks by the walks
-//! that also find events.
+//! Finds the largest absolute value of a sum over oscillators between two events. A *walk*, a search in steps that
+//! skip no zero, leads to each peak.
 
 use super::first::{WalkResult, WalkStart, first_reach};
 use crate::motion::series::OscillatorSum;
@@ -79,8 +79,9 @@ impl<S: Float> OscillatorSum<'_, S> {
         }
     }
 
-    /// Finds the local extreme near an instant by Newton's method on the slope. No step of the method decreases the
-    /// value. Returns the instant, the value and the curvature of the extreme.
+    /// Finds the local extreme near an instant by Newton's method on the slope. The method shortens a step that
+    /// decreases the absolute value, unless the peak is already closer than `AT_SUMMIT`. Returns the instant, the
+    /// value and the curvature of the extreme.
     fn climbed(&self, tau: S) -> (S, S, S) {
         let zero = S::constant(0.0);
         let mut at = tau;

@@ -12,8 +12,8 @@ const CLOSE: f64 = 0.1;
 ///
 /// `f`, `slope` and `curve` are f, f′ and f″ at the start, and `bound` is B. The caller must pass f ≥ 0, and f′ > 0 if
 /// f = 0. The cubic p(h) = f + f′h + f″h²/2 − Bh³/6 is a lower bound on f. The function f is therefore positive up to
-/// the smallest positive root of p. The result is close to this root. The result exceeds the root at most by rounding,
-/// and never exceeds `most`.
+/// the smallest positive root of p. The result is close to this root, and exceeds the root at most by rounding. The
+/// result never exceeds `most`.
 pub(crate) fn safe<S: Float>(f: S, slope: S, curve: S, bound: S, most: S) -> S {
     let (zero, half) = (S::constant(0.0), S::constant(0.5));
     let sixth = S::constant(1.0 / 6.0);
@@ -91,7 +91,8 @@ pub(crate) fn safe<S: Float>(f: S, slope: S, curve: S, bound: S, most: S) -> S {
     }
 }
 
-/// Returns the value of the cubic at its minimum. Without a minimum, returns the present value.
+/// Returns the value of the cubic p of [`safe`] at its minimum. If p has no minimum ahead, returns the present value
+/// f.
 fn least<S: Float>(f: S, slope: S, curve: S, bound: S) -> S {
     let discriminant = curve * curve + (bound + bound) * slope;
     let zero = S::constant(0.0);

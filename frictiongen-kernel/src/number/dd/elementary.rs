@@ -14,7 +14,7 @@ fn dominated_sum(large: Dd, small: Dd) -> Dd {
 }
 
 /// Returns the sum of the series Σ cₖvᵏ, in which each term is far smaller than the previous term. From index `exact`
-/// on, all terms are smaller than 2^−55 times the first term. For these terms `f64` is accurate enough.
+/// on, all terms are smaller than 2^−55 times the first term. The code therefore computes these terms in `f64`.
 #[inline]
 fn series<'a>(
     coefficients: impl DoubleEndedIterator<Item = &'a Dd> + ExactSizeIterator + Clone,
@@ -48,14 +48,14 @@ static EVEN: [Dd; 18] = in_twos(2);
 /// Inverse factorials of odd numbers, 1/3!, 1/5! … 1/37!, for the sine.
 static ODD: [Dd; 18] = in_twos(3);
 
-/// Returns Σ factorials[k]·vᵏ over the first `terms` terms. From index `exact` on, `f64` is accurate enough for the
-/// terms.
+/// Returns Σ factorials[k]·vᵏ over the first `terms` terms. From index `exact` on, the code computes the terms in
+/// `f64`.
 fn factorials_in_twos(factorials: &[Dd], terms: usize, exact: usize, v: Dd) -> Dd {
     series(factorials.iter().take(terms), exact, v)
 }
 
-/// Returns the integer q for which q/2 is nearest to h, and the exact remainder h − q/2. Only the two lowest bits of q
-/// are meaningful.
+/// Returns the integer q for which q/2 is nearest to h, and the exact remainder h − q/2. h is an angle in half-turns
+/// (π rad). Only the two lowest bits of q are correct, because a sine or cosine needs only q modulo 4.
 fn reduced(h: Dd) -> (u64, Dd) {
     // If `hi` is above 2^53, `hi` is an integer, but `lo` may still contain a fraction. The code therefore reduces both
     // `hi` and `lo`.

@@ -5,7 +5,7 @@ use std::ops::{Add, Mul, Neg, Sub};
 
 /// Bound on the relative error of a double-double operation: 2^−102. The actual error is below 2^−103.
 const ROUNDING: f64 = 1.0 / 5_070_602_400_912_917_605_986_812_821_504.0;
-/// Bound on the absolute error of an operation whose result underflows. The bound is not valid for tiny operands.
+/// Bound on the absolute error that underflow causes in an operation. The bound is not valid for tiny operands.
 const LOST: f64 = 1e-280;
 /// Factor on a sum of errors in double precision. It covers the rounding of the sum itself.
 pub(super) const UP: f64 = 1.0 + 1e-14;

@@ -33,9 +33,9 @@ const DIFFERENCE: f64 = 1e-9;
 /// from z. A factor is a product of at most four differences: ir − z, −ir − z, and the same with the conjugate of z.
 /// To first order each difference contributes d/D, so the bound is four. The additional 0.1 covers the second order.
 const MOVED: f64 = 4.1;
-/// A number slightly smaller than ½, for lower bounds on two distances. `at` is the number of the scalar type nearest
-/// to a zero y. Every other number of the type is at least half a spacing away from y. If the difference r − `at` is
-/// not exact, its modulus exceeds half of `at`.
+/// A number slightly smaller than ½, for two lower bounds. `at` is the number of the scalar type nearest to a zero y.
+/// First, every other number of the type is at least half a spacing away from y. Second, the modulus of r − `at`
+/// exceeds half of `at` if this difference is not exact.
 const WITHIN_HALF: f64 = 0.45;
 /// Bound on |B|/(B² + 4x²y²) in units of 1/(xy), slightly enlarged, for a zero x + iy with B = (r − y)(r + y) + x².
 /// From B² + 4x²y² ≥ 4xy|B| it follows that the quotient is at most ¼/(xy).
@@ -46,7 +46,7 @@ const HALF: f64 = 0.51;
 /// Bound on (|r² − y²| + x²)/|B| for B ≥ x²/2, for a zero x + iy with B = (r − y)(r + y) + x².
 const TIMES: f64 = 3.0;
 
-/// An interval of r whose ends are numbers of the emitted scalar type.
+/// An interval of r. The bounds of the whole range are numbers of the emitted scalar type. Other ends need not be.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct RoundedInterval {
     pub low: f64,
@@ -102,8 +102,7 @@ impl KnownZero {
     pub fn distance(&self, cell: RoundedInterval) -> f64 {
         let y = self.zero.y.to_f64();
         let outside = (cell.low - y).max(y - cell.high) * (1.0 - DIFFERENCE);
-        // The ends of the cell are numbers of the scalar type, and may be as near to y as any other number of the
-        // type.
+        // At an end of the cell, r may be as near to y as any other number of the scalar type.
         self.nearest.max(outside - PLACE * y)
     }
 
@@ -207,7 +206,9 @@ impl KnownZero {
         (first + unit + sum + unit, offset)
     }
 
-    /// Returns the bounds on the factor B² + least in a cell of r, with B = (r − y)(r + y) + x² for a zero x + iy.
+    /// Returns the bounds on the factor B² + 4x²y² in a cell of r, with B = (r − y)(r + y) + x² for a zero x + iy.
+    /// `own` is the relative rounding error of (r − y)(r + y). `offset`, `off` and `least` are the absolute errors of
+    /// y, x² and 4x²y² as the table stores them.
     fn pair(
         &self,
         own: f64,

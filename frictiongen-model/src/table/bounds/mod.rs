@@ -44,8 +44,9 @@ const POLE_ROUNDINGS: f64 = 64.0;
 /// with thousands of rounding units of double precision.
 const OUTWARD: f64 = 1e-12;
 
-/// The exact function as gain·Π numerator/Π denominator over computed zeros and poles. At a computed zero the sum
-/// over the modes may have a small remainder. `weights` and `tail` bound the relative error by these remainders.
+/// The exact function (β*_lim or |V|) that an emitted product represents, as gain·Π numerator/Π denominator over
+/// computed zeros and poles. At a computed zero the sum over the modes may have a small remainder. `weights` and
+/// `tail` bound the relative error that these remainders cause.
 struct Meant {
     gain: Ball,
     numerator: Vec<KnownZero>,
@@ -352,7 +353,8 @@ impl KnownZero {
     }
 }
 
-/// Divides the range of r into cells between neighbouring zeros.
+/// Divides the range of r into cells. Two cells meet halfway between neighbours among the zeros, the poles and the
+/// bounds of the range.
 fn cells(meant: &Meant, low: f64, high: f64) -> Vec<RoundedInterval> {
     let all = meant.numerator.iter().chain(&meant.denominator);
     let mut places: Vec<f64> = all

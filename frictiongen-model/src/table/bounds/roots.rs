@@ -1,18 +1,18 @@
 //! Proves that a sum over modes equals a product over given zeros, up to a bounded relative error.
 //!
 //! The sum is direct + Σρ_i/d_i, with residues ρ_i and denominators d_i. Its numerator N = (direct + Σρ_i/d_i)·Πd_i is
-//! a polynomial in v, which is s = ir, or s² for an undamped chain. P = Π(v − z_j) is the product over the given zeros.
-//! In partial fractions, N/P = q(v) + Σ_j N(z_j)/P′(z_j)/(v − z_j). The remainders N(z_j) are small if the zeros are
-//! right up to their last digits. Except for rounding errors, q is a constant. The proof does not assume right zeros,
-//! because wrong zeros give large N(z_j) and therefore a large error bound.
+//! a polynomial in v, which is s = ir, or s² for an undamped chain. P = Π(v − z_j) is the product over the given
+//! zeros. In partial fractions, N/P = q(v) + Σ_j N(z_j)/P′(z_j)/(v − z_j). The remainders N(z_j) are small if the
+//! zeros are right up to their last digits. Except for rounding errors, q is a constant. The proof does not assume
+//! that the given zeros are right. Wrong zeros give large N(z_j), and therefore a large error bound.
 
 use super::super::zeros::{ContactMode, Zero};
 use super::OUTWARD;
 use super::ball::{Ball, Disc, UP as OF_ONE};
 use frictiongen_kernel::number::dd::Dd;
 
-/// Factor on a bound. It covers the rounding of the whole bound, with thousands of rounding units of double
-/// precision.
+/// Factor on a bound, slightly above 1. It covers the rounding errors in the computation of the bound, with thousands
+/// of rounding units of double precision.
 const UP: f64 = 1.0 + OUTWARD;
 
 /// A term of a sum over the modes: the numerator of a mode, residue + along·v, divided by its denominator, v² + rate·v +
@@ -36,10 +36,11 @@ pub(super) struct Factored {
     /// The gain, the constant in N = gain·Π(v − z_j)·(1 + δ). N is the numerator of the sum, and z_j are the given
     /// zeros.
     pub gain: Ball,
-    /// Bound on |δ| in N = gain·Π(v − z_j)·(1 + δ), without the contributions of the zeros z_j. N is the numerator of
-    /// the sum and v its variable. Each zero contributes its weight, divided by the distance of v from the zero.
+    /// Bound on |δ| in N = gain·Π(v − z_j)·(1 + δ), without the contributions of the zeros z_j (`zeros`). N is the
+    /// numerator of the sum and v its variable.
     pub tail: f64,
-    /// The zeros, each with the weight of its remainder.
+    /// The zeros, each with a weight. The weight, divided by the distance of v from the zero, bounds the contribution
+    /// of the zero to |δ|.
     pub zeros: Vec<(Zero, f64)>,
 }
 

@@ -1,4 +1,4 @@
-//! Rows and columns of a motion that follows an input step by step.
+//! Rows and columns of the table of a motion that a stepper computes under a sampled input.
 
 use crate::Of;
 use crate::study::columns::{
@@ -7,7 +7,7 @@ use crate::study::columns::{
 use crate::study::{System, stepper::SystemStepper, words};
 use frictiongen_kernel::simulation::Contact;
 
-/// The motion of the contact and of masses at every sample of an input.
+/// The motion of the contact and of the requested masses at every sample of an input.
 #[derive(Clone, Debug, Default)]
 pub struct Driven {
     /// Time of each sample, in s.
@@ -39,9 +39,9 @@ impl Driven {
         }
     }
 
-    /// Adds the present state of a stepper to the table. `parts` are the masses and the contact of the table. `events`
-    /// is the number of events of the contact since the previous sample. If `turned` is true, the contact's motion and
-    /// force enter the table with opposite signs.
+    /// Adds the present state of a stepper to the table. `parts` lists the motions that the table contains. `events`
+    /// is the number of events of the contact (stops, break-aways and reversals) since the previous sample. If
+    /// `turned` is true, the table contains the contact's motion and force with the opposite sign.
     pub fn push(
         &mut self,
         stepper: &SystemStepper<'_>,

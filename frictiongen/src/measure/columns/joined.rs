@@ -1,4 +1,5 @@
-//! Rows and columns of the motion of a scene with several contacts that follows an input step by step.
+//! Rows and columns of the table of a motion that a stepper computes under a sampled input, for a scene with several
+//! contacts.
 
 use crate::study::System;
 use crate::study::columns::{
@@ -6,7 +7,7 @@ use crate::study::columns::{
 };
 use crate::study::joined::{Joined, JoinedContactNow, JoinedStepper};
 
-/// A part of a scene with several contacts whose motion the table contains.
+/// A contact, a mass or a combination of masses whose motion the table contains.
 #[derive(Clone, Debug)]
 pub enum JoinedPart {
     /// A contact. The number is its index in the scene description, counted from 0.
@@ -25,8 +26,8 @@ pub struct JoinedDriven {
     pub motions: Vec<[Vec<f64>; 2]>,
     /// For each sample, the motion and force of every contact.
     pub contacts: Vec<Vec<JoinedContactNow>>,
-    /// Factor 1 or −1 of each contact, as in [`Joined::sign`]. The factor is −1 for a contact that the description
-    /// writes with the later of two masses first.
+    /// Factor 1 or −1 by which the table multiplies the motion and the force of each contact ([`Joined::sign`]). The
+    /// factor is −1 if the description of the contact names the later of its two masses first.
     signs: Vec<f64>,
     events: Vec<usize>,
 }
@@ -53,7 +54,7 @@ impl JoinedPart {
 
 impl JoinedDriven {
     /// Adds the present state of a stepper to the table. `base` is the displacement and the velocity of the base, in m
-    /// and m/s. `events` is the number of events since the previous sample.
+    /// and m/s. `events` is the number of events of all contacts since the previous sample.
     pub fn push(
         &mut self,
         stepper: &JoinedStepper<'_>,
@@ -134,7 +135,7 @@ impl JoinedDriven {
     }
 }
 
-/// Returns the motion and force of a contact at the sample of this row.
+/// Returns the motion and force of the contact with the index `contact` at the sample of a row.
 fn now(row: &JoinedDrivenRow<'_>, contact: usize) -> Option<JoinedContactNow> {
     let all = row.driven.contacts.get(row.index)?;
     all.get(contact).copied()

@@ -1,5 +1,5 @@
-//! Results of measurements as lines. A line has a key for programs, a quantity in words, its value with an interval,
-//! and its unit.
+//! Results of measurements as lines of a table. A line has a key for programs, a quantity in words, its value with an
+//! interval, and its unit.
 
 use super::drive;
 use super::once::scaled;
@@ -17,7 +17,7 @@ use std::f64::consts::TAU;
 pub struct QuantityLine {
     /// Number of the recording to which the quantity belongs, counted from 1.
     pub recording: Option<usize>,
-    /// Key of the quantity for programs. It is unique among the quantities of a recording.
+    /// Key by which programs find the quantity. It is unique among the quantities of a recording.
     pub key: String,
     /// Name of the quantity, in words for people.
     pub label: String,
@@ -116,7 +116,7 @@ pub fn fit_lines(system: &System, found: &SweepFit, points: usize) -> Vec<Quanti
     let mut lines = QuantityLines::default();
     let scene = system.scene();
     lines.estimate("reference_Hz", "sqrt(k1/m1)", found.reference, "Hz");
-    // The next two lines of the table are r/f, with f in Hz, and r/ω, with ω in rad/s.
+    // The next two lines of the table are the quotients r/f and r/ω, with f in Hz and ω in rad/s.
     let inverse = Estimate {
         value: 1.0 / found.reference.value,
         from: 1.0 / found.reference.to,
@@ -178,7 +178,7 @@ fn natural_frequency(lines: &mut QuantityLines, mode: usize, found: Estimate) {
     lines.estimate(&key, &format!("natural frequency {mode}"), found, "Hz");
 }
 
-/// Adds the masses and springs of the fitted description as lines. The first mass keeps its value.
+/// Adds the masses and springs of the fitted description as lines. The fit does not change the first mass.
 fn described(lines: &mut QuantityLines, system: &System) {
     let scene = system.scene();
     for mass in &scene.masses {

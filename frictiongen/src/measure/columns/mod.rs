@@ -1,5 +1,5 @@
 //! Tables of measurements, with rows and columns as in [`study::columns`](crate::study::columns), and single values
-//! under keys. All values are in SI units.
+//! with keys. All values are in SI units.
 
 mod driven;
 mod joined;

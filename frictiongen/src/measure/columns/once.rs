@@ -1,4 +1,4 @@
-//! Single values of measurements, each under a key.
+//! Single values of measurements, each with a key for programs.
 
 use crate::measure::{Estimate, FreeDecay, Identified, SweepFit, Unknown};
 use crate::study::System;
@@ -37,7 +37,8 @@ pub(super) fn scaled(found: Estimate, scale: f64) -> Estimate {
     }
 }
 
-/// Returns the fitted unknowns by name, each with its unit.
+/// Returns the fitted unknowns, each with its name for programs. The factor on all natural frequencies becomes one
+/// natural frequency in Hz for each mode.
 fn unknowns<'f>(
     system: &System,
     found: impl Iterator<Item = &'f (Unknown, Estimate)>,

@@ -31,7 +31,7 @@ pub struct ResidualRow<'o> {
     known: MotionKnown,
 }
 
-/// Row of the table: one point of a sweep, and the amplitude of the fitted scene.
+/// Row of the table: one point of a sweep, and its residual (measured minus computed amplitude).
 #[derive(Clone, Copy, Debug)]
 pub struct FittedRow<'o> {
     point: &'o SweepPoint,
@@ -64,8 +64,8 @@ impl ResidualRow<'_> {
         apart / self.datum.deviation
     }
 
-    /// Returns a residual of the complex motion, divided by its standard deviation. Returns `None` unless both the
-    /// amplitude and the phase were measured.
+    /// Returns the real or imaginary part `residual` of a residual, divided by the standard deviation of the motion.
+    /// Returns `None` unless both the amplitude and the phase were measured.
     fn whole(&self, residual: f64) -> Option<f64> {
         (self.known == MotionKnown::Both).then(|| residual / self.datum.deviation)
     }
@@ -76,7 +76,7 @@ fn name(system: &System, mass: usize) -> &str {
     mass.map_or("", |mass| mass.name.as_str())
 }
 
-/// Returns the table rows of all motions of all observations. `known` has one entry for each observation: the
+/// Returns one table row for each motion of each observation. `known` has one entry for each observation: the
 /// quantities that were measured.
 #[must_use]
 pub fn residuals<'o>(
@@ -104,7 +104,7 @@ pub fn residuals<'o>(
     rows
 }
 
-/// Returns the columns of the table of [`residuals`].
+/// Returns the columns of the table whose rows [`residuals`] returns.
 #[must_use]
 pub fn residual_columns<'o>(system: &System) -> Vec<Column<'o, ResidualRow<'o>>> {
     use PhysicalQuantity::Angle;
@@ -137,7 +137,7 @@ pub fn residual_columns<'o>(system: &System) -> Vec<Column<'o, ResidualRow<'o>>>
     columns.done()
 }
 
-/// Returns the table rows of the points of a sweep, each with the amplitude of the fitted scene.
+/// Returns one table row for each point of a sweep, with the residual of the fit.
 #[must_use]
 pub fn fitted<'o>(
     system: &'o System,
@@ -153,7 +153,7 @@ pub fn fitted<'o>(
     rows.collect()
 }
 
-/// Returns the columns of the table of [`fitted`].
+/// Returns the columns of the table whose rows [`fitted`] returns.
 #[must_use]
 pub fn fitted_columns<'o>(system: &System) -> Vec<Column<'o, FittedRow<'o>>> {
     let mut columns = Columns::new(&Measure::si(system));
@@ -166,7 +166,7 @@ pub fn fitted_columns<'o>(system: &System) -> Vec<Column<'o, FittedRow<'o>>> {
     columns.done()
 }
 
-/// Returns the table rows of the extremes of a free vibration.
+/// Returns one table row for each extreme of a free vibration.
 #[must_use]
 pub fn extremes(found: &FreeDecay) -> Vec<ExtremeRow> {
     let all = found.extremes.iter();
@@ -177,7 +177,7 @@ pub fn extremes(found: &FreeDecay) -> Vec<ExtremeRow> {
     rows.collect()
 }
 
-/// Returns the columns of the table of [`extremes`].
+/// Returns the columns of the table whose rows [`extremes`] returns.
 #[must_use]
 pub fn extreme_columns<'o>(system: &System) -> Vec<Column<'o, ExtremeRow>> {
     let mut columns = Columns::new(&Measure::si(system));

@@ -1,4 +1,4 @@
-//! Rows and columns of a response spectrum.
+//! Rows and columns of the table of a response spectrum.
 
 use crate::measure::PeakResponse;
 use crate::study::System;
@@ -7,9 +7,9 @@ use crate::study::columns::{Column, Columns, Head, Measure, PhysicalQuantity, Ta
 /// Row of the table: the peak response of one oscillator.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct SpectrumRow {
-    /// Number of the scene's mode whose period the oscillator has, from 1. `None` if no mode has this period.
+    /// Number, from 1, of the scene's mode that has the period of the oscillator. `None` if no mode has this period.
     pub mode: Option<usize>,
-    /// Natural period and largest relative displacement of the oscillator.
+    /// Natural period of the oscillator, and its largest displacement relative to the base.
     pub peak: PeakResponse,
 }
 

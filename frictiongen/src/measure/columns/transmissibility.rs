@@ -1,4 +1,4 @@
-//! Columns of the displacement transmissibilities of masses.
+//! Table of the displacement transmissibilities of masses (amplitude of a mass divided by the amplitude of the base).
 
 use super::drive_amplitude;
 use crate::measure::Measured;

@@ -1,4 +1,4 @@
-//! Fits a decaying vibration to all samples between the first and the last extreme.
+//! Fits a model of a decaying vibration to all samples between the first and the last extreme.
 
 use super::swings::Swings;
 use crate::measure::MeasureError;
@@ -7,18 +7,19 @@ use crate::measure::statistics::student;
 use nalgebra::{DMatrix, DVector};
 use std::f64::consts::PI;
 
-/// Step of the finite difference for a derivative, divided by the scale of the parameter.
+/// Step of the finite difference for a derivative with respect to a parameter, divided by the scale of the parameter.
 const DIFFERENCE: f64 = 1e-6;
 /// Index of the parameter “number of samples in a half cycle” in [`DecayShape`].
 const HALF: usize = 3;
-/// Index of the parameter “decrement of a half cycle” in [`DecayShape`].
+/// Index of the parameter “logarithmic decrement of a half cycle” in [`DecayShape`].
 const DECREMENT: usize = 4;
 /// Index of the parameter F/k in [`DecayShape`]: friction force F divided by stiffness k.
 const LENGTH: usize = 5;
 
 /// Parameters of a decaying vibration. The first three are the instant of the first extreme (in samples), the
-/// displacement at this extreme (m) and the middle of the vibration (m). The other three are the duration of a half
-/// cycle (in samples), the decrement of a half cycle, and F/k (m).
+/// displacement at this extreme (m), and the middle between the two points about which the mass oscillates (m). The
+/// other three are the duration of a half cycle (in samples), the logarithmic decrement of a half cycle due to viscous
+/// damping, and F/k (m).
 type DecayShape = [f64; 6];
 
 /// Computes the displacement at each sample from the first extreme to the last, for the parameters `shape`.
@@ -53,15 +54,16 @@ pub(super) struct DecayFit<'s> {
     start: DecayShape,
     /// Natural scale of each parameter of the fit.
     scales: DecayShape,
-    /// Indices of the parameters that the fit may change.
+    /// Indices of the parameters that the fit may change, in [`DecayShape`].
     free: Vec<usize>,
 }
 
-/// Fitted parameters, each with its value and the half width of its interval.
+/// Fitted parameters of a free vibration, each with its value and the half width of its 95 % interval.
 pub(super) struct DecayParameters {
     /// Number of samples in half a cycle of the free vibration, and the half width of its interval.
     pub(super) half: (f64, f64),
-    /// Decrement of the free vibration in half a cycle due to viscous damping, and the half width of its interval.
+    /// Logarithmic decrement of the free vibration in half a cycle due to viscous damping, and the half width of its
+    /// interval.
     pub(super) decrement: (f64, f64),
     /// Friction force F divided by the stiffness k, in m, and the half width of its interval.
     pub(super) length: (f64, f64),

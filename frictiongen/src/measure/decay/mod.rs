@@ -1,12 +1,12 @@
 //! Finds friction and damping from a free vibration of one mass (thesis 4.3.2).
 //!
-//! After its release, a mass oscillates about one point while it moves up, and about another point while it moves down.
-//! The distance between the two points is 2F/k. The extremes decrease by 4F/k in a cycle (4.2). With viscous damping,
-//! each half cycle also multiplies the distance of the mass from the point of this half cycle by e^{−πζ/√(1−ζ²)} (Feeny
-//! and Liang, J. Sound Vib. 195 (1996) 149).
+//! A mass that is released oscillates about one point while it moves up, and about another point while it moves down,
+//! because friction changes its direction. The distance between the two points is 2F/k. The extremes decrease by 4F/k
+//! in a cycle (4.2). With viscous damping, the distance of the mass from the point of a half cycle also shrinks in
+//! this half cycle, by the factor e^{−πζ/√(1−ζ²)} (Feeny and Liang, J. Sound Vib. 195 (1996) 149).
 //!
-//! The extremes give a first guess. The code then fits all samples between the first and the last extreme, because
-//! noise makes a single peak appear too high.
+//! The extremes give a first guess of the parameters. The code then fits the parameters to all samples between the
+//! first and the last extreme, because noise makes a single peak appear too high.
 
 mod fit;
 mod swings;
@@ -57,8 +57,8 @@ impl FreeDecay {
 }
 
 impl System {
-    /// Returns the damping ratio ζ of the first mode, if the description gives damping ratios. It can serve as the
-    /// known damping in [`free_decay`](Self::free_decay).
+    /// Returns the damping ratio ζ of the first mode, if the description gives damping ratios. The caller can pass
+    /// this ratio as the known damping to [`free_decay`](Self::free_decay).
     #[must_use]
     pub fn described_damping(&self) -> Option<f64> {
         match &self.scene().damping {

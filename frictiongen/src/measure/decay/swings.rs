@@ -75,8 +75,8 @@ pub(super) fn noise(samples: &[f64]) -> f64 {
     (thirds.sum::<f64>() / (20.0 * count)).sqrt()
 }
 
-/// Returns the index and the value of each sample at which the motion reverses. The result leaves out the first sample,
-/// and reversals that noise may cause.
+/// Returns the index and the value of each sample at which the motion reverses. The result leaves out the first
+/// extreme, which may lie before the release of the mass, and reversals that noise may cause.
 fn extremes(samples: &[f64], turn: f64) -> Vec<(usize, f64)> {
     let mut found = Vec::new();
     let Some(first) = samples.first() else {

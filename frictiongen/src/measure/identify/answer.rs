@@ -28,8 +28,8 @@ impl Estimate {
 /// The conclusion that a measurement allows about the friction force.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum Verdict {
-    /// The scene does not explain the measurement, because its description is wrong or incomplete. With a right
-    /// description, noise of the given deviations would cause residuals of this size in fewer than one of 1000
+    /// The scene does not explain the measurement, because its description is wrong or incomplete. If the description
+    /// were right, noise with the given standard deviations would cause such residuals in fewer than one of 1000
     /// recordings. The force and its interval belong to the best fit, and may be far from the force of the real
     /// contact.
     NotExplained,
@@ -43,8 +43,8 @@ pub enum Verdict {
     /// frequency, as at an invariant point, or friction is too small to exceed the noise.
     NotDetermined,
     /// Amplitudes without phases allow two conclusions. Either the contact almost sticks, or a unit is wrong by a
-    /// factor of 1000 or a million. The scene description would also explain the motion if it were larger by this
-    /// factor.
+    /// factor of 1000 or a million. The scene description would also explain the motion if the amplitudes were larger
+    /// by this factor.
     AlmostStuck,
 }
 
@@ -98,7 +98,7 @@ pub struct Explained {
     pub r: f64,
     /// Regime of the contact in the fitted scene at this observation.
     pub regime: Regime,
-    /// Computed motions, in the same order as in the observation.
+    /// Computed motions, divided by the amplitude of the load, in the order of the observation's motions.
     pub model: Vec<Complex<f64>>,
 }
 
@@ -115,16 +115,16 @@ pub struct Identified {
     /// The unknowns that were fitted besides the friction force, with their estimates, in the order of the request.
     /// [`Identified::undetermined`] lists the unknowns with an infinite interval.
     pub unknowns: Vec<(Unknown, Estimate)>,
-    /// Sum of squared residuals, divided by the degrees of freedom. Each squared residual is divided by its variance.
-    /// `None` without degrees of freedom. If this number exceeds 1 by more than chance explains, the verdict is
-    /// [`Verdict::NotExplained`]. The intervals are then wider by the square root of this number.
+    /// Sum of the squared residuals, each over its variance, divided by the degrees of freedom. `None` without degrees
+    /// of freedom. If this number exceeds 1 by more than chance explains, the verdict is [`Verdict::NotExplained`].
+    /// The intervals are then wider by the square root of this number.
     pub misfit: Option<f64>,
     /// Degrees of freedom of the fit: the number of data minus the number of unknowns that the data determine.
     pub freedom: usize,
     /// Condition number of the fit: the largest factor by which a relative error of the data grows in a fitted value.
     pub condition: f64,
-    /// Number of derivatives that the fit took by finite differences. If a stop or reversal is about to appear or
-    /// disappear, no exact derivative exists.
+    /// Number of derivatives that the fit took by finite differences, because no exact derivative exists. This is the
+    /// case if a stop or reversal of the contact is about to appear or disappear.
     pub differences: usize,
     /// Each observation with the response of the scene.
     pub explained: Vec<Explained>,

@@ -40,10 +40,10 @@ fn seen_change(using: Using, value: Complex<f64>, change: Complex<f64>) -> Vec<f
 }
 
 impl<'o> Weighed<'o> {
-    /// Creates the covariance from the errors of each channel and of the load. The error of the load is common to all
-    /// motions. For base motion, x/Y is a measured displacement divided by the amplitude of the base. A relative error
-    /// ε of the load's amplitude changes x/Y by −x/Y·ε. Because β = F/(k₁Y), it also changes the computed motion by
-    /// −β·dx/dβ·ε. `friction` contains the derivative β·dx/dβ, which equals F·dx/dF.
+    /// Computes the covariance of the compared quantities from the errors of each channel and of the load. The error
+    /// of the load is common to all motions. For base motion, x/Y is a measured displacement divided by the amplitude
+    /// of the base. A relative error ε of the load's amplitude changes x/Y by −x/Y·ε. Because β = F/(k₁Y), it also
+    /// changes the computed motion by −β·dx/dβ·ε. `friction` contains the derivative β·dx/dβ, which equals F·dx/dF.
     pub(super) fn new(
         seen: &'o Observation,
         using: Using,
@@ -117,7 +117,7 @@ impl<'o> Weighed<'o> {
         self.factor.solve_lower_triangular(&DVector::from_vec(all))
     }
 
-    /// Returns the derivatives of the residuals from the derivatives of the computed motions.
+    /// Converts the derivatives `slopes` of the computed motions to the derivatives of the residuals.
     pub(super) fn slopes(
         &self,
         model: &[Complex<f64>],

@@ -9,22 +9,23 @@ use crate::study::System;
 use crate::study::units::polar;
 use std::f64::consts::PI;
 
-/// Unexplained fraction of the motion from which on the scene does not explain a measurement. The fraction is the root
-/// mean square of the unexplained motion, divided by that of the measured motion.
+/// Smallest unexplained fraction of the motion at which the scene does not explain a measurement. The fraction is the
+/// root mean square of the unexplained motion, divided by that of the larger of measured and computed motion.
 const GROSS: f64 = 0.5;
 /// Unexplained fraction of the motion below which a corrected unit explains the measurement. The fraction is the root
-/// mean square of the unexplained motion, divided by that of the measured motion.
+/// mean square of the unexplained motion, divided by that of the larger of measured and computed motion.
 const MENDED: f64 = 0.2;
-/// Upper bound on a measured amplitude whose unit may be wrong, divided by the largest amplitude that the scene has at
-/// any friction force.
+/// Bound below which measured amplitudes are so small that their unit may be wrong. The bound is relative to the
+/// largest amplitude that the scene has at any friction force.
 const TINY: f64 = 0.01;
-/// Root mean square of the differences between measured and computed phases, in rad (15°), from which on the scene does
-/// not explain the phases.
+/// Smallest difference between measured and computed phases, in rad (15°), at which the scene does not explain the
+/// phases. The difference is a root mean square over all motions.
 const TURNED: f64 = PI / 12.0;
 
 impl IdentifyProblem<'_> {
-    /// Returns the unexplained fraction of the motion at the friction force `friction`, in N. The other results are the
-    /// mass with the largest unexplained motion, and the measured and computed amplitude of this mass.
+    /// Returns the unexplained fraction of the motion at the friction force `friction`, in N. The code first divides
+    /// the measured motion by `factor`. The other results are the mass with the largest unexplained motion, and the
+    /// measured and computed amplitude of this mass.
     fn unexplained(&self, friction: f64, factor: f64) -> Option<(f64, usize, f64, f64)> {
         let (mut left, mut all) = (0.0, 0.0);
         let mut worst = (0.0, 0, 0.0, 0.0);
@@ -59,7 +60,8 @@ impl IdentifyProblem<'_> {
         if self.using == Using::PhaseAlone {
             return self.turns_alike(friction);
         }
-        // If the fit compares only phases, the amplitude only has to be plausible.
+        // If the fit compares only phases, the amplitude only has to be plausible. A larger unexplained fraction is
+        // therefore allowed.
         let gross = if self.using == Using::Phase {
             0.9
         } else {
@@ -85,7 +87,7 @@ impl IdentifyProblem<'_> {
         })
     }
 
-    /// Returns evenly spaced friction forces from 0 to the upper bound of the range of forces, in N.
+    /// Returns evenly spaced friction forces in N, from 0 to the upper end of the scanned range.
     fn forces(&self) -> impl Iterator<Item = f64> {
         let end = self.range.1;
         (0..=PLACES).map(move |i| end * f64::from(i) / f64::from(PLACES))

@@ -1,5 +1,5 @@
-//! Finds the friction force without other unknowns. The code scans the sum of squared residuals over the whole range of
-//! forces.
+//! Finds the friction force if it is the only unknown. The code scans the sum of squared residuals over the whole
+//! range of forces.
 
 use super::answer::{Estimate, Explained, Identified, Verdict};
 use super::data::Weighed;
@@ -20,8 +20,8 @@ const SECTIONS: usize = 44;
 /// Number of steps of a bisection for a bound of the friction force. The steps narrow an interval of forces to 1e-12 of
 /// its width.
 const HALVINGS: usize = 40;
-/// Largest width of the 95 % interval of the friction force, divided by the force, for which the measurement determines
-/// the force.
+/// The measurement determines the friction force if the width of its 95 % interval, divided by the force, is at most
+/// this number.
 const WIDE: f64 = 1.0;
 
 /// The measurements of an identification, and the scene with which the fit compares them.
@@ -29,7 +29,7 @@ pub(super) struct IdentifyProblem<'a> {
     pub(super) system: &'a System,
     pub(super) observations: &'a [Observation],
     pub(super) using: Using,
-    /// Range of the friction forces in the scan, in N.
+    /// Range of friction forces that the code scans, in N.
     pub(super) range: (f64, f64),
     /// True if every friction force above the range of the scan gives the same response.
     pub(super) stuck_beyond: bool,
@@ -85,8 +85,9 @@ impl<'a> IdentifyProblem<'a> {
         })
     }
 
-    /// Returns the compared quantities of all observations, weighted by their errors. The errors of the load are those
-    /// at the friction force `friction`, in N.
+    /// Returns the compared quantities of all observations, weighted by their errors. An error of the load also
+    /// changes the computed motion, because it changes β. The code computes this change at the friction force
+    /// `friction`, in N, and neglects it for `None`.
     pub(super) fn weighed(
         &self,
         system: &System,
@@ -111,8 +112,9 @@ impl<'a> IdentifyProblem<'a> {
             .ok_or(MeasureError::NoFit)
     }
 
-    /// Returns a factor for each motion, by which the code multiplies the scene's derivatives. If the amplitude was
-    /// measured, the factor is 1. Otherwise it is the modulus of the measured value divided by the scene's amplitude.
+    /// Returns a factor for each motion, by which the code multiplies the derivatives of the computed motion. If the
+    /// amplitude was measured, the factor is 1. Otherwise it is the modulus of the measured value divided by the
+    /// computed amplitude.
     fn sizes(&self, system: &System, seen: &Observation, friction: f64) -> Option<Vec<f64>> {
         if self.using != Using::PhaseAlone {
             return Some(vec![1.0; seen.motions.len()]);
@@ -141,7 +143,7 @@ impl<'a> IdentifyProblem<'a> {
         sums.sum::<Option<f64>>().unwrap_or(f64::INFINITY)
     }
 
-    /// Finds the friction force and its interval. The fit has no other unknowns.
+    /// Finds the friction force and its 95 % interval. The force is the only unknown.
     pub(super) fn friction(&self) -> Result<Alone, MeasureError> {
         let weighed = self.weighed(self.system, None)?;
         let data: usize = weighed.iter().map(Weighed::len).sum();
@@ -157,8 +159,8 @@ impl<'a> IdentifyProblem<'a> {
             .map(|i| (place(i), self.squares(&weighed, place(i))))
             .collect();
         let best = self.lowest(&weighed, &scanned)?;
-        // The errors of the load depend on the friction force. The second pass therefore uses the errors at the force
-        // that the first pass has found.
+        // The effect of the load's error depends on the friction force. The second pass therefore uses the force that
+        // the first pass has found.
         let weighed = self.weighed(self.system, Some(best))?;
         let scanned: Vec<(f64, f64)> = scanned
             .iter()
@@ -243,8 +245,8 @@ impl<'a> IdentifyProblem<'a> {
         if left.1 <= right.1 { left } else { right }
     }
 
-    /// Returns the friction force at which the sum of squared residuals reaches `most`. The search runs from the force
-    /// of the minimum upwards if `side` is positive, and downwards otherwise.
+    /// Returns the friction force at which the sum of squared residuals reaches `most`. The search starts at the
+    /// minimum `force`. It goes upwards if `side` is positive, and downwards otherwise.
     fn edge(&self, weighed: &[Weighed<'_>], force: f64, most: f64, side: f64) -> f64 {
         let end = if side < 0.0 {
             self.range.0
@@ -283,9 +285,9 @@ impl<'a> IdentifyProblem<'a> {
     }
 }
 
-/// Result of the search for the friction force alone.
+/// Result of the search with the friction force as the only unknown.
 pub(super) struct Alone {
-    /// Friction forces that fit the measurement, in ascending order, each with its sum of squares.
+    /// Friction forces that fit the measurement, in ascending order, each with its sum of squared residuals.
     pub(super) levels: Vec<(Estimate, f64)>,
     misfit: Option<f64>,
     freedom: usize,

@@ -19,11 +19,11 @@ pub use request::{IdentifyRequest, Unknown};
 impl System {
     /// Finds the friction force that explains the measurements in any regime, with its 95 % interval.
     ///
-    /// For the friction force alone, the call scans the sum of squared residuals over the whole range of forces. The
-    /// interval contains the forces at which the sum exceeds its minimum by less than χ² allows. The scan finds
-    /// different forces with the same response. It also detects a response that hardly depends on the force. With more
-    /// unknowns, damped Gauss–Newton steps with exact sensitivities follow the scan. The intervals then come from the
-    /// covariance of the fit.
+    /// If the force is the only unknown, the call scans the sum of squared residuals over the whole range of forces.
+    /// The interval contains the forces at which the sum exceeds its minimum by at most the 95 % quantile of χ². This
+    /// bound is larger if noise does not explain the residuals. The scan also finds other forces with the same
+    /// response. It also detects a response that hardly depends on the force. With more unknowns, damped Gauss–Newton
+    /// steps with exact sensitivities follow the scan. The intervals then come from the covariance of the fit.
     ///
     /// The stiffness of an elastic contact can also be an unknown ([`Quantity::ContactStiffness`]). A contact that
     /// never slides determines this stiffness, but not the friction force.

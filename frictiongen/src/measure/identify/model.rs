@@ -1,4 +1,5 @@
-//! Response of a scene at an observation, and its derivatives with respect to each unknown.
+//! Computes the response of a scene at the frequency and load of an observation, and its derivatives with respect to
+//! each unknown.
 
 use super::observation::Observation;
 use super::request::Unknown;
@@ -23,8 +24,8 @@ pub(super) struct ComputedResponse {
     pub(super) values: Vec<Complex<f64>>,
 }
 
-/// Returns the factor that converts a non-dimensional displacement x̄ to the displacement divided by the load: x/Y for
-/// base motion, or x/P in m/N for a force.
+/// Returns the factor that converts a non-dimensional displacement x̄ to a displacement divided by the amplitude of
+/// the load. The result is x/Y for base motion, and x/P in m/N for a force.
 fn over_load(system: &System, load: Load) -> f64 {
     if load.is_base_motion() {
         1.0
@@ -65,8 +66,8 @@ pub(super) fn answer(
     })
 }
 
-/// Upper bound of the scanned friction forces, as a multiple of the largest β*_lim at r = 0, at the resonances and at r
-/// → ∞. The scan needs this bound because no finite force makes the contact stick at its antiresonance.
+/// Upper bound of the scanned friction forces, as a multiple of the largest β*_lim at r = 0, at the resonances and at
+/// r → ∞. The scan needs this bound because at an antiresonance of the contact no finite force makes it stick.
 const FAR: f64 = 20.0;
 
 /// Returns two friction forces in N. The first is the smallest force at which the contact is stuck, and the second is
@@ -162,7 +163,7 @@ pub(super) fn changed(system: &System, unknowns: &[Unknown], values: &[f64]) -> 
 pub(super) enum Direction {
     /// Derivative with respect to the friction force, in N.
     Friction,
-    /// Derivative with respect to a common factor on all natural frequencies. The value of the factor is 1.
+    /// Derivative with respect to a common factor on all natural frequencies, at the value 1 of the factor.
     Frequencies,
     /// Derivative with respect to one number of the scene, such as the stiffness of the contact.
     Quantity(Quantity),

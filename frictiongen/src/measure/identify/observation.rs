@@ -25,8 +25,8 @@ pub struct Datum {
     pub mass: usize,
     /// Order n of the harmonic.
     pub harmonic: u32,
-    /// Complex amplitude X_n divided by the amplitude of the load, in m/m or m/N. The phase τ is 0 at a maximum of the
-    /// load.
+    /// Complex amplitude X_n divided by the amplitude of the load, in m/m or m/N. In the displacement Re Σ X_n
+    /// e^{inτ}, the phase τ is 0 at a maximum of the load.
     pub value: Complex<f64>,
     /// Standard deviation of the real part and of the imaginary part of [`value`](Self::value), due to the noise of the
     /// mass's own channel.

@@ -6,7 +6,7 @@ use crate::study::{System, sensitivity::Quantity};
 /// An unknown that the call fits together with the friction force.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum Unknown {
-    /// The unknown is the ratio μ of static to kinetic friction. Only motions with stops depend on it.
+    /// The unknown is the ratio μ of static to kinetic friction. Only motions in which the contact stops depend on μ.
     Stiction,
     /// The unknown is a common factor on all natural frequencies. The masses keep their values.
     Frequencies,

@@ -99,9 +99,9 @@ impl SeveralFit<'_, '_> {
             None => vec![Direction::Friction],
             Some(place) => directions(*self.unknowns.get(place)?, masses),
         };
-        // The unknown is the total factor on the frequencies, which the changed scene already contains. `Along`
-        // differentiates with respect to a further factor, whose value is 1. By the chain rule, the code divides the
-        // derivative by the total factor.
+        // The unknown `Frequencies` is the total factor on the natural frequencies, which the changed scene already
+        // contains. `Along` differentiates with respect to a further factor, whose value is 1. By the chain rule, the
+        // code divides the derivative by the total factor.
         let factor = match index
             .checked_sub(1)
             .and_then(|place| self.unknowns.get(place))
@@ -128,7 +128,7 @@ impl SeveralFit<'_, '_> {
     }
 
     /// Returns the derivatives of the residuals with respect to one unknown of the fit, by finite differences. Dual
-    /// numbers give no derivative if an event is about to appear or vanish.
+    /// numbers give no derivative if a stop or reversal of the contact is about to appear or vanish.
     fn difference(&self, parameters: &[f64], index: usize) -> Option<DVector<f64>> {
         let value = *parameters.get(index)?;
         let step = DIFFERENCE * value.abs().max(DIFFERENCE);
@@ -173,7 +173,7 @@ pub(super) fn fit(
     levels.sort_by(|a, b| a.1.total_cmp(&b.1));
     let (low, high) = problem.range;
     // Forces at one third and two thirds of the range are additional starting points, because the unknowns may be far
-    // from the scene's values.
+    // from the values in the scene description.
     let others = [1.0, 2.0].map(|part| low + (high - low) * part / 3.0);
     let forces = levels
         .iter()
@@ -235,7 +235,7 @@ pub(super) fn fit(
         }
     }
     let first = best.ok_or(MeasureError::NoFit)?;
-    // The second pass uses the errors of the load at the fitted values of the first pass.
+    // The second pass computes the effect of the load's error at the values that the first pass has fitted.
     let system = several
         .system(&first.parameters)
         .ok_or(MeasureError::NoFit)?;

@@ -12,21 +12,22 @@ use crate::OutOfDomain;
 use crate::study::{System, optimum::Tunable};
 use model::MotionProblem;
 
-/// Root mean square of the residuals, divided by that of the motion, from which on the fit also starts from other
-/// friction forces.
+/// If the root mean square of the residuals, divided by that of the motion, is at least this number, the fit also
+/// starts from other friction forces.
 const POOR: f64 = 0.1;
-/// Factors on the first guess of the friction force for further starting points of the fit.
+/// Further starting points of the fit have the first guess of the friction force multiplied by each of these factors.
 const FACTORS: [f64; 2] = [0.5, 2.0];
-/// Factors that give further starting points near the best fit, as in a fit to a sweep. Each of these points has one
-/// parameter of the best fit multiplied by one of the factors. The code repeats the fits from these points as long as
-/// the sum of squares decreases below the fraction [`BETTER`], at most [`ROUNDS`] times.
+/// Factors that give further starting points near the best fit. Each of these points has one parameter of the best fit
+/// multiplied by one of the factors. The code repeats the fits from these points as long as a round reduces the sum of
+/// squares to less than the fraction [`BETTER`] of its last value. It makes at most [`ROUNDS`] rounds.
 const HOPS: [f64; 2] = [0.97, 1.03];
 const ROUNDS: usize = 4;
 const BETTER: f64 = 0.999;
-/// Relative distance from the best fit so far at which a further fit ends early. Such a fit would only find the best
-/// fit a second time.
+/// A further fit ends early if its parameters come closer to the best fit so far than this relative distance. Such a
+/// fit would only find the best fit a second time.
 const BACK: f64 = 1e-5;
-/// Root mean square of the residuals, divided by that of the motion, below which further improvement is unnecessary.
+/// If the root mean square of the residuals, divided by that of the motion, is below this number, the fit is not
+/// improved further.
 const PERFECT: f64 = 1e-6;
 
 /// Numbers of a scene that explain the whole motion in a recording, with their 95 % intervals.
@@ -41,13 +42,14 @@ pub struct MotionFit {
     pub scatter: f64,
     /// Degrees of freedom: number of measured values minus the number of parameters that they determine.
     pub freedom: usize,
-    /// Condition number of the fit. A large number means that the recording hardly separates the numbers.
+    /// Condition number of the fit. If it is large, the recording hardly separates the effects of the fitted numbers.
     pub condition: f64,
-    /// Number of runs over the whole recording without derivatives.
+    /// Number of simulations (runs) of the whole recording without derivatives.
     pub runs: usize,
-    /// Number of runs over the whole recording with an exact derivative.
+    /// Number of simulations (runs) of the whole recording with an exact derivative.
     pub derivatives: usize,
-    /// Number of derivatives by finite differences. The fit uses them if an event is about to appear or vanish.
+    /// Number of derivatives by finite differences. The fit uses them if a stop, break-away or reversal of the contact
+    /// is about to appear or vanish.
     pub differences: usize,
     /// The scene with the fitted numbers.
     pub system: System,
@@ -57,13 +59,13 @@ impl System {
     /// Fits the friction force and numbers of the scene description to the whole motion in a recording, by least
     /// squares.
     ///
-    /// The recording has the channels of [`Inputs`](super::Inputs) and displacements or velocities of masses, which the
-    /// fit compares with the motion of the stepper from rest. Displacements are relative to the first sample.
-    /// `friction` is the first guess of the friction force in N. It must be `None` if the recording has the channel
-    /// `friction`. The first guess of each number in `vary` is its value in the scene.
+    /// The recording contains the channels of [`Inputs`](super::Inputs), and displacements or velocities of masses.
+    /// The fit compares these motions with the motion that a stepper computes from rest. Displacements are relative to
+    /// the first sample. `friction` is the first guess of the friction force in N. It must be `None` if the recording
+    /// has the channel `friction`. The first guess of each number in `vary` is its value in the scene.
     ///
-    /// The derivatives are exact, through all stops, break-aways and reversals. If an event is about to appear or
-    /// vanish, no reliable derivative exists. The fit then uses a finite difference, and counts it in
+    /// The derivatives are exact, through all stops, break-aways and reversals. If one of these events is about to
+    /// appear or vanish, no reliable derivative exists. The fit then uses a finite difference, and counts it in
     /// [`MotionFit::differences`].
     ///
     /// # Errors
@@ -148,9 +150,9 @@ fn solve(problem: &MotionProblem<'_>) -> Result<MotionFit, MeasureError> {
     })
 }
 
-/// Improves a fit by further fits from nearby starting points. The sum of squares has a bend where an event appears or
-/// vanishes, and may have a false minimum at the bend. At a bound, the motion may not depend on a parameter. For
-/// example, it does not depend on μ at μ = 1 if the contact then reverses without a stop.
+/// Improves a fit by further fits from nearby starting points. The sum of squares has a bend where a stop, break-away
+/// or reversal appears or vanishes. It may have a false minimum at the bend. A parameter at its bound may have no
+/// effect on the motion. For example, μ = 1 has no effect if the contact then reverses without a stop.
 fn improved(
     problem: &MotionProblem<'_>,
     (start, bounds): (&[f64], &[(f64, f64)]),

@@ -1,4 +1,4 @@
-//! Compares the motion in a recording with that of a scene: residuals and their derivatives.
+//! Compares a recorded motion with the motion of a scene: residuals and their derivatives.
 
 use crate::measure::identify::model::value;
 use crate::measure::least_squares::Linearised;
@@ -28,7 +28,7 @@ struct RecordedMotion {
     size: f64,
 }
 
-/// Numbers of runs over the whole recording.
+/// Numbers of simulations (runs) of the whole recording.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub(super) struct RunCount {
     /// Runs without derivatives.
@@ -40,7 +40,7 @@ pub(super) struct RunCount {
 }
 
 /// A recording, and the numbers of a scene that the fit changes. The first parameter is the friction force, unless the
-/// recording contains this force. The other parameters are the values of the numbers.
+/// recording contains this force. The other parameters are the values of these numbers.
 pub(super) struct MotionProblem<'p> {
     pub(super) system: &'p System,
     pub(super) vary: &'p [Tunable],
@@ -157,7 +157,7 @@ impl<'p> MotionProblem<'p> {
         Some(system)
     }
 
-    /// Divides the parameters into the friction force and the values of the numbers.
+    /// Splits the parameters into the friction force, if the fit changes it, and the values of the scene's numbers.
     fn divided<'v>(&self, parameters: &'v [f64]) -> Option<(Option<f64>, &'v [f64])> {
         if self.friction.is_none() {
             return Some((None, parameters));
@@ -228,8 +228,8 @@ impl<'p> MotionProblem<'p> {
         })
     }
 
-    /// Returns the derivatives of the residuals with respect to one parameter, by dual numbers. Returns `None` if an
-    /// event is about to appear or vanish, because the derivatives are then unreliable.
+    /// Returns the derivatives of the residuals with respect to one parameter, by dual numbers. Returns `None` if a
+    /// stop, break-away or reversal is about to appear or vanish, because the derivatives are then unreliable.
     fn exact(&self, parameters: &[f64], index: usize) -> Option<DVector<f64>> {
         if !self.exact {
             return None;

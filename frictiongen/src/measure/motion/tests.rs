@@ -132,8 +132,8 @@ fn derivatives_and_differences() {
         worst = worst.max((&expected - found).norm() / found.norm());
     }
     println!("largest relative difference of a column: {worst:e}");
-    // The central differences have a relative error of about 1e-10 from rounding, and of 1e-6 because the instants of
-    // the events change.
+    // The central differences have a relative error of about 1e-10 from rounding. Because the instants of stops,
+    // break-aways and reversals change, a further relative error of 1e-6 results.
     assert!(worst < 1e-5, "{worst:e}");
 
     let solved = [true, false].map(|exact| {

@@ -76,8 +76,8 @@ pub(super) fn columns(text: &str, rate: Option<f64>) -> Result<Option<CsvTable>,
     Ok(Some(table))
 }
 
-/// Returns the error for a text that contains no line of numbers. Its message says at which line the function stopped
-/// reading, and names the possible formats.
+/// Adds the possible formats of a recording to the message of `error`. If a line of numbers precedes the faulty line,
+/// the function returns `error` unchanged.
 pub(super) fn foreign(text: &str, error: MeasureError) -> MeasureError {
     let (line, what) = match &error {
         MeasureError::Format { line, what } => (*line, what.clone()),

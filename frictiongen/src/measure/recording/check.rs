@@ -14,13 +14,13 @@ const PLACES: i32 = 2;
 /// Length of the interval just before a flat interval from which the code computes the slope of the signal, as a
 /// fraction of a cycle.
 const BEFORE: f64 = 0.02;
-/// Smallest slope of a signal just before a flat interval, divided by the largest slope in a cycle, for which the
-/// channel can be clipped.
+/// A channel can be clipped only if the slope just before a flat interval, divided by the largest slope in a cycle, is
+/// above this number.
 const STEEP: f64 = 0.1;
-/// Smallest quotient of two slopes at which a channel is clipped. The first slope is that over the interval [`BEFORE`]
-/// just before a flat interval. The second slope is that over twice this interval. Before a stop of the contact the
-/// quotient is 0.5, because the motion is then a parabola. Before clipping it is nearly 1. For a sinusoid clipped at
-/// 0.99 of its amplitude it is 0.75.
+/// A channel is clipped only if the quotient of two slopes before a flat interval is above this number. The first
+/// slope is that over the interval [`BEFORE`] just before the flat interval. The second slope is that over twice this
+/// interval. Before a stop of the contact the quotient is 0.5, because the motion is then a parabola. Before clipping
+/// it is nearly 1. For a sinusoid clipped at 0.99 of its amplitude it is 0.75.
 const STRAIGHT: f64 = 0.7;
 /// Largest acceleration next to a flat interval that rounding of the samples can explain, divided by ω²A, for a
 /// sinusoid of amplitude A. With this acceleration, the signal approaches the flat interval on a parabola. At the
@@ -34,8 +34,8 @@ pub(super) fn channels(channels: &[Channel]) -> Result<(), MeasureError> {
     channels.iter().try_for_each(samples)
 }
 
-/// Fails unless there is a channel, all names are distinct, and all samples are finite. All channels must have the same
-/// number of samples, at least `fewest`.
+/// Fails unless at least one channel exists, all names are distinct, and all samples are finite. All channels must
+/// have the same number of samples, at least `fewest`.
 pub(super) fn form(channels: &[Channel], fewest: usize) -> Result<(), MeasureError> {
     let Some(first) = channels.first() else {
         return Err(MeasureError::TooShort {
@@ -107,8 +107,8 @@ fn clipped(values: &[f64], extreme: f64, middle: f64) -> Option<f64> {
         .windows(2)
         .filter(|pair| matches!(pair, [a, b] if (*a < middle) != (*b < middle)))
         .count();
-    // A cycle has two crossings of the mean. Noise adds crossings, so that the cycle seems shorter. The code then finds
-    // fewer clipped channels.
+    // A cycle has two crossings of the mean. Noise adds crossings, so that the cycle seems shorter. In a noisy
+    // recording, the code therefore detects fewer clipped channels.
     let cycle = 2.0 * values.len() as f64 / crossings.max(1) as f64;
     let reach = ((BEFORE * cycle).ceil() as usize).max(2);
     let largest = (extreme - middle).abs() * 2.0 * PI / cycle;

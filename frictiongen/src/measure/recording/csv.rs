@@ -1,4 +1,5 @@
-//! Reads and writes recordings and sweeps as CSV text: a line of names with units, then numbers.
+//! Reads recordings and sweeps from CSV text, and writes recordings as CSV text. The text has a line of names with
+//! units, then numbers.
 
 use super::bare;
 use super::channel::Channel;
@@ -141,9 +142,9 @@ impl Recording {
     /// The units are endings of the names, as in `time_s,base_mm,upper_m_s2`, or a second line. Commas, semicolons or
     /// tabs separate the cells. Between semicolons or tabs, a number may have a decimal comma.
     ///
-    /// The text may contain numbers alone, without a line of names. [`CsvRequest::columns`] then names the columns.
-    /// Without a rate, the first of several columns is then the time in s. A text may also be a PEER AT2 record in g,
-    /// which becomes the channel `base`.
+    /// The text may contain numbers alone, without a line of names. [`CsvRequest::columns`] then names the columns. If
+    /// the request has no rate, the first of several columns is then the time in s. A text may also be a PEER AT2
+    /// record in g, which becomes the channel `base`.
     ///
     /// # Errors
     /// [`MeasureError`] for everything that [`new`](Self::new) rejects, and for a missing unit, rate or column.
@@ -162,8 +163,8 @@ impl Recording {
         Self::inputs(rate, channels)
     }
 
-    /// Returns the recording as CSV text with all digits of every number. [`from_csv`](Self::from_csv) reads the same
-    /// recording from it.
+    /// Returns the recording as CSV text with all digits of every number. From this text, [`from_csv`](Self::from_csv)
+    /// reads an equal recording.
     #[must_use]
     pub fn to_csv(&self) -> String {
         let mut text = String::from("time_s");

@@ -4,8 +4,8 @@ use super::unit::{UNITS, Unit};
 use crate::measure::MeasureError;
 
 impl Unit {
-    /// Splits the header of a column into name and unit. If several endings of the header are units, the longest one
-    /// counts.
+    /// Splits the header of a column into name and unit. If several endings of the header are units, the function
+    /// takes the longest ending.
     pub(super) fn split(header: &str) -> (&str, Option<Self>) {
         if let Some((name, unit)) = bracketed(header) {
             return (name, unit.parse().ok());

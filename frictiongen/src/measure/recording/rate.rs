@@ -19,8 +19,8 @@ pub(super) fn even_rate(
         });
     };
     let steps = time.len().saturating_sub(1).max(1) as f64;
-    // In addition the code compares each step with the first step. The mean step alone would hide a change of the step
-    // within the record.
+    // A time step may differ from the first step or from the mean step, but not from both. If the code compared the
+    // steps with the mean alone, a change of the step would be reported at the wrong sample.
     let usual = time.get(1).map_or(0.0, |second| second - first);
     let mean = (last - first) / steps;
     let apart = |step: f64, other: f64| !((step - other).abs() <= EVEN * other.abs());

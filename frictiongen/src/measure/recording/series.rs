@@ -6,8 +6,8 @@ use crate::measure::MeasureError;
 
 /// A recording: evenly spaced samples of several channels.
 ///
-/// The constructors reject an unusable recording: one without samples, with values that are not finite, or with a
-/// channel that never changes or is clipped.
+/// [`Recording::new`] rejects an unusable recording: one with too few samples, with values that are not finite, or
+/// with a channel that never changes or is clipped.
 ///
 /// ```
 /// use frictiongen::measure::{CsvRequest, MeasureError, Recording};

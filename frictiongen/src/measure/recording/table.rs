@@ -1,4 +1,4 @@
-//! A table of numbers as a file contains it, and the information that a file does not contain.
+//! A table of numbers from a file, and the information for reading it that the file does not contain.
 
 use super::unit::Unit;
 
@@ -7,7 +7,8 @@ use super::unit::Unit;
 pub struct CsvRequest {
     /// Sampling rate, in samples per second. It is necessary if no column contains the time.
     pub rate: Option<f64>,
-    /// The columns to read, with their meaning. An empty list selects every column, under its own name.
+    /// The columns to read, with their meaning. If the list is empty, the reader takes every column, with its name in
+    /// the file.
     pub columns: Vec<CsvColumn>,
 }
 
@@ -22,7 +23,7 @@ pub struct CsvColumn {
     pub unit: Option<Unit>,
 }
 
-/// A table of numbers as a file contains it, with a name for each column.
+/// A table of numbers from a file, with a name for each column.
 #[derive(Debug)]
 pub(crate) struct CsvTable {
     pub(crate) names: Vec<String>,

@@ -2,8 +2,8 @@
 //! nodes. Each channel of a recording is one data set.
 //!
 //! No crate reads this format. The reader accepts real data, evenly or unevenly spaced, in single or double precision.
-//! The writer writes evenly spaced data in double precision. A file contains 13 digits of each sample and 6 digits of
-//! the time step.
+//! The writer writes evenly spaced data in double precision, with 13 digits of each sample and 6 digits of the time
+//! step.
 
 use super::{Channel, CsvColumn, CsvRequest, Dimension, Recording, Unit};
 use crate::measure::MeasureError;
@@ -13,7 +13,8 @@ use std::fmt::Write as _;
 const TIME_RESPONSE: i64 = 1;
 /// Abscissa type 17 of a data set 58: time.
 const TIME: i64 = 17;
-/// Largest relative difference at which two time steps are treated as equal. The file contains six digits of each time.
+/// Largest relative difference at which two time steps are treated as equal. The file contains only six digits of a
+/// time step.
 const SAME: f64 = 2e-5;
 
 /// One data set 58 of a file. It contains one channel.
@@ -67,9 +68,10 @@ fn number<T: std::str::FromStr>(
 impl Recording {
     /// Reads a recording from the functions of time in a universal file: the data sets 58 in text form.
     ///
-    /// The response entity of a data set is the name of its channel. Without an entity, the first line of the data set
-    /// is the name. The unit is the label of the ordinate, or the unit that `request` gives for the column of this
-    /// name. The type code of the ordinate alone does not give a unit.
+    /// The response entity of a data set is the name of its channel. If there is no entity, or if the first line of
+    /// the data set begins with the entity, the first line is the name. The unit is the label of the ordinate, or the
+    /// unit that `request` gives for the column of this name. The type code of the ordinate alone does not give a
+    /// unit.
     ///
     /// # Errors
     /// [`MeasureError`] for everything that [`new`](Self::new) rejects, and for a data set that is not in this form.
@@ -192,8 +194,8 @@ fn exponential(value: f64, digits: usize) -> String {
     format!("{mantissa}E{sign}{size:0>2}")
 }
 
-/// Reads the next data set 58. Returns `None` if it contains no function of time, or if the request does not include
-/// it.
+/// Reads the next data set 58. Returns `None` if the data set contains no function of time, or if the request does not
+/// include its channel.
 fn set(lines: &mut FileLines<'_>, request: &CsvRequest) -> Result<Option<Set>, MeasureError> {
     let line = lines.last;
     let title = lines.next()?.trim().to_owned();
@@ -327,7 +329,7 @@ fn check_code(name: &str, code: i64, unit: Unit) -> Result<(), MeasureError> {
     })
 }
 
-/// Converts pairs of time and sample to the sampling rate and the samples. Fails if the times are not evenly spaced.
+/// Converts pairs of time and sample to the time step and the samples. Fails if the times are not evenly spaced.
 fn unspaced(name: &str, line: usize, values: &[f64]) -> Result<(f64, Vec<f64>), MeasureError> {
     let pairs: Vec<(f64, f64)> = values
         .chunks_exact(2)

@@ -36,7 +36,8 @@ const GRAVITY: f64 = 9.806_65;
 
 use Dimension::{Acceleration, Displacement, Force, Time, Velocity};
 
-/// All known units. Each has its name, the ending of a column's name, its quantity, and its size in SI units.
+/// All known units. Each entry has the unit's name, its ending in the name of a column, its quantity, and its size in
+/// SI units.
 pub(super) const UNITS: [(&str, &str, Dimension, f64); 15] = [
     ("m", "m", Displacement, 1.0),
     ("cm", "cm", Displacement, 1e-2),

@@ -30,8 +30,8 @@ fn integrated(omega: f64, zeta: f64, steps: &[[f64; 2]], dt: f64, parts: u32) ->
 }
 
 /// Compares one step of an oscillator with the classical Runge-Kutta method. The step is exact. The difference is
-/// therefore the sum of rounding and the error of Runge-Kutta. This error is (ωh)⁴ for Runge-Kutta steps of length h,
-/// or 1e-10.
+/// therefore the sum of rounding and the error of Runge-Kutta. This error is about (ωh)⁴ for Runge-Kutta steps of
+/// length h, here below 1e-10.
 #[test]
 fn a_step_is_exact_for_a_line() {
     let values = [0.0, 3.0, -1.0, 4.0, 4.0, -2.5, 0.0];
@@ -96,8 +96,8 @@ fn a_half_sine_has_its_shock_spectrum() {
         let expected = within.map(|t| u(t).abs()).fold(residual, f64::max);
         let found = response_spectrum(&record, 0.0, &[period]).unwrap();
         let found = found[0].displacement;
-        // Straight lines between 4000 samples deviate from the half sine by (π/4000)²/8, or 8e-8. The error of the peak
-        // is at most 5e-6.
+        // Straight lines between 4000 samples deviate from the half sine by (π/4000)²/8, which is 8e-8. The error of
+        // the peak is at most 5e-6.
         assert!(
             (found / expected - 1.0).abs() < 5e-6,
             "{period}: {found} {expected}"

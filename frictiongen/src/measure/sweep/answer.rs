@@ -19,17 +19,18 @@ pub struct SweepFit {
     pub damping: Option<Estimate>,
     /// Natural frequencies of the fitted scene, in Hz.
     pub natural: Vec<Estimate>,
-    /// Sum of squared residuals, divided by the degrees of freedom. `None` if the measured points have no deviations.
+    /// Sum of the squared residuals, each over its variance, divided by the degrees of freedom. `None` if the measured
+    /// points have no deviations.
     pub misfit: Option<f64>,
     /// Degrees of freedom: number of measured points minus the number of parameters that the points determine.
     pub freedom: usize,
     /// Root mean square of the relative residuals of the amplitudes.
     pub scatter: f64,
-    /// Condition number of the fit. A large number means that the measured points hardly separate the parameters.
+    /// Condition number of the fit. If it is large, the measured points hardly separate the effects of the parameters.
     pub condition: f64,
     /// Measured minus computed amplitude of each point, in the order of the points.
     pub residuals: Vec<f64>,
-    /// The scene with the fitted parameters. The first mass keeps its value in the scene description.
+    /// The scene with the fitted parameters. The fit does not change the first mass.
     pub system: System,
 }
 

@@ -13,19 +13,20 @@ const TRIED: u32 = 40;
 /// scenes with two storeys, and `THREE` for scenes with three.
 const TWO: [f64; 7] = [0.3, 0.5, 0.7, 1.0, 1.4, 2.0, 3.3];
 const THREE: [f64; 3] = [0.7, 1.0, 1.4];
-/// Number of starting points from which the code runs a fit: those with the smallest sums of squared residuals.
+/// Number of starting points from which the code runs a fit. The code takes the points with the smallest sums of
+/// squared residuals.
 const STARTS: usize = 6;
-/// Largest misfit with which the code accepts a fit from the scene's own parameters. The misfit is the sum of squared
-/// residuals, divided by the degrees of freedom.
+/// If the misfit of a fit from the scene's own parameters is below this number, the code accepts this fit. The misfit
+/// is the sum of squared residuals, divided by the degrees of freedom.
 const GOOD: f64 = 2.0;
 /// Factors that give further starting points near the best fit. Each of these points has one parameter of the best fit
-/// multiplied by one of the factors. The code repeats the fits from these points as long as the result improves, at
-/// most [`ROUNDS`] times.
+/// multiplied by one of the factors. The code repeats the fits from these points as long as a round reduces the sum of
+/// squares to less than the fraction [`BETTER`] of its last value. It makes at most [`ROUNDS`] rounds.
 const HOPS: [f64; 4] = [0.97, 0.99, 1.01, 1.03];
 const ROUNDS: usize = 4;
 const BETTER: f64 = 0.999;
-/// Relative distance from the best fit so far at which a further fit ends early. A further fit that comes this near
-/// would only find the best fit a second time.
+/// A further fit ends early if its parameters come closer to the best fit so far than this relative distance. Such a
+/// fit would only find the best fit a second time.
 const BACK: f64 = 1e-5;
 
 impl Sweep<'_> {
@@ -105,7 +106,7 @@ impl Sweep<'_> {
             )
         };
         // The amplitudes have poles at the resonances. Near a pole, the slope of the sum of squared differences does
-        // not lead to the minimum. The slope for the logarithms of the amplitudes does.
+        // not lead to the minimum. A first fit therefore compares the logarithms of the amplitudes.
         let from = |start: &[f64]| {
             let rough = run(start, AmplitudeScale::Log)?;
             run(&rough.parameters, AmplitudeScale::Plain).filter(|fit| fit.settled)

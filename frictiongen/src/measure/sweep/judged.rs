@@ -11,7 +11,8 @@ use crate::study::System;
 use crate::study::units::hertz;
 use nalgebra::DVector;
 
-/// Largest fraction of the measured amplitudes that may remain unexplained. With a larger fraction, the fit has failed.
+/// Largest unexplained fraction of the measured amplitudes, as root mean square over the points. With a larger
+/// fraction, the fit has failed.
 const GROSS: f64 = 0.5;
 
 pub(super) fn answer(sweep: &Sweep<'_>, fit: &FitResult) -> Result<SweepFit, MeasureError> {

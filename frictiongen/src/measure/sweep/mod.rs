@@ -15,8 +15,8 @@ use crate::study::System;
 use crate::study::scene::Excitation;
 use model::Sweep;
 
-/// Returns √(k₁/m₁) in rad/s, the mass ratio γ and the stiffness ratio κ of two storeys from the frequencies ω₀, ω₁
-/// and ω₂ (6.17 to 6.20).
+/// Computes the parameters of two storeys from the frequencies ω₀, ω₁ and ω₂ (6.17 to 6.20). Returns √(k₁/m₁) in
+/// rad/s, the mass ratio γ and the stiffness ratio κ.
 ///
 /// ω₀ is the antiresonance of the lower mass. ω₁ and ω₂ are the resonances. The three frequencies determine ω_z0, the
 /// antiresonance of the motion relative to the base: ω_z0² = ω₁² + ω₂² − (ω₁ω₂/ω₀)². At ω_z0 the transmissibility
@@ -43,7 +43,8 @@ impl System {
     ///
     /// One storey gives its natural frequency f_n (4.1). Two storeys give r₁/ω, γ and κ, as in (6.15) to (6.20). The
     /// fit of more storeys uses the same method. The description gives the connections and the starting point of the
-    /// fit. Its first mass keeps its value. If `damping` is false, the scene keeps its own damping.
+    /// fit. The fit does not change the first mass. If `damping` is true, the fit also finds one damping ratio ζ for
+    /// all modes. Otherwise the scene keeps its own damping.
     ///
     /// ```
     /// use frictiongen::measure::SweepPoint;

@@ -1,4 +1,4 @@
-//! Compares a sweep with a scene of given parameters: amplitudes and their derivatives.
+//! Compares the measured amplitudes of a sweep with those of a scene: residuals and their derivatives.
 
 use super::SweepPoint;
 use crate::Complex;
@@ -15,7 +15,7 @@ use nalgebra::{DMatrix, DVector};
 /// Upper bound on the difference of the logarithms of a measured and a computed amplitude. The fit replaces a larger
 /// difference by this bound, so that no single point dominates.
 const FAR: f64 = 3.0;
-/// Starting value of the damping ratio ζ in the fit if the scene has no damping.
+/// Starting value of the damping ratio ζ in the fit.
 const SOME_DAMPING: f64 = 0.005;
 
 /// A sweep and the scene to fit. The parameters are a factor on all frequencies, then the mass ratios γ₂, …, then the
@@ -91,7 +91,7 @@ impl<'a> Sweep<'a> {
     }
 
     /// Returns the quantities of the scene description that a parameter of the fit changes, each with its factor. The
-    /// list is empty for the first parameter, because this parameter changes only r.
+    /// caller treats the first parameter (index 0) separately, because this parameter changes only r.
     pub(super) fn directions(&self, index: usize, system: &System) -> Vec<(Quantity, f64)> {
         let masses = self.masses();
         let scene = system.scene();
@@ -108,8 +108,8 @@ impl<'a> Sweep<'a> {
             .collect()
     }
 
-    /// Returns the complex amplitude of the measured mass at each point of the sweep. The frequencies of the scene are
-    /// multiplied by `factor`. Returns `None` if a point lies on a resonance without damping.
+    /// Returns the complex amplitude of the measured mass at each point of the sweep. The call multiplies all natural
+    /// frequencies of the scene by `factor`. Returns `None` if a point lies on a resonance without damping.
     pub(super) fn values(&self, system: &System, factor: f64) -> Option<Vec<Complex<f64>>> {
         let values = self.points.iter().map(|point| {
             let r = ratio(system, point) / factor;
@@ -119,8 +119,8 @@ impl<'a> Sweep<'a> {
         values.collect()
     }
 
-    /// Returns the number by which the residual of a point is divided. It is the standard deviation of the point if
-    /// known, otherwise the amplitude of the point.
+    /// Returns the number by which the fit divides the residual of a point. It is the standard deviation of the point
+    /// if this is known, and otherwise the amplitude of the point.
     fn weight(point: &SweepPoint) -> f64 {
         point.deviation.unwrap_or(point.amplitude)
     }
@@ -134,7 +134,7 @@ impl<'a> Sweep<'a> {
     }
 
     /// Returns the residuals of all points. A residual is the measured minus the computed amplitude, or the difference
-    /// of the logarithms of the two amplitudes, as `form` selects.
+    /// of the logarithms of the two amplitudes, as `form` says.
     pub(super) fn compared(&self, values: &[Complex<f64>], form: AmplitudeScale) -> DVector<f64> {
         let residuals = self
             .points

@@ -35,7 +35,7 @@ impl<'a, R: TableRow + 'a> Columns<'a, R> {
         &self.measure
     }
 
-    /// Names the contact or mass to which the columns of all later calls belong.
+    /// Sets the contact or mass to which all columns of later calls belong.
     pub fn begin_part(&mut self, part: &str) {
         self.part = Some(part.to_owned());
         self.order = None;
@@ -57,7 +57,7 @@ impl<'a, R: TableRow + 'a> Columns<'a, R> {
         self.shown = shown;
     }
 
-    /// Sets the arguments on which the values of later columns depend: frequency, friction or the whole row.
+    /// Sets the variables on which the values of later columns depend: frequency, friction or both.
     pub fn along(&mut self, axis: ColumnAxis) {
         self.axis = axis;
     }
@@ -174,13 +174,13 @@ impl<'a, R: TableRow + 'a> Columns<'a, R> {
         self.push(head.into(), kind, Box::new(read));
     }
 
-    /// Sets the function that returns the derivatives of the values in the last column.
+    /// Sets the function that returns the derivatives of the last column's values with respect to the parameters.
     pub fn moves(&mut self, of: impl Fn(&R) -> Option<&Sensed> + 'a) {
         self.moves_before(0, of);
     }
 
-    /// Sets the function that returns the derivatives of the values in an earlier column. `before` is the number of
-    /// columns that were added after this earlier column.
+    /// Sets the function that returns the derivatives of an earlier column's values with respect to the parameters.
+    /// `before` is the number of columns that were added after this earlier column.
     pub fn moves_before(&mut self, before: usize, of: impl Fn(&R) -> Option<&Sensed> + 'a) {
         if let Some(column) = self.all.iter_mut().rev().nth(before) {
             column.moves = Some(Box::new(of));

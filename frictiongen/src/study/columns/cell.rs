@@ -7,7 +7,7 @@ use std::borrow::Cow;
 pub enum Cell<'a> {
     /// The cell contains a number. It is never NaN and never −0.
     Number(f64),
-    /// A number that is known only to lie within an interval of this width. A printed table shows only its valid
+    /// The cell contains a number that is known only to lie within an interval. A printed table shows only its valid
     /// digits.
     Within {
         /// Number in the cell.

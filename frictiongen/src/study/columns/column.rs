@@ -1,4 +1,4 @@
-//! Columns: key, heading, unit, and the function that reads a cell from a row.
+//! Columns of tables. A column has a key, a heading, a unit, and a function that reads its cell from a row.
 
 use super::cell::Cell;
 use super::measure::PhysicalQuantity;
@@ -10,8 +10,8 @@ use std::borrow::Cow;
 pub enum ColumnKind<'a> {
     /// The column contains numbers.
     Number,
-    /// Numbers that the user gave. The slice contains all given numbers, so that a printed table can choose the number
-    /// of decimals.
+    /// The column contains numbers that the user gave. The slice contains all given numbers, so that a printed table
+    /// can choose the number of decimals.
     Given(&'a [f64]),
     /// The column contains counts.
     Count,
@@ -25,14 +25,14 @@ pub enum ColumnKind<'a> {
     Intervals,
 }
 
-/// The arguments of a result on which the values of a column depend.
+/// The variables on which the values of a column depend: frequency, friction or both.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum ColumnAxis {
     /// The values of the column depend on the frequency alone.
     Frequency,
     /// The values of the column depend on the friction alone.
     Friction,
-    /// The values of the column depend on the whole row, that is on frequency and friction.
+    /// The values of the column depend on frequency and friction.
     Row,
 }
 
@@ -94,7 +94,7 @@ impl Head {
         }
     }
 
-    /// Sets another name of the column for Python. It is necessary if the name is a reserved word in Python.
+    /// Sets a different name for the column in Python. The column needs it if its name is a reserved word in Python.
     #[must_use]
     pub fn attribute(self, name: &'static str) -> Self {
         Self {
@@ -141,7 +141,7 @@ pub struct Column<'a, TableRow> {
     pub unit: &'static str,
     /// Kind of the column's values: numbers, counts, words, flags or lists.
     pub kind: ColumnKind<'a>,
-    /// Arguments (frequency, friction) on which the column's values depend.
+    /// The variables on which the column's values depend: frequency, friction or both.
     pub axis: ColumnAxis,
     /// The outputs (printed table, CSV, JSON, Python) that contain the column.
     pub shown: Shown,
@@ -160,8 +160,8 @@ impl<TableRow> Column<'_, TableRow> {
         (self.read)(row)
     }
 
-    /// Returns true if a text output with one line for each value prints the value of this row. An output with one line
-    /// for each value omits, for example, a bound that was not reached.
+    /// Returns true if a text output with one line for each value prints the value of this row. Such an output omits,
+    /// for example, a bound that was not reached.
     pub fn says(&self, row: &TableRow) -> bool {
         self.says.as_ref().is_none_or(|says| says(row))
     }
@@ -242,8 +242,8 @@ impl<TableRow> Column<'_, TableRow> {
 
 /// A row of a table.
 pub trait TableRow {
-    /// Returns the row's angular frequency ω in rad/s. The table needs it to convert velocities, accelerations and
-    /// powers.
+    /// Returns the row's angular frequency ω in rad/s. The table needs ω to convert velocities, accelerations and
+    /// powers. The result is NaN for a row without a frequency.
     fn omega(&self) -> f64 {
         f64::NAN
     }

@@ -11,7 +11,7 @@ use crate::study::{
     words,
 };
 
-/// A row of the table: a point of a curve, or an end point of a gap in the curve.
+/// A row of the table of curves: a point of a curve, or an end point of a gap in the curve.
 #[derive(Clone, Debug)]
 pub struct CurveRow {
     /// The friction of the curve, as friction ratio β and, under a load, as force in N.
@@ -31,7 +31,7 @@ pub struct CurveRow {
 pub struct CurveTable<'a> {
     /// System, units, and the contact or masses whose motions the table contains.
     pub setting: Setting<'a>,
-    /// True if the table has a column for the initial state of each curve.
+    /// True if the table has a column with the initial state from which each curve starts.
     pub starts: bool,
     /// True if the table has columns for velocities and accelerations.
     pub rates: bool,

@@ -102,7 +102,8 @@ impl HarmonicRow<'_> {
 }
 
 impl<'a> HistoryTable<'a> {
-    /// Returns a value of the motion `of` with the sign that the units of the table define.
+    /// Returns a value of the motion `of`. If `of` is the contact's motion, and the units of the table reverse its
+    /// sign, the value has the opposite sign.
     #[must_use]
     pub fn signed(&self, of: Of, value: f64) -> f64 {
         // A negation would turn 0 into −0, which a table would print. The subtraction from 0 gives 0.

@@ -20,8 +20,8 @@ pub struct JoinedRow {
     pub regime: &'static str,
     /// Stability of the steady state: stable or marginal. If there is no steady state, the text is the reason.
     pub state: &'static str,
-    /// The smallest friction for the state in which no contact slides, and the contact that slides first at less
-    /// friction.
+    /// The smallest common friction at which no contact slides, and the name of the contact that slides first below
+    /// this friction.
     stuck: Option<(f64, String)>,
     steady: Option<SteadyNumbers>,
 }
@@ -43,7 +43,7 @@ struct ContactNumbers {
     contact: Option<ContactPart>,
 }
 
-/// Further numbers of a contact over a period.
+/// Numbers over a period that a contact has and a mass does not have.
 #[derive(Clone, Copy, Debug)]
 struct ContactPart {
     regime: &'static str,
@@ -93,8 +93,8 @@ impl JoinedRow {
         self.steady.as_ref().map_or("", |steady| &steady.marginal)
     }
 
-    /// Returns the amplitude of a contact or a mass in non-dimensional groups. In the index, the contacts come first,
-    /// and the masses of the table follow.
+    /// Returns the amplitude of a contact or a mass in non-dimensional groups. `index` counts all contacts first, and
+    /// then the masses of the table.
     #[must_use]
     pub fn amplitude(&self, index: usize) -> Option<f64> {
         Some(self.part(index)?.amplitude)
@@ -303,8 +303,8 @@ impl<'a> JoinedTable<'a> {
     }
 }
 
-/// Returns the smallest friction for the state in which no contact slides, and the contact that slides first at less
-/// friction. Returns `None` on a resonance.
+/// Returns the smallest common friction at which no contact slides, and the name of the contact that slides first
+/// below this friction. Returns `None` on a resonance of the scene with all contacts stuck.
 fn limit(at: &JoinedAt<'_>) -> Option<(f64, String)> {
     let stuck = at.stuck().ok()?;
     Some((stuck.limit(), stuck.first().to_owned()))

@@ -44,7 +44,8 @@ impl JoinedNumber {
         }
     }
 
-    /// Returns the word for the table's number, its dimension, and the name of its mass or contact.
+    /// Returns three items for the number of the table: its word, its physical quantity, and the name of the mass or
+    /// contact.
     fn told(&self) -> (&'static str, PhysicalQuantity, &str) {
         match self {
             Self::Amplitude(_, name) => ("amplitude", PhysicalQuantity::Length, name),

@@ -11,10 +11,11 @@ use crate::OutOfDomain;
 pub enum LimitsAsked {
     /// The table contains the exact limits β_lim and β*_lim.
     Exact,
-    /// The exact limits, and two bounds on β_lim: an upper one without a search, and a lower one from the single modes.
+    /// The table contains the exact limits, an upper bound on β_lim that needs no search, and a lower bound from the
+    /// single modes.
     All,
-    /// The limit β*_lim, and an upper bound on β_lim that needs no search. The bound uses the value of the velocity
-    /// constraint for τ → 0 in place of its maximum S.
+    /// The table contains the limit β*_lim, and an upper bound on β_lim that needs no search. The exact β_lim uses the
+    /// maximum S of a function of τ over the half cycle. The bound uses the value of this function for τ → 0 instead.
     WithoutSearch,
 }
 
@@ -26,11 +27,11 @@ pub struct LimitsRow {
     pub frequency: Frequency,
     /// Limit of continuous motion β_lim.
     pub continuous: Option<f64>,
-    /// Upper bound on β_lim that needs no search. The bound uses the value of the velocity constraint for τ → 0 in
-    /// place of its maximum S.
+    /// Upper bound on β_lim that needs no search. The exact β_lim uses the maximum S of a function of τ over the half
+    /// cycle. The bound uses the value of this function for τ → 0 instead.
     pub without_search: Option<f64>,
-    /// Lower bound on β_lim. In place of the maximum S of the velocity constraint, the bound uses the sum of the maxima
-    /// of the single modes.
+    /// Lower bound on β_lim. The exact β_lim uses the maximum S, over the half cycle, of a sum over the modes. The
+    /// bound uses the sum of the maxima of the single modes instead.
     pub per_mode: Option<f64>,
     /// Limit of sliding β*_lim.
     pub sliding: f64,
@@ -60,8 +61,8 @@ impl AtFrequency for LimitsRow {
 /// Function that reads a limit from a row.
 type ReadLimit = fn(&LimitsRow) -> Option<f64>;
 
-/// The limits in the order of their columns. Each has a name, a heading, the symbol of the ratio, and the function that
-/// reads the limit from a row.
+/// The limits in the order of their columns. Each limit has a name, a heading, the symbol of the ratio, and the
+/// function that reads the limit from a row.
 const LIMITS: [(&str, &str, &str, ReadLimit); 4] = [
     ("continuous_limit", "continuous limit", "beta_lim", |row| {
         row.continuous

@@ -20,7 +20,7 @@ pub struct MapRow<'m> {
     pub friction: FrictionSetting,
     /// Name of the region of the map: regime, stops and period of the motion.
     pub region: Cow<'static, str>,
-    /// The point of the map, or the reason why there is no response.
+    /// The response at this point of the map, or the reason why no response exists.
     pub found: &'m Result<MapPoint, Error>,
 }
 
@@ -90,8 +90,8 @@ impl MapRow<'_> {
         self.found.as_ref().ok()
     }
 
-    /// Returns the point of the map if its motion repeats. A motion that does not repeat has no number of stops or
-    /// reversals in a period.
+    /// Returns the point of the map if its motion is periodic. Other motions have no number of stops or reversals in a
+    /// period.
     fn counted(&self) -> Option<&MapPoint> {
         self.point().filter(|point| 0 < point.pattern.period)
     }

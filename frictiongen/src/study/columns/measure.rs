@@ -8,7 +8,7 @@ use crate::study::{
 };
 use std::f64::consts::TAU;
 
-/// Physical quantity of a number in a table. It determines the unit of the number.
+/// Physical quantity of a number in a table, such as a length. The quantity determines the unit of the number.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum PhysicalQuantity {
     /// The number is a ratio without a unit, or its unit is in another column.
@@ -23,9 +23,11 @@ pub enum PhysicalQuantity {
     Angle,
     /// The number is a force. It is in N under a load, and otherwise divided by P (by k₁Y for base motion).
     Force,
-    /// Mean power in W under a load. Without a load, the work in a cycle, divided by P²/k₁ (by k₁Y² for base motion).
+    /// The number is a mean power in W under a load. Without a load it is the work in a cycle, divided by P²/k₁ (by
+    /// k₁Y² for base motion).
     Power,
-    /// Energy of a cycle, in J under a load. Without a load, the energy is divided by P²/k₁ (by k₁Y² for base motion).
+    /// The number is an energy in a cycle. It is in J under a load, and otherwise divided by P²/k₁ (by k₁Y² for base
+    /// motion).
     Energy,
     /// The number is a frequency in Hz.
     Hertz,
@@ -100,7 +102,7 @@ impl Measure {
     }
 
     /// Returns the units of length and force, or `None` without a load. If the amplitude of the load depends on
-    /// frequency, the result is for r = 1.
+    /// frequency, the units are those at the frequency ratio r = 1.
     #[must_use]
     pub fn scale(&self) -> Option<LoadScale> {
         self.scale
@@ -119,8 +121,8 @@ impl Measure {
         self.base_motion
     }
 
-    /// Returns true if these units reverse the sign of the contact's motion. The sign then follows the order of the two
-    /// sides of the contact in the scene description, for any order of the masses.
+    /// Returns true if these units reverse the sign of the contact's motion. Under a load the sign follows the order
+    /// of the contact's two sides in the scene description. Otherwise the sign follows the order of the masses.
     #[must_use]
     pub fn turns_contact(&self) -> bool {
         self.reversed && self.scale.is_some()

@@ -1,7 +1,7 @@
 //! Tables of the results of a design study. Each kind of result has a table with rows, and columns with units.
 //!
-//! The command prints text, CSV and JSON from these tables. The report uses the same tables. The columns of these
-//! tables become arrays in Python. One line of code adds a column to a table.
+//! The command prints these tables as text, CSV and JSON, and the report contains them. In Python their columns become
+//! arrays. One line of code adds a column to a table.
 //!
 //! ```
 //! use frictiongen::study::columns::{CurveTable, FrequencyUnit, FrictionSetting, Measure, MovingPart, Setting};

@@ -39,7 +39,7 @@ pub trait MotionRow: TableRow {
     fn motion(&self, part: usize) -> Option<PartMotion<'_>>;
 }
 
-/// The columns that each motion has in addition to amplitude and phase.
+/// Selects the columns that each motion has in addition to amplitude and phase.
 #[derive(Clone, Copy, Debug)]
 pub struct MotionColumns<'a> {
     /// True if each motion has a column for the monoharmonic amplitude.
@@ -117,7 +117,8 @@ pub fn motions<'a, R: MotionRow + 'a>(
     }
 }
 
-/// Adds the columns of a harmonic: amplitude and lag. JSON files also get the real and imaginary part.
+/// Adds the columns of a harmonic: its amplitude and its lag. If requested, JSON files also get the real and imaginary
+/// part.
 fn harmonic<'a, R: MotionRow + 'a>(
     columns: &mut Columns<'a, R>,
     (part, place): (usize, usize),

@@ -104,7 +104,8 @@ impl<'a> OptimumTable<'a> {
         })
     }
 
-    /// Returns the columns of the result about the best friction.
+    /// Returns the columns of the table with the best friction and its amplitude, the limits, and the work of the
+    /// search.
     #[must_use]
     pub fn columns(&self) -> Vec<Column<'a, Optimum>> {
         let mut columns = self.best();
@@ -113,7 +114,7 @@ impl<'a> OptimumTable<'a> {
         columns
     }
 
-    /// Returns the physical dimension of the minimised amplitude: length or force.
+    /// Returns the physical quantity of the minimised amplitude, such as a length or a force.
     fn size(&self) -> PhysicalQuantity {
         let part = self.setting.parts.first();
         part.map_or(PhysicalQuantity::Length, MovingPart::dimension)
@@ -178,7 +179,7 @@ impl<'a> OptimumTable<'a> {
         columns.done()
     }
 
-    /// Returns the columns with the work of the search for the best friction.
+    /// Returns the columns that state the computing work of the search for the best friction.
     fn effort(&self) -> Vec<Column<'a, Optimum>> {
         let mut columns = Columns::new(&self.setting.measure);
         let head = Head::new("evaluations").titled(&["amplitudes computed"]);

@@ -16,7 +16,7 @@ pub struct PeriodicRow {
     pub state: PeriodicState,
 }
 
-/// A row of the table of a motion: one time step of a steady state under a periodic load.
+/// A row of the table of a motion over a period: one time step of a steady state under a periodic load.
 #[derive(Clone, Copy, Debug)]
 pub struct PeriodicSample<'s> {
     row: &'s PeriodicRow,
@@ -36,8 +36,8 @@ impl TableRow for PeriodicRow {}
 impl TableRow for PeriodicSample<'_> {}
 
 impl PeriodicRow {
-    /// Returns the smallest and the largest value of a motion over the period. If `turned` is true, the motion has the
-    /// opposite sign.
+    /// Returns the smallest and the largest value of a motion over the period. If `turned` is true, the sign of the
+    /// motion is reversed first.
     fn extremes(&self, part: usize, turned: bool) -> Option<[f64; 2]> {
         let [least, most] = self.state.tracks().get(part)?.extremes();
         Some(if turned {

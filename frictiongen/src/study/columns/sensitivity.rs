@@ -11,11 +11,12 @@ use crate::study::{
 };
 use frictiongen_model::scene::Scene;
 
-/// Symbol in the row that contains the answers, such as the amplitude, instead of their derivatives.
+/// Symbol in the row that contains the answers instead of their derivatives. An answer is a result such as the
+/// amplitude.
 const ITSELF: &str = "the answer";
 
-/// A row of the table: the derivatives of the answers with respect to one parameter at one operating point. `D`
-/// contains the answers with their derivatives.
+/// A row of the table: the derivatives of the answers (amplitude, phase, limits of friction) with respect to one
+/// parameter at one operating point. `D` contains the answers with their derivatives.
 #[derive(Clone, Debug)]
 pub struct SensitivityRow<D = ParameterSensitivity> {
     /// Frequency of the excitation, as ratio r, in Hz and in rad/s.
@@ -157,7 +158,7 @@ impl<'a> SensitivityTable<'a> {
     /// the reason.
     ///
     /// # Errors
-    /// An error of the computation for which the table has no word.
+    /// An error of the computation, if the table has no word for this error.
     pub fn rows(
         &self,
         frequency: Frequency,

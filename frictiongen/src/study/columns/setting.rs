@@ -15,7 +15,7 @@ use crate::study::{
 /// Name of the contact in tables. No mass can have this name.
 pub const CONTACT: &str = "contact";
 
-/// A moving part: the contact, a mass, or a combination of masses and base.
+/// A moving part (the contact, a mass, or a combination of masses and base), and a quantity of its motion.
 #[derive(Clone, Debug)]
 pub struct MovingPart {
     /// Selects the contact, a mass, or a combination such as the difference of two masses.
@@ -88,7 +88,7 @@ impl MovingPart {
 pub enum FrequencyUnit {
     /// The user gives frequency ratios r.
     Ratio,
-    /// Frequency ratios r under a load. Tables also contain the frequency in Hz.
+    /// The user gives frequency ratios r and a load. Tables then also contain the frequency in Hz.
     RatioUnderLoad,
     /// The user gives frequencies in Hz.
     Hertz,
@@ -196,8 +196,8 @@ impl FrictionSetting {
         }
     }
 
-    /// Returns the friction at a frequency. The amplitude of the load may depend on frequency. The number that the user
-    /// gave, F or β, then stays the same, and the second number changes with frequency.
+    /// Returns the friction at a frequency. If the amplitude of the load depends on frequency, the number that the
+    /// user gave (F or β) stays the same, and the other number changes.
     #[must_use]
     pub fn at(self, measure: &Measure, frequency: Frequency) -> Self {
         match measure.scale_at(frequency.omega) {
@@ -209,8 +209,8 @@ impl FrictionSetting {
         }
     }
 
-    /// Returns the exponent n of β ∝ rⁿ. β depends on r if the user gave a force, and the amplitude of the load depends
-    /// on frequency. If the user gave β, n is 0.
+    /// Returns the exponent n of β ∝ rⁿ, where r is the frequency ratio. n is not 0 if the user gave a friction force,
+    /// and the amplitude of the load depends on frequency. If the user gave β, n is 0.
     #[must_use]
     pub fn rise(&self, measure: &Measure) -> i32 {
         if self.is_force { measure.fall() } else { 0 }

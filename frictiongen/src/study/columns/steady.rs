@@ -88,8 +88,8 @@ impl MotionGroups {
         }
     }
 
-    /// Sets displacements to exactly zero at r = ∞. The formulas use a large, finite r in place of ∞, and therefore
-    /// give small numbers instead of zero.
+    /// Sets displacements at the frequency ratio r = ∞ to exactly zero. The formulas use a large, finite r in place of
+    /// ∞, and therefore give small numbers instead of zero.
     fn settle(&mut self) {
         let settled = |value: f64| if value.abs() < 1e-100 { 0.0 } else { value };
         if let Some(swing) = &mut self.swing {

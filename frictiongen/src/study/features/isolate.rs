@@ -14,12 +14,11 @@ use frictiongen_kernel::number::dual::Dual;
 use frictiongen_model::interval::{Interval, Jet};
 use frictiongen_model::modal::Modal;
 
-/// Largest number of poles in a range of frequencies. The search stores at most twenty times as many intervals.
+/// Largest number of poles in a range of frequencies. The search examines at most twenty times as many intervals.
 pub(super) const MOST_POLES: usize = 20_000;
-/// Largest number of intervals of y = 1/r that the search stores.
+/// Largest number of intervals of y = 1/r that the search examines.
 const MOST_INTERVALS: usize = 20 * MOST_POLES;
-/// Largest relative distance at which a zero and a pole of the function cancel. The search finds neither the zero nor
-/// the pole of a pair that cancels.
+/// A zero and a pole of the function within this relative distance cancel. The search then finds neither of the two.
 const CANCELLED: f64 = 1e-13;
 /// Largest distance at which two zeros are treated as one point where the function touches 0. The distance is divided
 /// by y = 1/r, or by the distance from a pole.
@@ -29,7 +28,7 @@ const ONE_TOUCH: f64 = 1e-6;
 /// Position at which the search divides an interval, as a fraction of its width. It is not the middle, because the
 /// middle is often a special point of a symmetric scene.
 const CUT: f64 = 0.487_3;
-/// Relative width of a bracket of a zero, below which Newton's method replaces the bisection.
+/// Relative width of the interval around a zero at which the search changes from bisection to Newton's method.
 const NEAR: f64 = 1e-6;
 
 /// Error of a search whose range has more than `MOST_POLES` poles or needs more than `MOST_INTERVALS` intervals.
@@ -117,8 +116,8 @@ impl<'m> MotionFunction<'m> {
         self.held.value(converted(self.target, enclosed), y, None)
     }
 
-    /// Returns enclosures of the function and of its slope over an interval of y. The mean value form makes the
-    /// enclosure of the function narrower.
+    /// Returns enclosures of the function and of its slope over an interval of y. An enclosure contains all values
+    /// over the interval. The mean value form makes the enclosure of the function narrower.
     fn jet(&self, y: Interval) -> Jet {
         let target = converted(self.target, |beta| Jet::fixed(enclosed(beta)));
         let jet = self.sloped.value(target, Jet::variable(y), None);
@@ -130,7 +129,8 @@ impl<'m> MotionFunction<'m> {
         }
     }
 
-    /// Returns an enclosure of the function times y − p over an interval of y that contains the pole p.
+    /// Returns an interval that contains all values of the function times y − p, over an interval of y that contains
+    /// the pole p.
     fn without_pole(&self, y: Interval, pole: &ModalPole) -> Option<Interval> {
         let near = self.held.near(y, pole)?;
         let target = converted(self.target, enclosed);

@@ -36,9 +36,9 @@ pub enum Certainty {
     /// The search samples the range in `steps` steps of equal length in 1/r, and refines each change between two
     /// samples. The search finds every interval that is longer than one step.
     ///
-    /// The search finds a shorter interval in two cases only. In the first case, the middle of three neighbouring
-    /// samples is closest to the value at which the feature begins. In the second case, the interval is next to a
-    /// resonance or to an odd sub-harmonic of a resonance.
+    /// The search finds a shorter interval in two cases only. In the first case, three neighbouring samples are on the
+    /// same side of the value at which the feature begins, and the middle sample is closest to this value. In the
+    /// second case, the interval is next to a resonance or to an odd sub-harmonic of a resonance.
     Sampled {
         /// Number of steps of equal length in 1/r into which the search divides the range.
         steps: u32,
@@ -49,7 +49,7 @@ impl Certainty {
     /// Number of steps into which a search by samples divides the range.
     pub const STEPS: u32 = 8192;
 
-    /// The value of this type for every list that a search by samples finds.
+    /// The certainty of every list that a search by samples finds.
     pub const SAMPLED: Self = Self::Sampled { steps: Self::STEPS };
 }
 
@@ -67,8 +67,8 @@ pub enum FeatureError {
     Combination,
     /// The chain is damped. The requested points exist only without damping.
     Damped,
-    /// The range contains more poles or zeros than a list can have. Towards r = 0, poles and zeros become infinitely
-    /// close.
+    /// The range contains more poles or zeros than the search can examine. Towards the frequency ratio r = 0, poles
+    /// and zeros become infinitely close.
     Crowded,
 }
 
@@ -149,9 +149,9 @@ const ABOVE: f64 = 1.5;
 const FAR_BELOW: f64 = 0.02;
 
 impl System {
-    /// Returns the default range of the frequency ratio r, from below the lowest resonance to above the highest. If the
-    /// highest resonance is far above the lowest, the range begins at a higher r. At low r, the sub-harmonics of the
-    /// highest resonance are too close together.
+    /// Returns the default range of the frequency ratio r, from below the lowest resonance to above the highest. If
+    /// the highest resonance is far above the lowest, the range begins at a higher r. At low r the sub-harmonics of
+    /// the highest resonance would be too close together.
     #[must_use]
     pub fn about_resonances(&self) -> [f64; 2] {
         let all = self.resonances();
@@ -187,7 +187,8 @@ impl System {
     /// ```
     ///
     /// An elastic contact sticks after each reversal, and therefore has no features of continuous motion. Its limit
-    /// β_lim is 0. Its lists of invariant points, inversions, crossings and static starts are empty.
+    /// β_lim is 0. Its lists of invariant points, inversions and crossings are empty, and it has no quasi-static
+    /// start.
     ///
     /// # Errors
     /// [`LoadError`] for a load that does not fit the scene.

@@ -55,8 +55,8 @@ pub struct Crossing {
     pub amplitude: f64,
 }
 
-/// Number of samples in each range of frequencies in which the contact slides all the time with both frictions. The
-/// search also uses samples over the whole range, which are evenly spaced in 1/r.
+/// Number of samples in each range of frequencies in which the contact slides all the time with both frictions.
+/// Further samples cover the requested range and are evenly spaced in 1/r.
 const SAMPLES: usize = 128;
 /// Step of a finite difference next to a peak, divided by r.
 const BESIDE: f64 = 1e-6;
@@ -68,10 +68,10 @@ impl Features<'_> {
     /// Returns the peak of a motion at every resonance of the chain at the friction ratio β: the estimate (7.60) and
     /// the largest amplitude over all regimes.
     ///
-    /// The call samples the exact amplitude and refines its peaks. The samples are close together in three places: near
-    /// the resonances of the free chain, near the resonances of the chain with its contact stuck, and near the
-    /// sub-harmonics of all these resonances. Further samples are in 96 even steps. The call gives no guarantee that it
-    /// finds narrow peaks, because the amplitude of a steady state with stops takes much work.
+    /// The call samples the exact amplitude and refines its peaks. The samples are close together in three places:
+    /// near the resonances of the free chain, near the resonances of the chain with its contact stuck, and near the
+    /// sub-harmonics of all these resonances. Further samples are in 96 even steps. The call may miss narrow peaks.
+    /// Closer samples would take too long, because each steady state with stops needs much computing work.
     ///
     /// # Errors
     /// [`FeatureError::Friction`] for an invalid friction ratio. [`FeatureError::UnknownMass`] for a mass that the
@@ -184,7 +184,7 @@ impl Features<'_> {
     /// Returns the frequency ratio of a smooth peak near r, and its frequency with derivatives. Returns `None` if the
     /// amplitude has a kink.
     ///
-    /// At a smooth peak, ∂A/∂r = 0 for the amplitude A. The derivative of its frequency ratio with respect to a
+    /// At a smooth peak, ∂A/∂r = 0 for the amplitude A. The derivative of the peak's frequency ratio with respect to a
     /// parameter p is therefore dr/dp = −(∂²A/∂r∂p)/(∂²A/∂r²). The second derivatives are finite differences of exact
     /// first derivatives.
     fn smooth(&self, of: Of, beta: f64, r: f64) -> Option<(f64, Sensed)> {

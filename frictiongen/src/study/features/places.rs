@@ -3,8 +3,8 @@
 
 use super::Certainty;
 
-/// Number of steps of a search for two hidden sign changes between samples. Three samples with the same sign may hide
-/// two changes if the middle sample is closest to 0. Each step reduces an interval to 0.62 of its length.
+/// Largest number of steps of a search for two hidden sign changes between samples. Three samples with the same sign
+/// may hide two changes if the middle sample is closest to 0. Each step reduces an interval to 0.62 of its length.
 const STEPS: usize = 60;
 /// Larger of the two fractions into which a golden section divides an interval.
 const GOLDEN: f64 = 0.618_033_988_749_894_8;

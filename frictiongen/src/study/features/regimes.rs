@@ -33,8 +33,8 @@ pub struct RegimeRange {
     pub end: RegimeEnd,
 }
 
-/// Number of samples in each interval of frequencies in which β_lim may exceed β. The search also uses samples over the
-/// whole range, which are evenly spaced in 1/r.
+/// Number of samples in each interval of frequencies in which β_lim may exceed β. Further samples cover the requested
+/// range and are evenly spaced in 1/r.
 const SAMPLES: usize = 128;
 /// Largest number of odd sub-harmonics of a resonance near which the search uses additional samples.
 const SUBHARMONICS: usize = 12;

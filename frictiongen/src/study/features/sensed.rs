@@ -58,7 +58,7 @@ impl Sensed {
 /// size.
 const NOTHING: f64 = 1e-18;
 
-/// The scene and its units, with derivatives with respect to one parameter.
+/// The scene and its units, each with its derivative with respect to one parameter.
 pub(super) struct Variation {
     pub parameter: Parameter,
     pub value: f64,
@@ -198,8 +198,8 @@ impl Variations {
         })
     }
 
-    /// Returns the frequency at which a function f is zero, with derivatives: dr/dp = r² (∂f/∂p)/(∂f/∂y), where y = 1/r
-    /// and p is a parameter.
+    /// Returns the frequency at a zero of a function f, with its derivatives: dr/dp = r² (∂f/∂p)/(∂f/∂y), where y =
+    /// 1/r and p is a parameter.
     pub fn of_zero(
         &self,
         function: &MotionFunction<'_>,
@@ -216,8 +216,8 @@ impl Variations {
         })
     }
 
-    /// Returns the frequency at which a function f of r and β is zero. The derivatives of the frequency follow from the
-    /// derivatives of f, by implicit differentiation.
+    /// Returns the frequency at r with its derivatives. At this r and β the function f is zero. The derivatives of the
+    /// frequency follow from the derivatives of f, by implicit differentiation.
     pub fn of_place(
         &self,
         r: f64,

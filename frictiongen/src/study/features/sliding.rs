@@ -16,8 +16,8 @@ pub struct HeldResonance {
     pub frequency: Sensed,
     /// Modal damping ratio ζ of the mode at the resonance.
     pub damping_ratio: f64,
-    /// True if sticking changes the mode. False for a mode that the contact does not drive, because the free chain has
-    /// the same mode.
+    /// True if the free chain does not have this mode. False for a mode that the contact does not drive, because the
+    /// free chain has the same mode.
     pub new: bool,
     /// Limit of sliding β*_lim at the resonance, in N under a load. The limit is infinite if the contact slides with
     /// any friction.

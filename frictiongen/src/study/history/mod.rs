@@ -1,4 +1,5 @@
-//! Motions over time: displacements, velocities and the friction force at evenly spaced instants, and every event.
+//! Motions over time: displacements, velocities and the friction force at evenly spaced instants, and every event
+//! (stop, break-away, reversal) of the contact.
 //!
 //! Samples are values of the closed form, and events are exact. A history is one of three motions: a run from rest, a
 //! run from a given state, or one period of a steady state. A plot of displacement against velocity is the phase
@@ -23,7 +24,8 @@ pub const MOST_SAMPLES: u64 = 10_000_000;
 /// Largest number of events of a history.
 const MOST_EVENTS: usize = 1_000_000;
 
-/// A request for a motion over time: its motions, initial state and samples.
+/// A request for a history, which is a sampled motion over time: the requested motions, the initial state and the
+/// samples.
 #[derive(Clone, Debug, PartialEq)]
 pub struct HistoryRequest {
     /// The motions that the history contains.
@@ -141,11 +143,11 @@ pub struct History {
 /// The motion of the contact or of a mass over time.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Track {
-    /// Selects the motion: that of the contact, of a mass, or a combination.
+    /// The motion that the samples describe: that of the contact, of a mass, or a combination.
     pub of: Of,
     /// x̄ at each sample, where x̄ = x/(P/k₁) (x/Y for base motion).
     pub displacement: Vec<f64>,
-    /// dx̄/dτ at each sample. Multiplied by ω, it is the velocity.
+    /// dx̄/dτ at each sample. Multiplied by ω and by P/k₁ (by ω and Y for base motion), it is the velocity.
     pub velocity: Vec<f64>,
 }
 
@@ -213,7 +215,7 @@ impl History {
         TAU * (cycles as f64) + phase(index % samples, samples)
     }
 
-    /// Returns the motion of the contact or of a mass. Returns `None` if the request does not include it.
+    /// Returns the samples of the motion `of`. Returns `None` if the request does not include this motion.
     #[must_use]
     pub fn track(&self, of: Of) -> Option<&Track> {
         self.tracks.iter().find(|track| track.of == of)
@@ -229,7 +231,7 @@ impl Track {
         }
     }
 
-    /// Returns the displacements in whole cycles. The sample at the end of the last cycle is left out.
+    /// Returns the displacements of whole cycles, without the sample at the end of the last cycle.
     fn whole(&self) -> &[f64] {
         self.displacement.split_last().map_or(&[], |(_, rest)| rest)
     }

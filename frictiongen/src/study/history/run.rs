@@ -8,8 +8,8 @@ use crate::study::{System, simulation::SystemSimulation};
 use frictiongen_kernel::simulation::Event;
 use std::f64::consts::TAU;
 
-/// Largest difference in rad between the phases τ of an instant and of a sample, at which the code treats them as
-/// simultaneous. The difference is a few rounding units of a phase.
+/// Largest difference of phase τ, in rad, at which the code treats an instant and a sample as simultaneous. The
+/// difference is a few rounding errors of a phase.
 const NEAR: f64 = 16.0 * f64::EPSILON;
 
 impl System {
@@ -100,8 +100,8 @@ struct Follower<'a, 'o> {
 }
 
 impl Follower<'_, '_> {
-    /// Advances the run, event by event, to the fraction `part` of the cycle with number `cycle`. Fails if the run
-    /// takes too many events.
+    /// Advances the run to an instant, event by event. The instant is the fraction `part` of the cycle with the number
+    /// `cycle`. Fails if the run has too many events.
     fn pass(
         &mut self,
         cycle: u64,

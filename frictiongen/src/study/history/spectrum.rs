@@ -10,7 +10,7 @@ use rustfft::FftPlanner;
 /// and a fraction for a component between two harmonics.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Spectrum {
-    /// Selects the motion: that of the contact, of a mass, or a combination.
+    /// The motion that has this spectrum: that of the contact, of a mass, or a combination.
     pub of: Of,
     /// The components in ascending order of n. The first component is the mean, n = 0.
     pub lines: Vec<SpectralLine>,
@@ -33,7 +33,7 @@ impl SpectralLine {
         polar(self.component).0
     }
 
-    /// Returns the lag of the component's maximum, in (−π, π]. A whole cycle of the component is 2π.
+    /// Returns the lag of the component's maximum in rad, in (−π, π]. A whole cycle of the component is 2π.
     #[must_use]
     pub fn phase(&self) -> f64 {
         polar(self.component).1
@@ -47,9 +47,9 @@ impl History {
     /// are multiples of 1/c, where c is the number of cycles, up to half the number of samples in a cycle. The phase τ
     /// is 0 at the first sample.
     ///
-    /// Components with frequencies above half the sampling rate appear at lower orders (aliasing). Because friction
-    /// changes its sign at reversals, the harmonics decrease with the third power of their order. The error of a
-    /// harmonic therefore decreases with the third power of the number of samples. For a steady state,
+    /// Components with frequencies above half the sampling rate appear as components of lower orders (aliasing).
+    /// Because friction changes its sign at reversals, the harmonics decrease with the third power of their order. The
+    /// error of a harmonic therefore decreases with the third power of the number of samples. For a steady state,
     /// [`SystemResponse::spectrum`] is exact.
     ///
     /// ```

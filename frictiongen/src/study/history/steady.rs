@@ -51,8 +51,8 @@ impl SystemResponse<'_> {
     pub fn history(&self, of: &[Of], samples: u32) -> Result<History, HistoryError> {
         let (system, r) = match self {
             Self::Continuous(motion) => (*motion.at().scene(), motion.at().frequency_ratio()),
-            // The check needs a valid r. For an orbit the code passes r = 1, because an orbit exists only if r is
-            // neither 0 nor infinite.
+            // The check below needs a valid r. An orbit exists only if r is neither 0 nor infinite, so that any valid
+            // number, such as 1, suffices.
             Self::StickSlip(orbit) => (orbit.system, 1.0),
             Self::Stuck(stuck) => (*stuck.at().scene(), stuck.at().frequency_ratio()),
         };

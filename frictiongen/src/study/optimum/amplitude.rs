@@ -38,9 +38,9 @@ pub(in crate::study) struct Amplitude<'s> {
     thresholds: Vec<[f64; 2]>,
     /// Number of evaluations of the amplitude so far.
     pub asked: Cell<usize>,
-    /// Work of all evaluations so far, in units of about 10 µs.
+    /// Work of all evaluations so far, in units of about 10 µs of computing time.
     work: Cell<usize>,
-    /// Bound on the work of all evaluations, in units of about 10 µs.
+    /// Bound on the work of all evaluations, in units of about 10 µs of computing time.
     most: Cell<usize>,
     /// The caller's function that can stop the search.
     watch: Cell<Option<KeepGoing<'s>>>,
@@ -81,9 +81,10 @@ impl<'s> Amplitude<'s> {
         }
     }
 
-    /// Makes later evaluations use the motion from rest, even if the closed form exists, until they reach the bound on
-    /// work. With μ > 1 the motion from rest may end in another steady state than the closed form. The amplitude of
-    /// this steady state may be the largest over the band, although the amplitude of the closed form is not.
+    /// Makes all later evaluations compute the motion from rest, even if the closed form exists. The evaluations do so
+    /// until they reach the bound on work. With μ > 1 the motion from rest may end in another steady state than the
+    /// closed form. The amplitude of this steady state may be the largest over the band, although the amplitude of the
+    /// closed form is not.
     pub(super) fn follow_from_rest(&self) {
         self.follows.set(true);
     }
@@ -101,7 +102,7 @@ impl<'s> Amplitude<'s> {
         self.watch.set(watch);
     }
 
-    /// Removes the caller's function that can stop the search. Otherwise this function would also stop the code that
+    /// Removes the caller's function that can stop the search, so that the function does not stop the code that
     /// completes the result. Returns true if the caller has stopped the search.
     pub(super) fn end_watch(&self) -> bool {
         self.watch.set(None);
@@ -123,7 +124,7 @@ impl<'s> Amplitude<'s> {
         self.most.set(self.work.get().saturating_add(work));
     }
 
-    /// Returns the work of all evaluations so far, in units of about 10 µs.
+    /// Returns the work of all evaluations so far, in units of about 10 µs of computing time.
     pub(super) fn spent(&self) -> usize {
         self.work.get()
     }

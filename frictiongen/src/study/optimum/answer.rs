@@ -3,13 +3,13 @@
 use crate::Regime;
 use crate::study::parameter::Parameter;
 
-/// The reason why no other friction gives a smaller largest amplitude.
+/// The reason why a friction is the best one, such as two equal peaks.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum OptimumKind {
     /// The largest amplitude is that of two peaks of the same height. More friction raises one peak, and less friction
     /// raises the other.
     EqualPeaks,
-    /// The largest amplitude is that of one peak, which is at its own minimum with respect to friction.
+    /// The largest amplitude is that of one peak. More friction and less friction both raise the largest amplitude.
     SinglePeak,
     /// The best friction is 0, because any friction increases the largest amplitude.
     NoFriction,
@@ -25,7 +25,7 @@ pub enum OptimumKind {
     Balanced,
 }
 
-/// A frequency at which the amplitude reaches its maximum over the band.
+/// A frequency at which the amplitude has its largest value over the band.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct OptimumPeak {
     /// Frequency ratio r of the peak.
@@ -72,7 +72,8 @@ pub enum OptimumEnd {
 /// The best friction, which makes the largest amplitude over a band of frequencies smallest.
 #[derive(Clone, Debug)]
 pub struct Optimum {
-    /// Best friction ratio β. If the amplitude of the load depends on frequency, it is the friction ratio at r = 1.
+    /// Best friction ratio β. If the amplitude of the load depends on frequency, β is the friction ratio at the
+    /// frequency ratio r = 1.
     pub beta: f64,
     /// Largest value of the requested quantity over the band with this friction.
     ///
@@ -83,25 +84,27 @@ pub struct Optimum {
     /// Angular frequency √(k₁/m₁) at the frequency ratio r = 1, in rad/s.
     #[doc(hidden)]
     pub reference: f64,
-    /// The reason why no other friction gives a smaller amplitude.
+    /// The reason why this friction is the best one, such as two equal peaks.
     pub kind: OptimumKind,
     /// The event that ended the search.
     pub end: OptimumEnd,
     /// Interval of β that contains the best friction. It is the narrowest interval that the search has found. If the
     /// search did not refine its scan, the bounds are the neighbouring points of the best point in the scan.
     pub bracket: [f64; 2],
-    /// Largest amplitude over the band just beyond the jump at which the search ended, computed from the known peaks.
-    /// `None` if the search did not end at a jump.
+    /// Largest amplitude over the band just beyond the jump at which the search ended. The search evaluates this
+    /// amplitude at only some frequencies of the band. `None` if the search did not end at a jump.
     pub beyond_jump: Option<f64>,
     /// Frequencies at which the amplitude has its largest value.
     pub peaks: Vec<OptimumPeak>,
     /// Friction ratio up to which the amplitude at an undamped resonance of the band is unbounded. It is 0 if the band
     /// contains no undamped resonance.
     pub unbounded_to: f64,
-    /// Friction ratio up to which the contact slides all the time at every frequency of the band.
+    /// Smallest value of the limits β_lim and β*_lim over the band, as friction ratio. At less friction, no stuck
+    /// state exists in the band, and the contact can slide all the time at every frequency.
     pub free_of_sticking: f64,
-    /// Smallest friction ratio at which a stuck state exists at every frequency of the band. It is infinite if the band
-    /// contains a resonance of the chain with its contact stuck at which no friction keeps the contact stuck.
+    /// Smallest friction ratio at which a stuck state exists at every frequency of the band. It is infinite if at some
+    /// frequency of the band no friction keeps the contact stuck. Such a frequency is a resonance of the chain with
+    /// its contact stuck.
     pub locked: f64,
     /// Largest amplitude over the band without friction. It is infinite if the band contains an undamped resonance.
     pub without_friction: f64,

@@ -39,8 +39,8 @@ impl AmplitudeBand<'_> {
         bounds
     }
 
-    /// Returns two friction ratios for the band. Above the first friction ratio the contact stops at some frequency of
-    /// the band. From the second friction ratio on, a stuck state exists at every frequency of the band.
+    /// Returns two friction ratios. The first is the smallest value of β_lim and β*_lim over the band. The second is
+    /// the largest β*_lim. From the second friction ratio on, a stuck state exists at every frequency of the band.
     pub(super) fn limits(&self) -> [f64; 2] {
         let (system, objective) = (self.amplitude.system, &self.amplitude.objective);
         let extreme = |sign: f64, of: &dyn Fn(&[f64; 2]) -> f64| {

@@ -5,14 +5,15 @@ use super::creep::meeting;
 use super::scan::Scanned;
 use std::cmp::Ordering;
 
-/// Largest estimated amplitude for which the search examines an interval of the scan over friction, divided by the best
-/// amplitude. The estimate for an interval is the amplitude at which the tangents at the interval's two bounds meet.
+/// The search examines an interval of the scan over friction only if its estimated amplitude, divided by the best
+/// amplitude, is at most this number. The estimate is the amplitude at which the tangents at the interval's two bounds
+/// meet.
 const WORTH: f64 = 1.05;
 /// Largest number of intervals of the scan over friction that the search examines, beginning with the smallest expected
 /// amplitude.
 const MOST_LOOKED_INTO: usize = 6;
-/// Smallest amplitude that the search expects within an interval of the scan over friction, divided by the smaller
-/// amplitude at the two points of the interval.
+/// Lower bound on the estimated amplitude within an interval of the scan over friction, divided by the smaller
+/// amplitude at the interval's two bounds.
 const SHARE: f64 = 0.7;
 /// Largest relative difference at which two amplitudes are treated as equal. If a more precise evaluation of the band
 /// exceeds the earlier amplitude by more than this fraction, the evaluation has found a higher peak.
@@ -74,8 +75,8 @@ pub(super) fn before(
     order.then(a.2.total_cmp(&b.2))
 }
 
-/// Returns pairs of neighbouring points of the scan over friction. The smallest minimum of the amplitude may lie
-/// between the two points of a pair.
+/// Returns pairs of neighbouring points of the scan over friction between which the amplitude may have its smallest
+/// value.
 pub(super) fn between(scan: &[Scanned], best: f64) -> Vec<(Scanned, Scanned)> {
     let pairs = scan.windows(2).filter_map(|pair| match pair {
         [below, above] => Some((below, above)),

@@ -26,8 +26,8 @@ pub(super) fn meeting(below: &Scanned, above: &Scanned) -> Option<(f64, f64)> {
 /// Result of a search that tracks the peaks from both sides of a minimum.
 pub(super) struct Crept {
     pub best: Scanned,
-    /// The highest friction ratio at which the amplitude still falls (`below`), and the lowest friction ratio at which
-    /// it already rises (`above`).
+    /// The two friction ratios that enclose the minimum: at `below` the amplitude falls with friction, and at `above`
+    /// it rises.
     pub below: Scanned,
     pub above: Scanned,
     /// True if the search has reached the minimum of the tracked peaks.
@@ -140,7 +140,7 @@ pub(super) fn crept(band: &AmplitudeBand<'_>, below: &Scanned, above: &Scanned) 
     })
 }
 
-/// Removes frequency ratios that are too close to another frequency ratio. A search from either of the two would
+/// Removes each frequency ratio that is too close to another one. Searches from two close frequency ratios would
 /// probably lead to the same peak.
 fn distinct(mut places: Vec<f64>) -> Vec<f64> {
     places.sort_by(f64::total_cmp);

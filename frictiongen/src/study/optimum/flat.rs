@@ -11,11 +11,11 @@ use super::search::{Least, SearchEnd};
 const STEPS: usize = 40;
 /// Relative tolerance, in β, of the bound of an interval of friction.
 const NEAR: f64 = 1e-8;
-/// Relative tolerance, in β, of the bound of an interval of friction if the optimum itself is only approximate.
+/// Relative tolerance, in β, of the bound of an interval of friction if the search for the optimum has not converged.
 const ROUGHLY: f64 = 1e-3;
-/// Number of peaks that the search tracks from each friction ratio with known peaks.
+/// Largest number of peaks that the search tracks from each friction ratio whose peaks are known.
 const MOST_FOLLOWED: usize = 3;
-/// Bound on the work of finding one bound of an interval of friction, in units of about 10 µs.
+/// Bound on the work of finding one bound of an interval of friction, in units of about 10 µs of computing time.
 const WORK: usize = 12_000;
 
 /// Returns an interval of friction around the optimum. In this interval, the largest amplitude exceeds the best
@@ -40,8 +40,8 @@ pub(super) fn tolerance(band: &AmplitudeBand<'_>, least: &Least, excess: f64) ->
     let mut above = above.filter(|scanned| least.at.beta < scanned.beta);
     let to = match edge(band, &least.at, &mut above, (level, near)) {
         Some(to) => to,
-        // The amplitude is below the level at all further points of the scan, and also if the contact is stuck over the
-        // whole band.
+        // The amplitude is within the tolerance at all further points of the scan, and also if the contact is stuck
+        // over the whole band.
         None if least.locked_from.is_finite() => f64::INFINITY,
         None => least
             .scan
@@ -53,8 +53,8 @@ pub(super) fn tolerance(band: &AmplitudeBand<'_>, least: &Least, excess: f64) ->
     Tolerance { excess, from, to }
 }
 
-/// Returns the friction ratio at which the largest amplitude reaches a level. The search begins at the optimum and
-/// moves away from it. Returns `None` if the amplitude at no scanned friction ratio exceeds the level.
+/// Returns the friction ratio at which the largest amplitude over the band reaches `level`. The search begins at the
+/// optimum and moves away from it. Returns `None` if no scanned amplitude exceeds the level.
 fn edge<'a>(
     band: &AmplitudeBand<'_>,
     best: &'a Scanned,

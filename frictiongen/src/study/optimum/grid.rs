@@ -1,7 +1,7 @@
-//! Searches a fine grid of the band for peaks that are not near any resonance, sub-harmonic or limit.
+//! Searches a fine grid of the band for peaks that are not near any resonance, sub-harmonic or change of regime.
 //!
 //! With μ > 1 the motions from rest may end in different steady states at neighbouring frequencies. The amplitude then
-//! jumps between these frequencies. Only a computation of the motions reveals such jumps.
+//! jumps between these frequencies. The search finds such jumps only by computing the motions.
 
 use super::amplitude::FrictionAmount;
 use super::look::{BandPeak, Look, PLACE, sorted};
@@ -12,21 +12,23 @@ use super::peaks::AmplitudeBand;
 const FINE: f64 = 0.0025;
 /// Largest number of intervals of the fine grid.
 const MOST_INTERVALS: f64 = 1500.0;
-/// Smallest amplitude of a grid peak that the search adds, divided by the largest known amplitude.
+/// The search adds a peak of the grid to the known peaks only if its amplitude, divided by the largest known
+/// amplitude, is at least this number.
 const WORTH: f64 = 0.98;
 /// Number of passes over the fine grid. Each pass evaluates every ninth frequency.
 const PASSES: usize = 9;
-/// Smallest relative difference of two amplitudes that belong to two different peaks.
+/// The dense search around the largest peak adds a new peak only if its amplitude exceeds that of the largest peak by
+/// more than this fraction.
 const ANOTHER: f64 = 1e-6;
 /// Number of additional frequencies on each side of the largest peak, all within one step of the grid.
 const DENSE: i32 = 100;
-/// Bound on the work of the evaluations close to the largest peak, in units of about 10 µs. Motions that do not settle
-/// reach this bound after a few frequencies.
+/// Bound on the work of the evaluations close to the largest peak, in units of about 10 µs of computing time. Motions
+/// that do not settle reach this bound after a few frequencies.
 const WORK_BESIDE: usize = 60_000;
-/// Largest number of peaks that one search adds.
+/// Largest number of peaks that one search of the grid adds to the known peaks.
 const MOST: usize = 3;
-/// Smallest amplitude of a peak that the search also evaluates at other friction ratios, divided by the largest
-/// amplitude.
+/// All later evaluations include the frequency of a peak if its amplitude, divided by the largest amplitude, is at
+/// least this number.
 const LEARNED: f64 = 0.9;
 /// Number of grid points on each side of a peak that the search adds to all later evaluations. The grid points are
 /// necessary because the peak moves with friction.
@@ -55,8 +57,8 @@ impl AmplitudeBand<'_> {
         }
     }
 
-    /// Adds the largest local maxima on the grid to the peaks of an evaluation. The evaluation stays incomplete if an
-    /// amplitude exceeds `cutoff`, or if the bound on work is reached before the end of the grid.
+    /// Adds the largest local maxima on the grid to the peaks of an evaluation. The evaluation becomes incomplete if
+    /// an amplitude exceeds `cutoff`, or if the search reaches its bound on work.
     pub(super) fn add_grid(&self, look: &mut Look, friction: FrictionAmount, cutoff: f64) {
         let [from, to] = self.ends();
         let width = (to / from).ln();

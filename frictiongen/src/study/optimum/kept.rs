@@ -25,8 +25,8 @@ const NARROW: f64 = 1e-9;
 /// Largest number of friction ratios whose bounds the search checks over the whole band. If a check finds a violated
 /// bound, the search continues.
 const CHECKS: usize = 12;
-/// Largest amplitude of a scan point that the search examines, divided by the smallest amplitude among the scan points
-/// that satisfy all bounds.
+/// The search examines a scan point only if its amplitude, divided by the smallest amplitude of all scan points that
+/// satisfy the bounds, is at most this number.
 const NEARLY: f64 = 1.5;
 /// Largest number of points of the scan over friction that the search examines.
 const MOST_POINTS: usize = 6;
@@ -63,9 +63,8 @@ pub struct KeptOptimum {
 }
 
 impl System {
-    /// Finds the best friction under bounds. The search compares all frictions with which other quantities stay within
-    /// their bounds over the whole band. The best of these frictions makes the largest value of a quantity over the
-    /// band smallest.
+    /// Finds the best friction for the quantity of `request`, among the frictions that satisfy all bounds in `kept`
+    /// over the whole band. With the best friction, the largest value of the quantity over the band is smallest.
     ///
     /// The search calls `watch` after each evaluation. If `watch` returns false once, it must return false from then
     /// on.
@@ -179,7 +178,7 @@ impl<'s> KeptProblem<'s> {
     }
 }
 
-/// Returns the result for a friction ratio that is not a minimum but the limit of a bound.
+/// Returns the result for a friction ratio that a bound determines, and that is not a minimum.
 pub(super) fn bounded(optimum: Optimum) -> Optimum {
     Optimum {
         kind: OptimumKind::Bounded,
@@ -224,7 +223,8 @@ impl<'s> KeptSearch<'s, '_> {
         }
     }
 
-    /// Returns the best friction that satisfies all bounds. The flag is true if a bound excluded a better friction.
+    /// Returns the best friction that satisfies all bounds, and a flag. The flag is true if a bound excluded a better
+    /// friction.
     fn best(
         &self,
         others: &[OptimumProblem<'s>],
@@ -270,8 +270,8 @@ impl<'s> KeptSearch<'s, '_> {
         Ok((whole(&self.band, beta, self.left), true))
     }
 
-    /// Returns the best friction ratio near the known points (friction ratios). The flag of a known point is true if
-    /// the point satisfies all bounds.
+    /// Returns the best friction ratio near the known friction ratios. Each has a flag, which is true if the friction
+    /// ratio satisfies all bounds.
     fn refined(&self, known: &[(f64, bool)]) -> Option<Scanned> {
         let value = |beta: f64| scanned_at(&self.band, beta, f64::INFINITY);
         let mut all: Vec<(usize, Scanned)> = known

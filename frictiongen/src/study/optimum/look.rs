@@ -63,7 +63,7 @@ pub(super) struct KnownAmplitude {
 }
 
 impl KnownAmplitude {
-    /// Returns the largest expected amplitude at another amount of friction.
+    /// Returns the largest amplitude that the search expects at another amount of friction.
     pub fn promise(self, friction: FrictionAmount, closely: Closely) -> f64 {
         let FrictionAmount::Ratio(beta) = friction else {
             return self.value;

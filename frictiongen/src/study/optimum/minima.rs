@@ -7,8 +7,8 @@ use super::look::Closely;
 use super::peaks::AmplitudeBand;
 use super::scan::{Scanned, scanned_at, slope, with_slope};
 
-/// Largest number of attempts at one minimum. The search makes a further attempt if it has found a higher peak at the
-/// minimum.
+/// Largest number of attempts to find one minimum. The search makes a further attempt if an evaluation of the band at
+/// the minimum finds a higher peak.
 const AGAIN: usize = 4;
 /// Largest number of golden-section steps. The steps end earlier if the relative width of the bracket reaches `NARROW`.
 const SECTIONS: usize = 40;
@@ -17,8 +17,8 @@ const NARROW: f64 = 1e-7;
 /// Smaller of the two fractions into which a golden section divides an interval.
 const GOLDEN: f64 = 0.381_966_011_250_105_1;
 
-/// Returns the minima between points of the scan over friction. Their amplitude may be below `top`, the best amplitude
-/// so far.
+/// Returns the minima between those points of the scan over friction between which the amplitude may be below `top`,
+/// the best amplitude so far.
 pub(super) fn minima(
     band: &AmplitudeBand<'_>,
     scan: &[Scanned],
@@ -28,8 +28,8 @@ pub(super) fn minima(
     // amplitude is only a lower bound, and must not exclude other minima.
     let exact = band.amplitude.system.scene().stiction <= 1.0;
     let mut minima: Vec<FrictionCandidate> = Vec::new();
-    // No amplitude is smaller than 0, so that a search would be useless. Just below the friction that stops the
-    // contact, amplitudes are close to 0, and the motions are too small to settle.
+    // No amplitude is smaller than 0, so that a search would be useless. Just below the friction at which the contact
+    // no longer slides, amplitudes are close to 0, and the motions are too small to settle.
     if top <= 0.0 {
         return minima;
     }
@@ -50,8 +50,8 @@ pub(super) fn minima(
     minima
 }
 
-/// Returns the minimum between two friction ratios, after a further evaluation of the whole band. Returns `None` if its
-/// amplitude is not below `best`.
+/// Returns the minimum between two friction ratios. A further evaluation of the band checks that no other peak is
+/// higher. Returns `None` if the known peaks show that the amplitude is nowhere below `best`.
 pub(super) fn minimum(
     band: &AmplitudeBand<'_>,
     mut below: Scanned,
@@ -112,9 +112,9 @@ pub(super) fn minimum(
 /// Narrows an interval of friction ratios around the best friction ratio by golden sections, and returns the best
 /// friction ratio found.
 ///
-/// At frictions at which steady states appear and disappear, the search cannot track peaks, and slopes are useless. The
-/// search rejects a friction ratio as soon as the amplitude at one frequency shows that this friction ratio is not
-/// better.
+/// Golden sections need neither slopes nor tracked peaks. They also work at frictions at which steady states appear or
+/// disappear. The search rejects a friction ratio as soon as the amplitude at one frequency shows that this friction
+/// ratio is not better.
 pub(super) fn narrowed(
     band: &AmplitudeBand<'_>,
     ends: (&Scanned, &Scanned),

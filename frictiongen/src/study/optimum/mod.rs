@@ -37,7 +37,7 @@ pub use tuned::{Tunable, TunedOptimum, TunedPoint, Tuning, UnknownTunable};
 #[doc(hidden)]
 pub use weighted::{Weighted, WeightedOptimum};
 
-/// Default bound on the work of a search for the best friction, in units of about 10 µs.
+/// Default bound on the work of a search for the best friction, in units of about 10 µs of computing time.
 const WORK: usize = 2_000_000;
 
 impl System {
@@ -45,20 +45,22 @@ impl System {
     /// contact slides all the time, the amplitude is that of the closed form. Otherwise it is that of the steady state
     /// with stops, or of the stuck response.
     ///
-    /// At one friction ratio the search evaluates the amplitude near every resonance of the chain, both with a free and
-    /// with a stuck contact. It also evaluates the amplitude at sub-harmonics, on both sides of regime changes and on a
-    /// grid of frequencies. A scan over friction finds the friction ratio with which the largest amplitude is smallest.
-    /// The scan ranges from zero to a friction with which the contact never slides. The search evaluates closed forms
-    /// first. If the closed forms exceed the best amplitude so far by a margin, the search rejects the friction ratio.
-    /// The search computes motions in time only at frequencies at which the amplitude may be the largest.
+    /// The search scans friction ratios from zero to a value above which more friction no longer reduces the
+    /// amplitude. At each friction ratio the search evaluates the amplitude near the resonances of the chain with a
+    /// free and with a stuck contact, and near the sub-harmonics of these resonances. Further frequencies are on a
+    /// grid and on both sides of regime changes. The search evaluates closed forms first. If the closed forms exceed
+    /// the best amplitude so far by a margin, the search rejects the friction ratio. The search computes motions in
+    /// time only at frequencies at which the amplitude may be the largest.
     ///
-    /// The work of a search is bounded and counted, so that the result is the same on every machine. Motions that do
-    /// not settle take most of the work. [`Optimum::end`] says whether the search reached the bound, or ended at a jump
-    /// to another steady state. [`Optimum::bracket`] then contains the best friction ratio.
+    /// The search counts its work and ends at a bound. Because the bound is not a time limit, the result is the same
+    /// on every machine. Motions that do not settle take most of the work. [`Optimum::end`] says if the search reached
+    /// the bound, or ended at a friction at which the motion jumps to another steady state. [`Optimum::bracket`] then
+    /// contains the best friction ratio.
     ///
-    /// With μ > 1 the first comparison of friction ratios uses the closed form if β is less than β_lim and β*_lim. At
-    /// the friction ratios that seem best, the search then computes the motion from rest over a fine grid of the band.
-    /// The amplitude of the result is the largest on that grid. Grid points are 0.25 % apart, and 0.0025 % around the
+    /// If static exceeds kinetic friction (μ > 1), several steady states may exist at one frequency. The first
+    /// comparison of friction ratios uses the closed form where β is less than β_lim and β*_lim. At the friction
+    /// ratios that seem best, the search then computes the motion from rest over a fine grid of the band. The
+    /// amplitude of the result is the largest on that grid. Grid points are 0.25 % apart, and 0.0025 % around the
     /// largest peak. A peak between two grid points may be higher.
     ///
     /// ```
@@ -92,8 +94,8 @@ impl System {
         self.optimum_within(request, WORK)
     }
 
-    /// Searches as [`optimum`](Self::optimum) does, but with a given bound on the work, in units of about 10 µs. A
-    /// search that reaches the bound ends with [`OptimumEnd::WorkSpent`].
+    /// Searches as [`optimum`](Self::optimum) does, but with a given bound on the work, in units of about 10 µs of
+    /// computing time. A search that reaches the bound ends with [`OptimumEnd::WorkSpent`].
     ///
     /// # Errors
     /// Same errors as [`optimum`](Self::optimum).

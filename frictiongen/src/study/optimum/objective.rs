@@ -1,5 +1,5 @@
-//! The quantity whose largest value over a band of frequencies the search minimises. The module also takes account of
-//! the load, which makes values at different frequencies comparable.
+//! The quantity whose largest value over a band of frequencies the search minimises. The module also converts values
+//! at different frequencies to the same units.
 
 use super::resonance;
 use crate::Of;
@@ -36,7 +36,7 @@ impl Objective {
         self.size == MotionQuantity::Displacement && self.fall == 0 && !self.of.is_force()
     }
 
-    /// Returns true if the motion has this quantity.
+    /// Returns true if the motion has this quantity, and the search can minimise the quantity.
     pub fn is_sound(&self) -> bool {
         match self.size {
             MotionQuantity::Displacement => true,
@@ -47,8 +47,9 @@ impl Objective {
         }
     }
 
-    /// Returns true for the force in springs. The force may depend on the offset of a stuck contact, and may pass
-    /// through 0 as friction changes. The force at one friction therefore does not bound the force at another friction.
+    /// Returns true if the quantity is a force in springs. The force may depend on the offset of a stuck contact, and
+    /// may pass through 0 as friction changes. The force at one friction therefore does not bound the force at another
+    /// friction.
     pub fn depends_on_offset(&self) -> bool {
         self.of.is_force()
     }

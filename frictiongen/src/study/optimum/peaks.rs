@@ -1,12 +1,12 @@
 //! Finds the largest amplitude over a band of frequencies at one friction ratio.
 //!
-//! The search evaluates the amplitude at frequencies near which it can change quickly. These frequencies are close
-//! together near the resonances of the chain with a free contact and with a stuck contact, and near the sub-harmonics
-//! of all these resonances. Further frequencies are on both sides of every frequency at which β_lim or β*_lim equals β,
-//! and on a grid.
+//! The search evaluates the amplitude at frequencies near which the amplitude can change quickly. The frequencies are
+//! close together near the resonances of the chain with a free contact and with a stuck contact, and near the
+//! sub-harmonics of all these resonances. Further frequencies are on both sides of every frequency at which β_lim or
+//! β*_lim equals β, and on a grid.
 //!
 //! An evaluation of the band begins with closed forms. If a closed form exceeds the cutoff, the search computes no
-//! motion in time. It refines every local maximum that may be the largest.
+//! motion in time. The search refines every local maximum that may be the largest.
 
 use super::amplitude::{Amplitude, FrictionAmount};
 use super::line;
@@ -18,18 +18,18 @@ use super::places::{BandPlace, places};
 use crate::study::system::System;
 use std::cell::{Cell, RefCell};
 
-/// Smallest local maximum that the search refines, divided by the largest amplitude.
+/// The search refines only maxima whose amplitude, divided by the largest amplitude, is at least this.
 const WORTH: f64 = 0.7;
-/// Smallest local maximum that the search refines precisely, divided by the largest amplitude. The search refines lower
-/// maxima only roughly.
+/// The search refines a maximum precisely if its amplitude, divided by the largest amplitude, is at least this. The
+/// search refines lower maxima only roughly.
 const WORTH_FINELY: f64 = 0.95;
 /// Largest number of local maxima that the search refines at frequencies at which it must compute a motion in time.
 const MOST_TOPS: usize = 8;
-/// Relative tolerance in r of a maximum of the amplitude, in comparisons of many friction ratios.
+/// Relative tolerance in r of a maximum of the amplitude, if the search only compares friction ratios.
 const NEARLY: f64 = 1e-5;
 /// Relative tolerance in r of a maximum of the amplitude, as long as the largest maximum is not known.
 const ROUGHLY: f64 = 1e-3;
-/// Relative width of the first bracket of a maximum of the amplitude, if its position at another friction ratio is
+/// First step in r, divided by r, of the search for a maximum whose frequency ratio r at a similar friction ratio is
 /// known.
 const NEIGHBOUR: f64 = 2e-3;
 /// Smallest amplitude that the search treats as infinite.

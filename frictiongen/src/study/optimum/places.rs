@@ -11,8 +11,8 @@ use crate::study::system::System;
 const GRID: usize = 96;
 /// Largest order of the sub-harmonics of a resonance near which the search evaluates the amplitude.
 const MOST_SUBHARMONICS: u32 = 9;
-/// Relative distance of the frequencies at which the first evaluation of the band computes motions in time. The first
-/// evaluation also computes motions at all resonances.
+/// Smallest relative distance of the frequencies at which the first evaluation of the band computes motions in time.
+/// In addition, the first evaluation computes motions at all resonances and at both bounds of the band.
 const APART: f64 = 0.01;
 
 /// A frequency ratio of a band, with its limits β_lim and β*_lim.
@@ -22,8 +22,8 @@ pub(super) struct BandPlace {
     /// The limits β_lim and β*_lim at this frequency ratio, as friction forces divided by the amplitude P that the load
     /// has at r = 1 (by k₁Y for base motion).
     pub limits: [f64; 2],
-    /// True if the first evaluation of the band includes this frequency ratio even if the response has no closed form,
-    /// so that the code must compute a motion in time.
+    /// True if the first evaluation of the band includes this frequency ratio in any case, even if it must compute a
+    /// motion in time.
     pub first: bool,
 }
 

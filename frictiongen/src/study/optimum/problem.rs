@@ -15,11 +15,12 @@ use crate::study::response::MotionQuantity;
 use crate::study::system::System;
 use crate::study::units::{Load, angular_frequency};
 
-/// Bound on the work of completing the result of a search for the best friction, in units of about 10 µs.
+/// Bound on the work of completing the result of a search for the best friction, in units of about 10 µs of computing
+/// time.
 const WORK_OF_A_REPORT: usize = 60_000;
 /// Excesses (amplitude − best amplitude)/best amplitude for which the result has an interval of friction.
 const EXCESSES: [f64; 3] = [0.01, 0.05, 0.1];
-/// Largest relative difference from the largest peak at which a peak is treated as equally high.
+/// Largest relative difference between a peak and the highest peak at which both count as equally high.
 const EQUAL: f64 = 1e-9;
 
 /// A request for the best friction after all checks, with the system and the band of frequencies.
@@ -232,8 +233,8 @@ impl<'s> OptimumProblem<'s> {
     }
 }
 
-/// Returns the largest amplitude at the bounds of the bracket, if it exceeds the amplitude at the best friction. One of
-/// the bounds is then beyond the jump.
+/// Returns the largest amplitude at the two bounds of the interval (bracket) that contains the best friction. Returns
+/// `None` if this amplitude does not exceed the best amplitude. Otherwise one of the bounds is beyond the jump.
 fn beyond(band: &AmplitudeBand<'_>, least: &Least) -> Option<f64> {
     let others = least
         .bracket

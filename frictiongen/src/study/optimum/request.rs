@@ -28,7 +28,7 @@ pub struct OptimumRequest {
     pub load: Option<Load>,
 }
 
-/// The reason why the search finds no best friction.
+/// The reason why a search for the best friction fails.
 #[derive(Clone, Debug, PartialEq)]
 #[non_exhaustive]
 pub enum OptimumError {
@@ -46,37 +46,37 @@ pub enum OptimumError {
     Undamped(usize),
     /// The amplitude at a resonance within the band is unbounded at every friction.
     Unbounded,
-    /// The requested motion does not depend on friction and is zero.
+    /// Without friction, the requested quantity is zero over the whole band. The search then has nothing to minimise.
     AtRest,
     /// [`System::optimum`](crate::study::System::optimum) reached its bound on work before it found any friction that
     /// bounds the amplitude.
     TooLong,
-    /// The caller stopped the search before it found any friction that bounds the amplitude, or any friction that keeps
-    /// other quantities within their bounds.
+    /// The caller stopped the search before it found a valid friction. A valid friction bounds the amplitude, and
+    /// keeps other quantities within the bounds of the request.
     Stopped,
-    /// The interval of the varied number is invalid: not finite, without width, or with an upper bound below its lower
-    /// bound.
+    /// The interval in which a number of the scene description may vary is invalid: not finite, without width, or with
+    /// an upper bound below its lower bound.
     Interval,
-    /// The scene is invalid if the varied number is at a bound of its interval.
+    /// At a bound of its interval, the varied number of the scene description makes the scene invalid.
     Scene(InvalidScene),
-    /// The motion does not have the requested quantity. Only the contact has a contact force and an energy, and a force
-    /// has neither a velocity nor an acceleration. The equivalent damping ratio is excluded. Its best value is the
-    /// largest value, but the search finds the smallest value.
+    /// The search cannot minimise the requested quantity. Only the contact has a contact force and an energy. A force
+    /// has neither a velocity nor an acceleration. The equivalent damping ratio is best where it is largest, but the
+    /// search finds the smallest value.
     Size,
-    /// The request contains several quantities, and the value that divides one of the quantities is missing, 0,
-    /// negative, infinite or NaN.
+    /// The request contains several quantities. The value by which the search divides one of the quantities is
+    /// missing, 0, negative, infinite or NaN.
     Weight,
     /// No friction satisfies this bound together with all earlier bounds in the request. If the request varies a number
     /// of the scene description, this is true for every value of the number in its interval.
     Unreachable {
         /// Index of the bound in the request.
         index: usize,
-        /// Smallest possible value of the bounded quantity (its largest value over the band) while all earlier bounds
-        /// are satisfied, in the unit of the bound.
+        /// Smallest value that the bounded quantity can have while all earlier bounds are satisfied, in the unit of
+        /// the bound. The value of a quantity is its largest value over the band.
         least: f64,
-        /// Friction ratio at which the quantity has this smallest value.
+        /// Friction ratio β at which the bounded quantity is smallest.
         beta: f64,
-        /// Value of the varied number at which the quantity has this smallest value. `None` if no number varies.
+        /// Value of the varied number at which the bounded quantity is smallest. `None` if no number varies.
         value: Option<f64>,
     },
 }

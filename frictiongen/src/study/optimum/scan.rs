@@ -1,5 +1,5 @@
-//! Scans friction ratios, from zero to a friction ratio with which the contact never slides. At each friction ratio,
-//! the scan computes the largest amplitude over a band, and its slope with respect to friction.
+//! Scans friction ratios, from zero to a friction ratio above which more friction no longer reduces the amplitude. At
+//! each friction ratio, the scan computes the largest amplitude over a band, and its slope with respect to friction.
 
 use super::amplitude::FrictionAmount;
 use super::look::{BandPeak, Closely, Look, OpenBand};
@@ -10,7 +10,8 @@ const SCAN: usize = 40;
 /// Number of additional friction ratios of the scan in geometric steps. The smallest of these friction ratios is
 /// `LEAST` times the median of β*_lim over the band.
 const GEOMETRIC: usize = 24;
-/// Smallest of the friction ratios in geometric steps, divided by the median of β*_lim over the band.
+/// Smallest of the friction ratios in geometric steps, divided by the median of the limit of sliding β*_lim over the
+/// band.
 const LEAST: f64 = 0.02;
 /// Additional friction ratios of the scan, divided by the smallest friction ratio with a stuck state over the whole
 /// band. With μ > 1 a motion from rest may still slide at these friction ratios.
@@ -30,13 +31,14 @@ const BOUNDED: [f64; 8] = [1e-3, 0.01, 0.03, 0.06, 0.1, 0.2, 0.35, 0.5];
 const STEEPEST: f64 = 50.0;
 /// Number of rounds in which the search halves those intervals of the scan that may hide a minimum.
 const CLOSER: usize = 5;
-/// Largest amplitude at which the search halves an interval of the scan over friction, divided by the best amplitude.
-/// The smaller one of the amplitudes at the interval's two bounds counts.
+/// The search halves an interval of the scan over friction only if the smaller amplitude at its two bounds, divided by
+/// the best amplitude, is at most this number.
 const NEARLY: f64 = 1.2;
 /// Largest number of intervals of the scan over friction that one round halves.
 const MOST_CLOSER: usize = 8;
-/// Largest amplitude at which the search keeps a friction ratio, divided by the best amplitude so far. This margin
-/// exceeds the largest excess of the amplitude (10 %) for which the result has a tolerance of friction.
+/// The search evaluates a friction ratio completely only if its amplitude, divided by the best amplitude so far, is at
+/// most this number. The number covers the widest tolerance of friction, in which the amplitude is at most 10 % above
+/// the best.
 const MARGIN: f64 = 1.2;
 
 /// The largest amplitude over the band at one friction ratio, with its slope and its peaks.
@@ -129,8 +131,8 @@ pub(super) fn scanned(band: &AmplitudeBand<'_>, free_to: f64, locked_from: f64) 
     scan
 }
 
-/// Adds friction ratios to the scan, in the order of their expected amplitude. After a low amplitude is known, closed
-/// forms alone suffice to reject most of the remaining friction ratios.
+/// Adds friction ratios to the scan, beginning with the smallest expected amplitude. Once a small amplitude is known,
+/// closed forms alone suffice to reject most of the remaining friction ratios.
 pub(super) fn add(
     band: &AmplitudeBand<'_>,
     scan: &mut Vec<Scanned>,

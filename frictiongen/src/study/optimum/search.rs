@@ -21,16 +21,16 @@ use crate::Regime;
 /// Largest number of checks of the best friction ratio over the whole band. The search makes a further check if the
 /// last check has found a higher peak.
 const CHECKS: usize = 6;
-/// Largest relative change of a stationary peak, divided by the relative change of friction.
+/// Largest relative slope at which a peak counts as stationary. The relative slope is the relative change of the
+/// amplitude, divided by the relative change of friction.
 const STATIONARY: f64 = 1e-4;
-/// Bound on the work of one of the many searches for a tuned optimum, in units of about 10 µs. The bound corresponds to
-/// a few seconds.
+/// Bound on the work of a search at one value of a varied number of the scene description, in units of about 10 µs of
+/// computing time. The bound corresponds to a few seconds.
 pub(super) const WORK_OF_ONE: usize = 300_000;
-/// Divisor for the bound on the work of the final check. This bound is the bound on the work of the search, divided by
-/// this number.
+/// Bound on the work of a search, divided by the bound on the work of its final check.
 const OF_A_CHECK: usize = 6;
-/// Largest amplitude of a scan point that the search checks, divided by the best amplitude. The number exceeds the
-/// largest excess of the amplitude (10 %) for which the result has a tolerance of friction.
+/// The search evaluates a scan point once more if its amplitude, divided by the best amplitude, is at most this
+/// number. The number covers the widest tolerance of friction, in which the amplitude is at most 10 % above the best.
 const HIGHEST_TOLERANCE: f64 = 1.12;
 
 /// The type of a minimum of the largest amplitude as a function of friction.
@@ -63,7 +63,7 @@ pub(super) struct Least {
     /// Interval of β that contains the best friction ratio. It is the narrowest interval that the search has found.
     pub bracket: [f64; 2],
     pub scan: Vec<Scanned>,
-    /// Smallest friction ratio with a stuck state over the whole band.
+    /// Smallest friction ratio at which a stuck state exists at every frequency of the band.
     pub locked_from: f64,
     pub free_to: f64,
 }
@@ -108,7 +108,7 @@ pub(super) fn least(band: &AmplitudeBand<'_>, work: usize) -> Option<Least> {
 }
 
 /// Finds the friction ratio at which the largest amplitude over the band is smallest, between two nearby bounds
-/// (`ends`). Returns `None` unless the amplitude falls at the first bound and rises at the second.
+/// (`ends`). Returns a result only if the amplitude falls at the first bound and rises at the second.
 pub(super) fn near(band: &AmplitudeBand<'_>, ends: [f64; 2]) -> Option<Least> {
     band.amplitude.allow(WORK_OF_ONE);
     let [below, above] = ends.map(|beta| scanned_at(band, beta, f64::INFINITY));
@@ -167,7 +167,7 @@ fn checked(
             continue;
         }
         // The first evaluation, at only some frequencies, has missed a peak. Later evaluations therefore include the
-        // frequencies of these peaks.
+        // frequencies of all peaks at this friction ratio.
         for peak in &least.at.peaks {
             band.learn(peak.r);
         }

@@ -2,9 +2,9 @@
 //!
 //! With μ > 1 the motion from rest may reach stick-slip states in narrow ranges of frequency. The first comparison of
 //! friction ratios can miss such a range. The amplitudes of the first comparison are therefore lower bounds. The check
-//! takes the friction ratio with the lowest bound. The check first raises this bound by the peaks that earlier checks
-//! found, and then evaluates the band on the grid. The check ends when no bound is below the lowest amplitude that was
-//! checked on the grid.
+//! always takes the friction ratio with the lowest bound. The check first raises this bound to the height of peaks
+//! that earlier checks found, and then evaluates the band on the grid. The check ends when no bound is below the
+//! lowest amplitude that was checked on the grid.
 
 use super::amplitude::FrictionAmount;
 use super::candidates::FrictionCandidate;
@@ -15,14 +15,14 @@ use super::scan::{Scanned, scanned_at, slope, with_slope};
 
 /// Largest number of friction ratios that one round evaluates on the grid.
 const MOST: usize = 24;
-/// Largest lower bound of a scan point that the search checks, divided by the lowest checked amplitude. The search
-/// checks a minimum between these scan points even if the minimum improves the amplitude by less.
+/// The search checks a scan point only if its lower bound, divided by the lowest checked amplitude, is below this
+/// number. For a minimum between scan points, the search uses the number 1 instead.
 const BETTER: f64 = 0.999;
 /// Number of rounds in which the search adds friction ratios around the best friction ratio.
 const ABOUT: usize = 3;
 /// Number of bisections in the search for the smallest friction ratio with an amplitude of 0.
 const HALVINGS: u32 = 12;
-/// Bound on the work of the bisections for an amplitude of 0, in units of about 10 µs.
+/// Bound on the work of the bisections for an amplitude of 0, in units of about 10 µs of computing time.
 const WORK_OF_TRIVIAL: usize = 100_000;
 /// Number of equal pieces into which a round divides the interval on each side of the best friction ratio.
 const PARTS: u32 = 4;
@@ -30,9 +30,10 @@ const PARTS: u32 = 4;
 /// A friction ratio with a lower bound on its largest amplitude.
 struct Bounded {
     at: Scanned,
-    /// Number of frequencies, found by earlier checks, at which the lower bound includes the amplitude.
+    /// Number of frequencies that checks on the grid had added before the search computed this lower bound.
     known: usize,
-    /// Interval of friction that contains the minimum of a search between two friction ratios.
+    /// Interval of friction that contains the minimum, if a search found this friction ratio as a minimum. Otherwise
+    /// `None`.
     bracket: Option<[f64; 2]>,
 }
 
@@ -41,7 +42,8 @@ struct VerifiedFrictions<'b, 's> {
     band: &'b AmplitudeBand<'s>,
     open: Vec<Bounded>,
     best: Option<Scanned>,
-    /// Largest lower bound with which a friction ratio is checked, divided by the lowest checked amplitude.
+    /// The search checks a friction ratio only if its lower bound, divided by the lowest checked amplitude, is below
+    /// this number.
     better: f64,
 }
 
@@ -171,8 +173,8 @@ impl VerifiedFrictions<'_, '_> {
     }
 }
 
-/// Returns the friction ratio with the lowest amplitude on the grid. If the work ends before the first friction ratio
-/// is checked, returns the friction ratio with the lowest lower bound.
+/// Returns the friction ratio with the lowest amplitude on the grid. If the search reaches its bound on work before
+/// the first check ends, returns the friction ratio with the lowest lower bound.
 pub(super) fn verified(
     band: &AmplitudeBand<'_>,
     scan: &mut Vec<Scanned>,

@@ -18,10 +18,10 @@ use std::cell::Cell;
 /// Largest number of friction ratios that the search checks over the whole band. If a check finds a higher peak, the
 /// search continues.
 const CHECKS: usize = 12;
-/// Bound on the work between two checks, for all quantities together, in units of about 10 µs.
+/// Bound on the work between two checks, for all quantities together, in units of about 10 µs of computing time.
 const WORK_OF_A_ROUND: usize = super::WORK / 2;
-/// Largest quotient at a friction ratio that the search examines, divided by the smallest quotient found so far. A
-/// quotient is a quantity of a motion, such as a displacement, divided by its given value.
+/// The search examines a friction ratio only if its largest quotient, divided by the smallest one of all friction
+/// ratios so far, is at most this number. A quotient is a quantity of a motion, divided by its given value.
 const NEARLY: f64 = 1.5;
 /// Largest number of friction ratios around which the search examines intervals.
 const MOST_POINTS: usize = 6;
@@ -115,7 +115,7 @@ struct WeightedSearch<'s> {
     /// For each quantity, the value by which the search divides it.
     over: Vec<f64>,
     watch: KeepGoing<'s>,
-    /// Work that remains for the checks of the whole band, in units of about 10 µs.
+    /// Work that remains for the checks of the whole band, in units of about 10 µs of computing time.
     left: &'s Cell<usize>,
 }
 
@@ -173,8 +173,8 @@ impl<'s> WeightedSearch<'s> {
         })
     }
 
-    /// Returns the best friction ratio, and an interval that contains it. The flag is true if a check of the whole band
-    /// confirms the result.
+    /// Returns the quotients at the best friction ratio, an interval that contains this friction ratio, and a flag.
+    /// The flag is true if a check of the whole band confirms the result.
     fn best(&self, alone: &[Least]) -> Result<(Quotients, [f64; 2], bool), OptimumError> {
         let scans = alone.iter().zip(&self.over).flat_map(|(least, over)| {
             let scan = least.scan.iter().chain([&least.at]);
@@ -214,13 +214,13 @@ impl<'s> WeightedSearch<'s> {
     }
 
     /// Returns the best friction ratio between known friction ratios, and an interval that contains the best friction
-    /// ratio. The largest quotient at the best friction ratio may still be a lower bound.
+    /// ratio. The returned quotient may be too small, because the search evaluates only some frequencies of the band.
     fn refined(&self, points: &[(f64, f64)]) -> Option<(Scanned, [f64; 2])> {
         let mut all: Vec<f64> = points.iter().map(|(beta, _)| *beta).collect();
         all.sort_by(f64::total_cmp);
         all.dedup();
-        // The friction ratios with low bounds come first. Their small quotients give a cutoff that excludes most of the
-        // remaining friction ratios.
+        // The friction ratios with the smallest known quotients come first. These quotients give a cutoff that
+        // excludes most of the remaining friction ratios.
         let mut points = points.to_vec();
         points.sort_by(|a, b| a.1.total_cmp(&b.1));
         let mut top = f64::INFINITY;

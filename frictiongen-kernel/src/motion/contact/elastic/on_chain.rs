@@ -193,9 +193,9 @@ impl<S: Float> MotionSetting<'_, S, ElasticChain<S>> {
         })
     }
 
-    /// Sets the contact force to `force` by a small change of one oscillator of the chain with its contact stuck. The
-    /// function chooses the mode with the largest force per unit of displacement. With a stiff spring, the force that
-    /// follows from the oscillators is a small difference of large numbers. The given force has more digits.
+    /// Sets the contact force to `force` by a small change of one oscillator of the chain with its contact stuck. This
+    /// oscillator is the mode with the largest force per unit of displacement. The change corrects rounding errors:
+    /// with a stiff spring, the force that follows from the oscillators is a small difference of large numbers.
     pub(super) fn set_elastic_force(&self, stuck_modes: &mut [Part<S>], lifted: S, force: S) {
         let excess = self.elastic_force(stuck_modes, lifted) - force;
         let modes = stuck_modes.iter_mut().zip(self.dynamics.held);

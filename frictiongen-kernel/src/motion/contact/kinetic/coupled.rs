@@ -1,8 +1,8 @@
 //! Sliding motion under a kinetic friction force that changes with the speed.
 //!
 //! On one straight line of the friction law the force is level + slope·velocity. The slope couples the modes. The code
-//! divides the motion into short pieces, and computes each piece as a power series. In a piece, the fastest oscillation
-//! and the friction law together change the motion by at most a radian.
+//! divides the motion into short pieces, and computes each piece as a power series. The length of a piece, times the
+//! rate of the fastest oscillation plus the rate due to the friction law, is at most a radian.
 
 use super::line::KineticLine;
 use super::lines::{LineCrossing, Lines};
@@ -19,11 +19,11 @@ use crate::number::scalar::Float;
 /// Upper bound on the rate at which the friction law changes the motion, divided by the rate of the fastest mode.
 pub const MAX_STEEPNESS: u32 = 4096;
 
-/// Length below which a piece of motion is treated as having no length, in rounding units.
+/// Length of a piece of motion, in rounding units, below which the code treats the piece as one of length zero.
 const STILL: f64 = 64.0;
 
 impl<S: Float, K: ContactChain<S>> MotionSetting<'_, S, K> {
-    /// Returns the largest rate at which modes and excitation oscillate, in rad per rad of the excitation.
+    /// Returns an upper bound on the rates at which modes and excitation oscillate, in rad per rad of the excitation.
     fn turning(&self, modes: &[Part<S>]) -> S {
         let one = S::constant(1.0);
         let driven = modes.iter().take(self.dynamics.in_contact());

@@ -14,7 +14,8 @@ pub struct KineticLine<S> {
     pub high: Option<S>,
 }
 
-/// Returns the line with the index `place`. A law without points (Coulomb's law) has one line.
+/// Returns the straight line of the friction law with the index `place`. A law without points (Coulomb's law) has one
+/// line.
 #[inline(always)]
 pub(crate) fn line<S: Float>(points: &[[S; 2]], place: usize) -> KineticLine<S> {
     let (zero, one) = (S::constant(0.0), S::constant(1.0));
@@ -29,7 +30,7 @@ pub(crate) fn line<S: Float>(points: &[[S; 2]], place: usize) -> KineticLine<S> 
     between(points, place)
 }
 
-/// Returns the line with the index `place` of a law with points.
+/// Returns the straight line with the index `place` of a friction law that has points.
 fn between<S: Float>(points: &[[S; 2]], place: usize) -> KineticLine<S> {
     let (zero, one) = (S::constant(0.0), S::constant(1.0));
     let [low, first] = match place.checked_sub(1) {

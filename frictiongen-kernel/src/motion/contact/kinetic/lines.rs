@@ -40,11 +40,10 @@ pub struct Lines<'a, S> {
     unit: S,
     /// Index of the straight line of the friction law that contains the present speed.
     place: usize,
-    /// The way in which the piece of the last search ends: on the same line, or at the crossing to the next or previous
-    /// line.
+    /// The way in which the last piece ends: on the same line, or at the crossing to the next or previous line.
     next: LineCrossing,
-    /// Number of successive pieces of length zero. After too many pieces of length zero, the code ends the sequence by
-    /// a longer piece. `cut` counts these longer pieces.
+    /// Number of successive pieces of length zero. After [`STILL`] such pieces, the code extends the last of them.
+    /// `cut` counts these extensions.
     still: u32,
     cut: u32,
 }
@@ -64,9 +63,10 @@ pub(crate) enum LineCrossing {
 /// the same line of the friction law, even across a point of the law.
 const STILL: u32 = 4;
 
-/// Largest number of doublings of an extension. Each further extension of a piece of length zero is twice as long as
-/// the previous extension. The longest extension is 2²⁰ times the square root of a rounding unit, as a fraction of the
-/// power series' length. In double precision the longest extension is a sixty-fourth.
+/// Largest number of doublings of the extension of a piece of length zero. Each further extension is twice as long as
+/// the previous one. The first extension is the square root of a rounding unit, as a fraction of the power series'
+/// length, and the longest is 2²⁰ times the first. In double precision the longest extension is a sixty-fourth of the
+/// power series' length.
 const CUTS: u32 = 20;
 
 impl<'a, S: Float> Lines<'a, S> {
@@ -137,12 +137,12 @@ impl<'a, S: Float> Lines<'a, S> {
         self.place = line::place(self.points, speed * self.unit);
     }
 
-    /// Records the line of the friction law on which the motion continues after a piece. If the piece must be extended
-    /// instead, returns the length of the extension.
+    /// Records the line of the friction law on which the motion continues after a piece. `moves` is false if the piece
+    /// has the length zero. If the code must extend the piece, returns the length of the extension.
     ///
     /// If the speed only touches a point of the law, rounding may switch the motion between two lines without end.
-    /// After `STILL` pieces of length zero, the motion therefore continues on its line for the returned length. This
-    /// length is a fraction of the power series' length.
+    /// After `STILL` pieces of length zero, the motion therefore continues on its line for the returned length, a
+    /// fraction of the power series' length.
     pub(crate) fn leads_to(&mut self, next: LineCrossing, moves: bool) -> Option<S> {
         self.next = next;
         if moves || next == LineCrossing::None {

@@ -11,8 +11,8 @@ use crate::motion::setting::MotionSetting;
 use crate::number::scalar::Float;
 
 impl<'a, S: Float, K: ContactChain<S>> MotionSetting<'a, S, K> {
-    /// Searches for the next event after the given state of the contact, within the time `reach` in τ. Sets the
-    /// oscillators to their state at the start of the segment.
+    /// Searches for the event that ends the segment after the given state of the contact. The search covers the time
+    /// `reach` in τ (rad of the excitation). Also prepares the oscillators for the segment.
     pub(crate) fn seek_under(
         &self,
         level: &mut impl KineticLaw<'a, S>,

@@ -11,7 +11,8 @@ use crate::number::scalar::Float;
 /// own.
 pub const LOST_MODES: usize = 1;
 
-/// Friction forces of a rigid contact, in one unit. The contact sticks up to μF and slides under F.
+/// Kinetic friction force F of a rigid contact, and ratio μ of static to kinetic friction. The contact sticks up to
+/// the force μF and slides under F. An elastic contact has the same forces.
 #[derive(Clone, Copy, Debug)]
 pub struct Rigid<S> {
     /// Kinetic friction force at zero sliding speed.

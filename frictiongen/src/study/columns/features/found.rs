@@ -38,16 +38,16 @@ pub struct FeatureLists {
     pub(super) invariant: Vec<Named<(InvariantQuantity, InvariantPoint)>>,
     /// Inversions: ranges of frequency in which the amplitude of a motion increases with friction.
     pub(super) inversions: Vec<Named<(InvariantQuantity, Inversion)>>,
-    /// Displacement of each mass for the frequency ratio r → 0. `None` if the contact is stuck.
+    /// Quasi-static start: displacement of each mass for the frequency ratio r → 0. `None` if the contact is stuck.
     pub(super) starts: Vec<FeatureAt<Named<Option<Sensed>>>>,
     /// Ranges of frequency in which the contact slides.
     pub(super) sliding: Vec<FeatureAt<SlidingRange>>,
-    /// Ranges of frequency with one regime each.
+    /// Ranges of frequency. In each range the contact has a single regime.
     pub(super) regimes: Vec<FeatureAt<(Certainty, RegimeRange)>>,
     /// Largest amplitudes near the resonances.
     pub(super) peaks: Vec<FeatureAt<Named<ResonantPeak>>>,
     /// Crossings: frequencies at which a motion has the same amplitude for two neighbouring friction ratios of the
-    /// request. The number in an entry is the second friction ratio.
+    /// request. The number in an entry is the second of the two friction ratios.
     pub(super) crossings: Vec<FeatureAt<Named<(f64, Crossing)>>>,
 }
 
@@ -168,7 +168,8 @@ impl FeatureLists {
         range: [f64; 2],
     ) -> Result<(), FeatureError> {
         let mut starts = features.quasi_static_start(beta)?.map(Vec::into_iter);
-        // The library does not compute the static start of an elastic contact.
+        // The library does not compute the quasi-static start (the displacements for r → 0) of a chain with an elastic
+        // contact.
         let scene = features.system().scene();
         let masses = scene.masses.iter().filter(|_| scene.stiffness.is_none());
         for mass in masses {

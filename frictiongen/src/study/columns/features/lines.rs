@@ -26,7 +26,7 @@ pub enum Ground {
 }
 
 impl Ground {
-    /// Returns the method in one word.
+    /// Returns the word that the table prints for the method.
     #[must_use]
     pub fn name(self) -> &'static str {
         match self {
@@ -52,10 +52,10 @@ pub struct FeatureLine {
     pub r: Option<f64>,
     /// Frequency ratio r at which the feature ends, if it is a range.
     pub to: Option<f64>,
-    /// Friction at which the feature exists, or up to which the feature is valid. The number is a friction ratio β, and
-    /// under a load a force in N.
+    /// Friction at which the feature exists, or up to which the feature is valid. Under a load it is a force in N, and
+    /// otherwise a friction ratio β.
     pub friction: Option<f64>,
-    /// Amplitude of the motion at the feature, as a non-dimensional group. Under a load it is in m.
+    /// Amplitude of the motion at the feature. Under a load it is in m, and otherwise a non-dimensional group.
     pub amplitude: Option<f64>,
     /// The method that found the feature.
     pub ground: Ground,
@@ -121,8 +121,7 @@ pub struct FeaturesAsked<'a> {
     pub range: [f64; 2],
     /// Friction ratios β for which the features are computed.
     pub frictions: &'a [f64],
-    /// True if the result must contain the exact peaks. The computation of exact peaks takes much time for a chain of
-    /// many masses.
+    /// True if the result contains the exact peaks. For a chain of many masses, their computation takes much time.
     pub peaks: bool,
 }
 

@@ -12,7 +12,8 @@ use crate::study::{
     words,
 };
 
-/// Receiver of the lists of features. It is a trait, because the rows of different lists have different types.
+/// Receives the lists of features one after another. The receiver is a trait, because the rows of different lists have
+/// different types.
 pub trait FeatureVisitor {
     /// Type of the error with which the receiver ends the visit of the lists.
     type Error;

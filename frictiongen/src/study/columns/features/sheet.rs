@@ -55,7 +55,7 @@ impl<'a, R: TableRow + 'a> Sheet<'a, R> {
         self.columns.number(head, move |row| Some(beta(row)));
     }
 
-    /// Adds columns of frequencies. The names of the columns begin with the text `before`.
+    /// Adds the columns of one frequency. The names of the columns begin with the text `before`.
     pub(super) fn places(
         &mut self,
         before: &'static str,

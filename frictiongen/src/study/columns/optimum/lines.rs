@@ -15,7 +15,7 @@ pub struct OptimumLine {
     pub list: Option<&'static str>,
     /// Number of the entry in its list, counted from 1. `None` for a value outside the lists.
     pub row: Option<usize>,
-    /// Key of the line's value for programs. No two lines of one entry of a list have the same key.
+    /// Key of the line's value for programs. Within one entry of a list, all keys are different.
     pub key: String,
     /// Name of the line's value, in words for people.
     pub label: String,
@@ -23,7 +23,8 @@ pub struct OptimumLine {
     pub value: Cell<'static>,
     /// Unit of the line's value. It is empty for a ratio.
     pub unit: &'static str,
-    /// Unit of the parameter, if the value is the relative change of the amplitude per unit of this parameter.
+    /// For a sensitivity: the unit of the parameter. The value of the line is the relative change of the amplitude per
+    /// this unit.
     pub per: Option<&'static str>,
     /// For a tolerance of the friction: the amplitude at the bounds of the tolerance minus the best amplitude, divided
     /// by the best amplitude.
@@ -36,7 +37,7 @@ impl TableRow for OptimumLine {}
 /// search.
 #[derive(Clone, Debug)]
 pub struct Tuned<'a> {
-    /// Number of the scene description that the search has optimised together with the friction.
+    /// The number of the scene description, such as a mass or a stiffness.
     pub of: Tunable,
     /// The result of the search for the number and the friction.
     pub found: &'a TunedOptimum,

@@ -42,7 +42,7 @@ struct SteadyData {
     motions: Vec<MotionGroups>,
 }
 
-/// Numbers that describe a motion that repeats.
+/// Numbers that describe one period of a periodic motion.
 #[derive(Clone, Copy, Debug)]
 struct Period {
     cycles: usize,
@@ -135,8 +135,8 @@ impl<'a> OrbitTable<'a> {
         match at.orbit_or_last_cycles(beta) {
             Ok(orbit) => {
                 let mut row = self.found(at, (frequency, friction), &orbit);
-                // If the motion from rest does not settle, `response` returns another steady state. The row gets the
-                // regime of this steady state.
+                // If the motion from rest does not settle, `response` returns another steady state. The row then
+                // contains the regime of that steady state.
                 if !orbit.is_settled()
                     && let Ok(response) = at.response(beta)
                 {

@@ -20,12 +20,13 @@ pub struct ResponseRow {
     pub friction: FrictionSetting,
     /// Regime of the contact: continuous, stick-slip, stuck or unbounded.
     pub regime: &'static str,
-    /// Margin β/min(β_lim, β*_lim) − 1. If it is negative, the contact slides all the time, and no stuck state exists.
+    /// Margin β/min(β_lim, β*_lim) − 1. If the margin is negative, a motion in which the contact slides all the time
+    /// exists, and no stuck state exists.
     pub margin: f64,
     /// Method that computed the motion, or the reason why there is none.
     pub answer: &'static str,
-    /// The contact's offset and two flags. The first flag is true for a marginal response. The second flag is true if
-    /// the motion from rest ends in this response. `None` if there is no response.
+    /// The offset of the contact's motion, and two flags. The first flag is true for a marginal response. The second
+    /// flag is true if the motion from rest ends in this response. `None` if there is no response.
     known: Option<(f64, bool, bool)>,
     motions: Vec<MotionGroups>,
 }

@@ -15,8 +15,8 @@ use crate::study::optimum::{Optimum, OptimumEnd, OptimumError, WORK, line};
 use crate::study::system::System;
 use std::sync::atomic::Ordering;
 
-/// Largest amplitude of a scanned value around which the search narrows the interval, divided by the smallest amplitude
-/// of all scanned values.
+/// The search narrows the interval around a scanned value only if its amplitude, divided by the smallest amplitude of
+/// all scanned values, is at most this number.
 const WORTH: f64 = 1.5;
 /// Largest number of scanned values around which the search narrows the interval.
 const MOST_LOOKED_INTO: usize = 3;
@@ -25,8 +25,8 @@ const NEAR: f64 = 1e-7;
 /// Distance from a bound of the interval at which the search tests if the amplitude falls, divided by the distance to
 /// the next scanned value.
 const INWARD: f64 = 1e-3;
-/// Smallest quotient of a quantity and its bound at which the code treats the bound as reached. The bound then
-/// determines the best friction.
+/// A bound counts as reached if the quantity, divided by its bound, is at least this number. The bound then determines
+/// the best friction.
 const DECISIVE: f64 = 1.0 - 1e-6;
 
 /// A search for the best value of a number together with the best friction within bounds.
@@ -123,7 +123,8 @@ impl<'s> KeptTunedSearch<'s> {
         self.kept.iter().map(factor).collect()
     }
 
-    /// Returns the request for the best friction within the bounds, for the scene with another value of the number.
+    /// Returns the checked request for the best friction within the bounds, for the scene with another value of the
+    /// number.
     fn problem<'v>(
         &self,
         varied: &'v System,
@@ -201,7 +202,7 @@ impl<'s> KeptTunedSearch<'s> {
         Ok((best, scanned))
     }
 
-    /// Returns the reason why no value has a result.
+    /// Returns the error for a search in which no value of the number has a result.
     fn none(&self) -> OptimumError {
         if self.tuned.goes_on() {
             OptimumError::TooLong
@@ -210,8 +211,8 @@ impl<'s> KeptTunedSearch<'s> {
         }
     }
 
-    /// Returns a value at which some friction satisfies all bounds. The search calls this function if no scanned value
-    /// has such a friction.
+    /// Returns a value of the number at which some friction satisfies all bounds, with its best friction. The search
+    /// calls this function if no scanned value has such a friction.
     ///
     /// # Errors
     /// [`OptimumError::Unreachable`] names the first bound that no value and no friction satisfy together with all
@@ -250,8 +251,8 @@ impl<'s> KeptTunedSearch<'s> {
         trial.is_valid().then_some(trial).ok_or_else(|| self.none())
     }
 
-    /// Returns the scanned values that may be next to a minimum with an amplitude of at most `most`, beginning with the
-    /// smallest amplitude.
+    /// Returns the scanned values near which the amplitude may have a minimum, beginning with the smallest amplitude.
+    /// The amplitude of each returned value is at most `most`.
     fn valleys(&self, scan: &[Trial], most: f64) -> Vec<Valley> {
         let higher = |other: Option<&Trial>, here: &Trial| {
             other.is_none_or(|other| !(other.amplitude < here.amplitude))
@@ -309,7 +310,7 @@ impl<'s> KeptTunedSearch<'s> {
 }
 
 impl Trial {
-    /// Returns true if some friction satisfies all bounds at this value.
+    /// Returns true if some friction satisfies all bounds at this value of the number.
     fn is_valid(&self) -> bool {
         self.amplitude.is_finite()
     }

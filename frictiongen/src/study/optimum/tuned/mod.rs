@@ -30,9 +30,9 @@ impl System {
     /// friction among all friction ratios.
     ///
     /// The result is the smallest amplitude of all evaluated values. The search misses a minimum between two
-    /// neighbouring values if the amplitude rises at the first value or falls at the second. If the minimum is sharp,
-    /// value and friction have 9 digits. If the minimum is flat, value and friction have half as many digits as the
-    /// amplitude. The call takes several times as long as [`optimum`](Self::optimum).
+    /// neighbouring values if the amplitude rises at the lower value or falls at the higher value. If the minimum is
+    /// sharp, value and friction have 9 digits. If the minimum is flat, value and friction have half as many digits as
+    /// the amplitude. The call takes several times as long as [`optimum`](Self::optimum).
     ///
     /// ```no_run
     /// use frictiongen::study::{System, optimum::{FrequencyBand, OptimumRequest, Tuning}, response::MotionQuantity};

@@ -17,10 +17,10 @@ pub enum Tunable {
     DampingRatios,
 }
 
-/// Error for a name that no variable number of the scene description has.
+/// Error for a name that denotes no number of the scene description that can vary.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct UnknownTunable {
-    /// The requested name, which no number of the scene description has.
+    /// The requested name.
     pub name: String,
     /// The names of all numbers that can vary.
     pub known: Vec<String>,

@@ -10,8 +10,9 @@ use std::sync::atomic::Ordering;
 
 /// Number of intervals of the scan over the varied number.
 const STEPS: usize = 16;
-/// Largest amplitude for which the search examines an interval between two scanned values of the number, divided by the
-/// best amplitude. The amplitude of an interval is estimated as that at which the tangents at its two bounds meet.
+/// The search examines an interval between two scanned values of the number only if its estimated amplitude, divided
+/// by the best amplitude, is at most this number. The estimate is the amplitude at which the tangents at the two
+/// values meet.
 const WORTH: f64 = 1.05;
 /// Largest number of intervals between scanned values that the search examines, beginning with the smallest expected
 /// amplitude.
@@ -22,7 +23,8 @@ const MOST_STEPS: usize = 40;
 const NEAR: f64 = 1e-10;
 /// Smallest relative reduction of the amplitude by a step. After a smaller reduction the search ends.
 const GAIN: f64 = 2e-13;
-/// Largest number of repetitions of a search. A search is repeated if another friction is better at the minimum.
+/// Largest number of repetitions of the search. The search is repeated if a search over all frictions finds a better
+/// friction at the best value.
 const AGAIN: usize = 3;
 
 impl TunedSearch<'_> {

@@ -14,13 +14,13 @@ use crate::study::units::{Load, angular_frequency};
 use frictiongen_model::scene::Excitation;
 use std::sync::atomic::{AtomicUsize, Ordering};
 
-/// Largest relative slope of a peak, with respect to a variable, at which the peak is treated as stationary. A minimum
-/// with a steeper peak has no derivative with respect to the number.
+/// Largest relative slope of a peak, over frequency or friction, at which the peak counts as stationary. If the peak
+/// is steeper, the code computes no exact derivative with respect to the varied number.
 const STATIONARY: f64 = 1e-4;
 /// Step of a finite difference with respect to the number, divided by the number's value.
 const DIFFERENCE: f64 = 1e-5;
-/// Smallest relative distance by which the searched interval of friction extends beyond the best frictions of both
-/// neighbouring values.
+/// Smallest margin of the searched interval of friction beyond the best frictions of both neighbouring values, divided
+/// by the larger of these frictions.
 const MARGIN: f64 = 1e-3;
 
 /// A checked request for the best friction together with one number of the scene description.
