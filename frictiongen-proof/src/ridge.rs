@@ -139,8 +139,8 @@ impl HalfPeriodCells<'_> {
     }
 }
 
-/// Returns D = N sin τ − F and its slope in τ at an instant t = τ/π, which is a series in r. F/sin τ is the velocity
-/// constraint, and N is `level`.
+/// Returns series in r for D = N sin τ − F and for its slope in τ, at the instant t = τ/π. The instant is itself a
+/// series in r. F is a sum over the modes, and N is `level`. A positive D proves that F/sin τ is below N there.
 fn seen(
     stage: &ChainStage<ORDER>,
     level: &IntervalSeries<ORDER>,

@@ -67,14 +67,15 @@ Quantities:
   margin      beta/min(beta_lim, beta*_lim) - 1. It is negative below both limits. The closed form exists
               there, and with stiction 1 no other state exists
   offset      mean of the largest and the smallest displacement of the contact, (max + min)/2, divided
-              by P/k1 (by Y for base motion); with a load, in m
-  amplitude   largest displacement in the cycle, divided by P/k1 (by Y for base motion); with a load, in m
+              by P/k1 (by Y for base motion); with --force or --base, in m
+  amplitude   largest displacement in the cycle, divided by P/k1 (by Y for base motion); with --force or
+              --base, in m
   centred     half the difference between the largest and the smallest displacement
   phase       lag of the largest displacement behind the maximum of the excitation, in rad, from -pi to
-              pi; with a load, in degrees
+              pi; with --force or --base, in degrees
   fundamental phase lag of the fundamental component X_1
   X_n         harmonics, x = Re(sum of X_n exp(i n t)): amplitude |X_n|, and lag -arg X_n in
-              rad; with a load, in m and degrees
+              rad; with --force or --base, in m and degrees
 
 ";
 
@@ -102,17 +103,17 @@ Quantities:
   reversals   number of changes of the sliding direction without a stop, in a period
   stuck       fraction of the period during which the contact sticks
   offset      mean of the largest and the smallest displacement of the contact, (max + min)/2, divided
-              by P/k1 (by Y for base motion); with a load, in m
+              by P/k1 (by Y for base motion); with --force or --base, in m
   multiplier  factor by which the deviation that dies out most slowly changes in a period (Floquet
               multiplier)
-  amplitude   largest displacement in the period, divided by P/k1 (by Y for base motion); with a load,
-              in m
+  amplitude   largest displacement in the period, divided by P/k1 (by Y for base motion); with
+              --force or --base, in m
   centred     half the difference between the largest and the smallest displacement
   phase       lag of the largest displacement behind the maximum of the excitation, in rad, from -pi to
-              pi; with a load, in degrees
+              pi; with --force or --base, in degrees
   fundamental phase lag of the fundamental component X_1
   X_n         harmonics, x = Re(sum of X_n exp(i n t)): amplitude |X_n|, and lag -arg X_n in
-              rad; X_0 is the mean; with a load, in m and degrees
+              rad; X_0 is the mean; with --force or --base, in m and degrees
 
 ";
 
@@ -143,14 +144,14 @@ Motions:
   With --force or --base, displacements are in m and velocities in m/s. Motions of masses are absolute. The
   motion of the contact is relative. The run starts at tau = 0, at a maximum of the excitation. --skip does not
   shift tau
-  contact.friction  the friction force, divided by P (by k1 Y for base motion); with a load, in N. While
-                    the contact sticks, it is the force that keeps the contact at rest
+  contact.friction  the friction force, divided by P (by k1 Y for base motion); with --force or
+                    --base, in N. While the contact sticks, it is the force that keeps the contact at rest
   contact.state     stuck, forward or backward; the direction is the sign of the relative velocity
   A description with `friction: stribeck` needs a load, --force or --base, because its speeds have units.
 
 Initial state:
   --from \"x1,x2;v1,v2\"  displacements, then velocities of all masses in the order of the description,
-                        at a maximum of the excitation; with a load, in m and m/s [default: rest]
+                        at a maximum of the excitation; with --force or --base, in m and m/s [default: rest]
 
 Steady states:
   --steady works in any regime. If the chain is undamped or has several steady states, the output is the
@@ -188,9 +189,10 @@ Curves:
   the previous point, with the same displacements and velocities. --from up,down gives both sweeps.
   answer   closed form; orbit; or last 64 cycles, of a motion that does not become periodic. Any other
            word is the reason why there is no answer. `orbit --help` explains these words
-  force    largest friction force in the cycle, divided by P (by k1 Y for base motion); with a load, in N
+  force    largest friction force in the cycle, divided by P (by k1 Y for base motion); with --force
+           or --base, in N
   work     energy that friction dissipates in a cycle, divided by P^2/k1 (by k1 Y^2 for base motion);
-           with a load, the mean power in W
+           with --force or --base, the mean power in W
 
 ";
 
@@ -207,7 +209,7 @@ Regions:
   continuous        the contact slides all the time
   stuck             the contact never slides: it locks
   n stops           the contact stops n times in a cycle of the excitation
-  sliding reversals the contact reverses without a stop, but the motion is not that of the closed form
+  sliding reversals the contact reverses without a stop, but the motion is not the continuous motion
   subharmonic       the motion repeats after several cycles of the excitation
   unsettled         the motion does not repeat
   any other word is the reason why there is no answer. `orbit --help` explains these words
@@ -245,7 +247,7 @@ What is searched:
   resonance.
 
 Quantities:
-  friction     the best friction, in N with a load, otherwise as beta
+  friction     the best friction, in N with --force or --base, otherwise as beta
   what limits it  why no other friction is better. `equal peaks`: two peaks are equal, and more friction
                   raises one and lowers the other. `one peak at its least`: more friction and less friction
                   both raise the only largest peak
@@ -256,7 +258,7 @@ Quantities:
   above the best  ranges of friction in which the largest amplitude is at most 1, 5 or 10 per cent larger
                   than the best
   change in per cent  change of the amplitude if a parameter increases by one per cent and the friction
-                  is again the best for the new value; only with a load
+                  is again the best for the new value; only with --force or --base
 
 With several --of NAME/VALUE:
   The search minimises the largest quotient of a quantity and its value over the band. Use an allowable
@@ -329,7 +331,7 @@ Parameters:
   zeta i    the damping ratio of mode i; a, b of Rayleigh damping
   mu        ratio of static to kinetic friction force
   c, share, stiffness  each dashpot, and the numbers of each of several contacts
-  F, P or Y, f  with a load: friction force, load and frequency in Hz. Each derivative keeps all other
+  F, P or Y, f  with --force or --base: friction force, load and frequency in Hz. Each derivative keeps all other
             parameters constant. The first mass and the first spring therefore change r and beta
   beta, r   without a load: derivatives are taken at constant r and beta
 
@@ -348,8 +350,8 @@ Answers:
 Quantities:
   X, d/dp     first line: the value X of the answer; other lines: its derivative dX/dp by the parameter p
   (p/X) d/dp  relative sensitivity (p/X) dX/dp: per cent of X for one per cent of p; for a phase, p dX/dp
-  limits      the continuous limit beta_lim and the sliding limit beta*_lim at this frequency; with a load,
-              in N
+  limits      the continuous limit beta_lim and the sliding limit beta*_lim at this frequency; with
+              --force or --base, in N
 
 ";
 

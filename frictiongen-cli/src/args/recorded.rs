@@ -219,7 +219,7 @@ Answers:
   stuck           the contact never slides; the interval begins at the smallest force that keeps the contact stuck
   not determined  the measurement does not determine the force, because the response hardly changes with
                   friction at this frequency, for example at an invariant point
-  almost stuck    amplitudes without phases are so small that a unit may be wrong by 1000
+  almost stuck    the amplitudes, without phases, are so small that a unit may be wrong by a factor of 1000
 
 Quantities:
   friction force  F in N, for a scene in kg and N/m

@@ -19,8 +19,8 @@ const MOST_MASSES: usize = 16;
 /// Bound on the work of one search for a best friction, in units of about 10 µs. The bound is lower than in
 /// `frictiongen optimum`, because the page should be ready within seconds.
 const WORK: usize = 150_000;
-/// Largest number of motions for which the command searches the best friction, in a chain of at most [`ALL_MOTIONS`]
-/// masses. A motion is the displacement of a mass or of the contact.
+/// Largest number of motions (displacements of a mass or of the contact) for which the command searches the best
+/// friction. In a chain of more than [`ALL_MOTIONS`] masses, [`MOST_OF_LONG`] applies instead.
 const MOST_MOTIONS: usize = 4;
 /// Largest number of masses for which the command searches the best friction for up to `MOST_MOTIONS` motions. For a
 /// longer chain, it searches for at most [`MOST_OF_LONG`] motions.

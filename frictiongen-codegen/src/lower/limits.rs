@@ -20,7 +20,7 @@ pub struct SizeLimits {
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[non_exhaustive]
 pub enum ProofAt {
-    /// No proof is made. A check of a description needs no proof.
+    /// The generator does not prove the accuracy of tables, for example if the caller only checks a description.
     Never,
     /// The proof that the description requests. It requires the feature `proof`.
     Requested,

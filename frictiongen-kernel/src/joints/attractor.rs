@@ -18,8 +18,8 @@ const SEARCHES: usize = 4;
 const WAITS: usize = 32;
 /// Number of cycles of the load in each wait.
 const WAIT: usize = 4;
-/// Number of successive waits without a motion of a slider, after which the search starts again from the present
-/// positions of the sliders.
+/// Number of successive waits (each of `WAIT` cycles of the load) in which no slider may move before the search starts
+/// again from the present positions of the sliders.
 const CALM: usize = 2;
 
 impl<S: Float, Z: Size> Search<S, Z> {

@@ -138,9 +138,9 @@ pub(super) fn member<S: Float, K: ContactChain<S>>(
     Ok(one)
 }
 
-/// Finds by bisection the largest share at which the motion is still steady. The share is the amplitude of the free
-/// vibration that distinguishes the members of a continuum. The motion is steady with the share `inside`, and not
-/// steady with the share `outside`.
+/// Finds by bisection the largest amplitude of a free vibration with which the motion is still steady. In a continuum
+/// of steady states, the states differ by this free vibration. The motion is steady with the amplitude `inside`, and not
+/// steady with the amplitude `outside`.
 fn last_inside<S: Float>(
     mut inside: S,
     mut outside: S,

@@ -210,8 +210,8 @@ impl<'a> Exact<'a> {
         }
     }
 
-    /// Returns the exact limit of sliding β*_lim at r, to the last digits. The result is not corrected for masses that
-    /// act as an absorber.
+    /// Returns the stuck limit β*_lim at the frequency ratio r, exact to the last digits. `At` in the kernel also
+    /// corrects the limit for masses that act as a vibration absorber. This function does not.
     pub fn sliding_limit(&self, r: f64) -> f64 {
         let [excitation, receptance] = self.receptances(r);
         let ratio = complex::modulus(excitation, true) / complex::modulus(receptance, true);

@@ -1,4 +1,4 @@
-//! Reads a description with errors as far as necessary to find out which methods its type has.
+//! Reads a description with errors as far as necessary to find out which methods the emitted type would have.
 
 use std::collections::HashSet;
 

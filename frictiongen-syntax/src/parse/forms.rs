@@ -10,7 +10,7 @@ use crate::diagnostics::{Problems, Reported, TokenPosition};
 use frictiongen_model::scene::DampingFrom;
 
 const DAMPING: [&str; 3] = ["none", "modal", "rayleigh"];
-/// The items that a scene can provide.
+/// Words of the field `provide`. Each word names a group of methods that the macro emits.
 const PROVIDE: [&str; 7] = [
     "limits",
     "motion",

@@ -16,9 +16,9 @@ const ANOTHER: usize = 1000;
 /// Number of vibrations of the fastest mode in one cycle of the excitation that doubles the work of this cycle. The
 /// comparison is with a cycle in which all modes are slow.
 const VIBRATIONS: f64 = 10.0;
-/// Work of a settled motion of a damped chain, for each mass, in units of about 10 µs.
+/// Computing time of a settled motion of a damped chain, for each mass, in units of about 10 µs.
 const DAMPED: usize = 8;
-/// Work of a settled motion of an undamped chain, for each pair of modes, in units of about 10 µs.
+/// Computing time of a settled motion of an undamped chain, for each pair of modes, in units of about 10 µs.
 const UNDAMPED: usize = 6;
 
 /// Returns the work of the response `found` at the frequency ratio r, in units of about 10 µs.

@@ -286,9 +286,9 @@ fn a_wrong_number_is_not_proven() {
     assert!(found > 1200, "{found}");
 }
 
-/// Checks that the error bound of a product includes the position error of each zero, divided by the distance of r
-/// from the zero. In this test the distance is below 5. If the function is the square root of the product, the bound
-/// includes half of this quotient.
+/// Checks that the error bound of a product grows with the position error of each zero. The bound includes this error
+/// divided by the distance of r from the zero, or half of this quotient for the square root of a product. The test
+/// requires only a growth that every distance in the test exceeds.
 #[test]
 fn uncertain_zeros_are_in_the_bound() {
     let (weight, mut seen) = (1e-6, 0);

@@ -243,13 +243,13 @@ pub struct Setting<'a> {
     pub parts: &'a [MovingPart],
 }
 
-/// A row of a table that belongs to one frequency.
+/// A row of a table for one frequency.
 pub trait AtFrequency: TableRow {
     /// Returns the frequency of the row.
     fn frequency(&self) -> Frequency;
 }
 
-/// A row of a table that belongs to one friction.
+/// A row of a table for one value of the friction.
 pub trait AtFriction: TableRow {
     /// Returns the friction of the row.
     fn friction(&self) -> FrictionSetting;

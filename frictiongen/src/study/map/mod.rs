@@ -258,7 +258,8 @@ impl Map {
         })
     }
 
-    /// Returns the friction ratio at the frequency ratio r for a friction ratio at r = 1.
+    /// Returns the friction ratio at the frequency ratio r for the friction force whose friction ratio at r = 1 is
+    /// `beta`. The amplitude of the load may depend on r.
     pub(super) fn ratio(&self, r: f64, beta: f64) -> f64 {
         beta * r.powi(self.fall)
     }

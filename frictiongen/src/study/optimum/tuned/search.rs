@@ -248,8 +248,9 @@ fn meeting(below: &Tried, above: &Tried) -> Option<(f64, f64)> {
     (below.value < value && value < above.value).then_some((value, low))
 }
 
-/// Returns the amplitude at which the tangents of two scanned values meet. Returns half of the smaller amplitude of the
-/// two scanned values if this half is larger, or if the tangents do not meet between them.
+/// Estimates the smallest amplitude between two scanned values of the varied number. The estimate is the amplitude at
+/// which the tangents of the curve of amplitudes at the two values meet, but at least half of the smaller amplitude. If
+/// the tangents do not meet between the two values, the estimate is this half.
 fn promised(below: &Tried, above: &Tried) -> f64 {
     let least = 0.5 * below.amplitude.min(above.amplitude);
     meeting(below, above).map_or(least, |(_, low)| low.max(least))
