@@ -31,7 +31,8 @@ pub struct Modal<T = Dd> {
     /// ratios. The list is empty unless damping acts on velocities relative to the moving base.
     pub participations: Vec<T>,
     /// Force φᵀK_w𝟏 of the springs to the wall on each mode, if all masses move by 1. K_w is the matrix of these
-    /// springs, and 𝟏 is a vector of ones. The list is empty unless damping acts on velocities relative to the moving base.
+    /// springs, and 𝟏 is a vector of ones. The list is empty unless damping acts on velocities relative to the moving
+    /// base.
     pub walls: Vec<T>,
     /// wᵀΓ⁻¹C̄1/r, the relative acceleration of the contact that damping causes if the base moves at unit velocity. w
     /// is the contact direction, Γ the matrix of the mass ratios and C̄ the damping matrix. This acceleration is 0

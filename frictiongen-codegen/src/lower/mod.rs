@@ -218,8 +218,8 @@ fn lower(
     }
 }
 
-/// Reports a declared time step outside the range of a stepper. If the step is valid, reports overdamped modes for which
-/// rounding errors in a simulation, an orbit or a stepper would be too large.
+/// Reports a declared time step outside the range of a stepper. If the step is valid, reports overdamped modes for
+/// which rounding errors in a simulation, an orbit or a stepper would be too large.
 fn check_motion_in_time(located: &Located<'_>, problems: &mut Problems) {
     let scene = &located.scene;
     if !problems.is_empty() {

@@ -139,8 +139,8 @@ pub(super) fn member<S: Float, K: ContactChain<S>>(
 }
 
 /// Finds by bisection the largest amplitude of a free vibration with which the motion is still steady. In a continuum
-/// of steady states, the states differ by this free vibration. The motion is steady with the amplitude `inside`, and not
-/// steady with the amplitude `outside`.
+/// of steady states, the states differ by this free vibration. The motion is steady with the amplitude `inside`, and
+/// not steady with the amplitude `outside`.
 fn last_inside<S: Float>(
     mut inside: S,
     mut outside: S,

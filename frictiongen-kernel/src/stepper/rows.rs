@@ -93,8 +93,9 @@ pub(super) fn next<S: Float>(
 }
 
 /// Computes the moments ∫ sʲ y′ ds for j < D and ∫ sʲ u′ ds for j < E, from 0 to `place`. y is the displacement of an
-/// oscillator, and u is its scaled velocity. The pair `[y, u]` contains y and u at s = 0. `drive` returns, for one power
-/// of s, the coefficients with which the input acts on y′ and u′. `terms` is the number of terms of the power series.
+/// oscillator, and u is its scaled velocity. The pair `[y, u]` contains y and u at s = 0. `drive` returns, for one
+/// power of s, the coefficients with which the input acts on y′ and u′. `terms` is the number of terms of the power
+/// series.
 // The function does not use `map` of arrays. In code that is optimised for size, this `map` would cost more than the
 // sums.
 #[inline]
