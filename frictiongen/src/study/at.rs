@@ -18,8 +18,8 @@ use frictiongen_kernel::{Float, Plain};
 use frictiongen_model::reduced::Reduced;
 use std::ops::Deref;
 
-/// A run-time system at one frequency ratio r. Its methods return the limits of the friction ratio, the regime and the
-/// motions.
+/// A run-time system at one frequency ratio r. Its methods return the limits β_lim and β*_lim, and the regime and the
+/// motions at a friction ratio β.
 #[derive(Clone, Debug)]
 pub struct SystemAt<'a, S: Float = f64>(At<&'a System<S>>);
 
@@ -163,9 +163,9 @@ impl<'a, S: Plain> ProvidesOrbit for &'a System<S> {
 }
 
 impl<S: Float> System<S> {
-    /// Returns an upper bound on β_lim, the limit β*_lim, and the real part of r²EH, without a search over the cycle. H
-    /// is the receptance of the contact, and E is the scale of [`ContactAt`]. The function is for damped chains, and
-    /// for chains with many modes.
+    /// Returns an upper bound on β_lim, the limit β*_lim, and the real part of r²EH, without a search over the cycle.
+    /// H is the receptance of the contact. E is the factor that keeps the sums of [`ContactAt`] finite at a resonance.
+    /// Only damped chains and chains with many modes need this function.
     ///
     /// The compiler must not inline this function. Otherwise the caller is longer, and slower for an undamped chain
     /// with one mass.
@@ -177,9 +177,9 @@ impl<S: Float> System<S> {
     /// Returns the system evaluated at the frequency ratio r.
     ///
     /// # Errors
-    /// [`OutOfDomain`] for NaN and negative r. At r = 0 and r = ∞ the result contains limit values.
-    /// [`OutOfDomain`] also for `friction: stribeck`. The exact continuous response needs a kinetic friction force that
-    /// does not depend on the speed.
+    /// [`OutOfDomain`] for NaN and negative r. At r = 0 and r = ∞ the result contains limit values. [`OutOfDomain`]
+    /// also for `friction: stribeck`, and for a scene with several contacts or dashpots. The exact continuous response
+    /// needs one contact, with a kinetic friction force that does not depend on the speed.
     pub fn at(&self, r: S) -> Result<SystemAt<'_, S>, OutOfDomain> {
         self.constant_force()?;
         At::new(self, r).map(SystemAt::from)

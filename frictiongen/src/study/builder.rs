@@ -79,7 +79,7 @@ impl Builder {
         self
     }
 
-    /// Adds a mass. The first mass is the reference m₁.
+    /// Adds a mass. The first mass is m₁, the reference of all mass ratios.
     pub fn mass(mut self, name: &str, value: f64) -> Self {
         self.masses.push(Mass {
             name: name.to_owned(),
@@ -88,7 +88,8 @@ impl Builder {
         self
     }
 
-    /// Adds a spring of the given stiffness between two nodes. The first spring is the reference k₁.
+    /// Adds a spring of the given stiffness between two nodes. The first spring is k₁, the reference of all stiffness
+    /// ratios.
     pub fn spring(mut self, from: &str, to: &str, stiffness: f64) -> Self {
         self.springs
             .push((from.to_owned(), to.to_owned(), stiffness));
@@ -101,9 +102,9 @@ impl Builder {
         self
     }
 
-    /// Adds a contact to a scene with several contacts, with its name, its two nodes, and its law (stiffness, μ and
-    /// share of the friction). Use this method instead of `contact` if the scene has several contacts. `System::joined`
-    /// then solves the scene.
+    /// Adds one of several contacts. The contact has a name, two nodes and a law: its stiffness, its μ, and its
+    /// friction force divided by F. If the scene has several contacts, use this method instead of `contact`.
+    /// `System::joined` then solves the scene.
     #[doc(hidden)]
     pub fn contact_named(mut self, name: &str, from: &str, to: &str, law: JointLaw) -> Self {
         let sides = (from.to_owned(), to.to_owned());
@@ -146,8 +147,8 @@ impl Builder {
     }
 
     /// Sets the stiffness of an elastic contact (Jenkins element) in N/m: the stiffness of the spring in series with
-    /// the slider. Without this call the contact is rigid. An elastic contact never slides all the time. Its limit of
-    /// continuous motion, β_lim, is therefore 0.
+    /// the slider. Without this call the contact is rigid. An elastic contact sticks after each reversal. Continuous
+    /// motion is therefore impossible, and its limit β_lim is 0.
     pub fn stiffness(mut self, stiffness: f64) -> Self {
         self.stiffness = Some(stiffness);
         self

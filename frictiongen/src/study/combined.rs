@@ -24,7 +24,7 @@ struct WeightedSum {
     base: Dd,
 }
 
-/// The component of a weighted sum of displacements in each mode, and the weight of the moving base in this sum.
+/// A weighted sum of displacements in modal form: its component in each mode, and the weight of the moving base.
 #[derive(Clone, Debug)]
 pub(super) struct Combined<S> {
     shape: Vec<S>,
@@ -43,7 +43,7 @@ pub(super) enum InOrbit<S> {
 }
 
 impl<S: Float> InOrbit<S> {
-    /// Returns a motion of the steady state `orbit`. The caller must have checked that the scene has this motion.
+    /// Returns this motion in the steady state `orbit`. The caller must have checked that the scene has this motion.
     pub(super) fn motion<'o, 'a>(
         &'o self,
         orbit: &'o SystemOrbit<'a, S>,
@@ -83,9 +83,9 @@ impl WeightedSum {
         }
     }
 
-    /// Returns Σ c_k x_k + b y for `N` numbers at once. c_k and b are the coefficients of this sum for the masses and
-    /// for the base. `base` contains the numbers y of the base, and `mass` returns the numbers x_k of a mass. Returns
-    /// `None` if `mass` returns `None` for one of the masses.
+    /// Evaluates Σ c_k x_k + b y for `N` quantities at once, for example displacement and velocity. c_k is the
+    /// coefficient of a mass, and b that of the base. `mass` returns the quantities x_k of a mass, and `base` contains
+    /// the quantities y of the base. Returns `None` if `mass` returns `None` for one of the masses.
     fn sum<S: Float, const N: usize>(
         &self,
         base: [S; N],
@@ -102,8 +102,8 @@ impl WeightedSum {
         Some(sum)
     }
 
-    /// Returns Σ c_k φ_k for every mode. c_k is the coefficient of a mass in this sum, and φ_k is the component of this
-    /// mass in the mode.
+    /// Returns the component of the weighted sum in every mode, Σ c_k φ_k over the masses. c_k is the coefficient of a
+    /// mass, and φ_k is the component of this mass in the mode.
     fn shape<S: Scalar>(
         &self,
         shapes: &[S],
@@ -122,7 +122,7 @@ impl WeightedSum {
 }
 
 impl<S: Float> System<S> {
-    /// Returns true if the scene has the masses and the springs of a motion.
+    /// Returns true if the scene has the motion `of`. The result is always true for the contact and the base shear.
     #[must_use]
     pub fn has_motion(&self, of: Of) -> bool {
         let mass = |index: usize| index < self.scene.masses.len();
@@ -161,14 +161,14 @@ impl<S: Float> System<S> {
         }
     }
 
-    /// Returns true if a motion is the contact's relative motion with the opposite sign. It is then the motion of the
-    /// earlier mass minus that of the later mass.
+    /// Returns true if a motion is the contact's relative motion with the opposite sign: the motion of the earlier
+    /// mass minus that of the later mass, by their order in the scene description.
     fn is_reversed_contact(&self, of: Of) -> bool {
         matches!(of, Of::Relative(of, to) if self.simplest(Of::Relative(to, of)) == Of::Contact)
     }
 
-    /// Returns true if a motion equals the contact's relative motion or its negative. This is also true for a mass
-    /// whose contact acts on the wall or on a base at rest.
+    /// Returns true if a motion equals the contact's relative motion or its negative. The result is therefore true for
+    /// the mass of a contact with the wall or with a base at rest.
     pub(super) fn moves_as_contact(&self, of: Of) -> bool {
         let ends = [self.scene.contact.from, self.scene.contact.to];
         let base_moves = self.scene.excitation == Excitation::Base;
@@ -229,7 +229,7 @@ impl<S: Float> System<S> {
         Dd::constant(spring.stiffness) / Dd::constant(self.scene.first_stiffness())
     }
 
-    /// Returns a combination of masses and base, with its component in each mode of the sliding chain.
+    /// Returns the motion `of` with its component in each mode of the chain while the contact slides.
     fn in_sliding_modes(&self, of: Of) -> Combined<S> {
         let reduced = &self.reduced;
         let (own, modes) = (&reduced.shapes, reduced.modes.len());
@@ -238,8 +238,8 @@ impl<S: Float> System<S> {
 
     /// Returns the weighted sum `terms` of the motions of masses and base, with its component in each mode. `own`
     /// contains the components of the first mass in all modes, then those of the second mass, and so on. `exact`
-    /// returns the components of `own` to about 30 digits. With these digits, the difference of two nearly equal
-    /// motions stays accurate.
+    /// returns the same components to about 30 digits. With these digits, the difference of two nearly equal motions
+    /// stays accurate.
     fn combined<'e>(
         &self,
         terms: &WeightedSum,
@@ -341,8 +341,8 @@ impl<S: Float> SystemStuck<'_, S> {
 }
 
 impl SystemHeld<'_> {
-    /// Returns a motion as a complex amplitude and a constant displacement, which the offset of the contact causes.
-    /// Returns `None` if the scene does not have the motion `of`.
+    /// Returns a motion while the contact is stuck: its complex amplitude, and the constant displacement that the
+    /// offset of the contact causes. Returns `None` if the scene does not have the motion `of`.
     #[must_use]
     pub fn motion_of(&self, of: Of) -> Option<(Complex<f64>, f64)> {
         self.stuck.motion_at(of, self.offset)

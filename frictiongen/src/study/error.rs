@@ -33,23 +33,25 @@ impl std::error::Error for UnknownMass {}
 pub enum UnknownMotion {
     /// The expression contains a name that no mass has.
     Mass(UnknownMass),
-    /// The name means the motion of a mass relative to itself, which is zero. The field is the name of the motion.
+    /// The expression means the motion of a mass relative to itself, which is zero. The field is the name of the mass.
     Itself(String),
     /// The base is the first of two names. It must be the second: `roof-base`, not `base-roof`. The field is the name
     /// of the mass.
     BaseFirst(String),
-    /// No spring connects the two nodes. The second field lists the springs of the scene.
+    /// No spring connects the two nodes. The first field names these nodes, and the second lists the springs of the
+    /// scene.
     Spring(String, Vec<String>),
     /// The scene has no spring between a mass and the base, so that there is no base shear.
     NoShear,
     /// The name in front of the brackets is not that of a known function. The field is this name.
     Function(String),
-    /// The name requests the velocity or the acceleration of a force, and a force has neither. The field is the name.
+    /// The expression means the velocity or the acceleration of a force, and a force has neither. The field is the
+    /// name of the force.
     Rate(String),
     /// The brackets of `slip(…)`, `force(…)` or `energy(…)` do not contain the name of a contact. The first field is
     /// the name of the function, and the second field is the text in its brackets.
     Slip(String, String),
-    /// The closing bracket is missing, or text follows it.
+    /// The closing bracket is missing, or text follows it. The field is the whole expression.
     Brackets(String),
 }
 
@@ -169,13 +171,13 @@ impl std::fmt::Display for LoadError {
 
 impl std::error::Error for LoadError {}
 
-/// Any error of a run-time system. A function can use `?` on all of its calls.
+/// Any error of a run-time system. A function with this error type can use `?` on every call of a system.
 #[derive(Clone, Debug, PartialEq)]
 #[non_exhaustive]
 pub enum StudyError {
-    /// The description does not define a scene.
+    /// The text of a description does not define a valid scene. The field lists its faults.
     Description(Diagnostics),
-    /// The scene that the description or the builder gives is invalid.
+    /// A scene that is built in code is invalid. The field lists its faults.
     Scene(InvalidScene),
     /// A solver rejects the request.
     Solver(Error),

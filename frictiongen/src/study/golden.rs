@@ -3,8 +3,8 @@
 /// Larger of the two fractions into which a golden section divides an interval.
 const GOLDEN: f64 = 0.618_033_988_749_894_8;
 
-/// Returns the position and the value of the smallest value of a function between `low` and `high`. The search takes at
-/// most `steps` golden sections, and ends earlier if the interval is shorter than `width`.
+/// Returns the position and the value of the minimum of the function `of` between `low` and `high`. The search takes
+/// at most `steps` golden sections, and ends earlier if the interval is shorter than `width`.
 ///
 /// # Errors
 /// The first error that the function `of` returns.

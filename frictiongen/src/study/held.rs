@@ -1,4 +1,4 @@
-//! The response while the contact is stuck, at its centre or at an offset from its centre.
+//! The response while the contact is stuck, at its centre z̄ = 0 or at an offset from its centre.
 
 use super::motion::SystemStuck;
 use super::system::System;
@@ -6,7 +6,7 @@ use frictiongen_kernel::Float;
 use frictiongen_kernel::response::Scene as _;
 use std::ops::Deref;
 
-/// The response while the contact is stuck. The contact may have stopped at an offset from its centre.
+/// The response while the contact is stuck. The contact may have stopped at an offset from its centre z̄ = 0.
 #[derive(Clone, Debug)]
 pub struct SystemHeld<'a> {
     pub(super) stuck: SystemStuck<'a>,
@@ -16,7 +16,8 @@ pub struct SystemHeld<'a> {
 }
 
 impl<'a> SystemHeld<'a> {
-    /// Returns the offset z̄ of the contact from its centre. The offset is 0 if the contact sticks at its centre.
+    /// Returns the offset of the contact: the mean of its relative displacement z̄ = z/(P/k₁) (z/Y for base motion).
+    /// The offset is 0 if the contact sticks at its centre.
     #[must_use]
     pub fn offset(&self) -> f64 {
         self.offset
@@ -28,15 +29,16 @@ impl<'a> SystemHeld<'a> {
         self.offset_range
     }
 
-    /// Returns the constant part of the friction force, divided by P (by k₁Y for base motion). Because of this constant
-    /// force, the contact stays at its offset. A positive force opposes positive sliding.
+    /// Returns the constant part of the friction force, divided by P (by k₁Y for base motion). The springs of the
+    /// chain pull the contact back from its offset. This constant force balances them. A positive force opposes
+    /// positive sliding.
     #[must_use]
     pub fn constant_force(&self) -> f64 {
         -(self.offset / receptance(self.stuck.at().scene()))
     }
 
-    /// Returns the constant displacement of a mass that the offset of the contact causes. Returns `None` if the scene
-    /// has no mass with this index.
+    /// Returns the constant displacement x̄ of a mass, which the offset of the contact causes. Returns `None` if the
+    /// scene has no mass with this index.
     #[must_use]
     pub fn mass_offset(&self, index: usize) -> Option<f64> {
         let system = *self.stuck.at().scene();

@@ -11,8 +11,8 @@ use nalgebra::DMatrix;
 
 /// Largest number of masses for which the modal analysis is in double-double arithmetic.
 pub(super) const LARGEST_EXACT: usize = 64;
-/// Fraction of the largest value that a modal value (for example a component of a mode shape) can have. A modal value
-/// below this fraction is a rounding error, and becomes 0.
+/// Limit of rounding errors in modal values, for example in the components of mode shapes. The limit is relative to
+/// the largest value that the modal value can have. A modal value below the limit becomes 0.
 const NOISE: f64 = 1e-13;
 /// Largest cosine of the angle between two columns of a matrix at which the two columns are treated as orthogonal.
 const ORTHOGONAL: f64 = 1e-15;

@@ -1,5 +1,6 @@
-//! Design studies at run time. The module reads the same descriptions of scenes as the macro, and uses the same closed
-//! forms. Unlike emitted code, the module allocates memory.
+//! Computes responses, limits and best friction of a scene at run time. The module reads the same scene descriptions
+//! as the macro `friction_system!`, and evaluates the same closed forms. Unlike the code that the macro emits, the
+//! module allocates memory.
 
 mod at;
 mod builder;
@@ -50,7 +51,7 @@ mod work;
 pub use at::SystemAt;
 pub use builder::Builder;
 pub use error::{InvalidScene, StudyError, UnknownMass, UnknownMotion};
-/// The parts of a description: masses, springs, contact, excitation and damping.
+/// The parts of a scene description: masses, springs, contact, excitation and damping.
 pub use frictiongen_model::scene;
 /// Tables of the response with a declared accuracy.
 pub mod table {

@@ -44,7 +44,7 @@ impl<S: Float> System<S> {
     /// ```
     ///
     /// # Errors
-    /// [`UnknownMotion`], with the names that the scene has.
+    /// [`UnknownMotion`] if no motion of the scene has this name. The error says what to write instead.
     pub fn motion_named(&self, name: &str) -> Result<Of, UnknownMotion> {
         let name = name.trim();
         if let Ok(index) = self.mass_index(name) {
@@ -83,12 +83,18 @@ impl<S: Float> System<S> {
         Ok(Of::Relative(mass, reference))
     }
 
-    /// Returns the motion with this name, and the quantity of the motion (displacement, velocity or acceleration).
-    /// `vel(roof)` is the velocity of the motion `roof`, and `accel(roof)` its acceleration. `slip(contact)` is the
-    /// relative displacement in the contact, `force(contact)` its largest force, and `energy(contact)` the energy that
-    /// it dissipates in a cycle. `zeta_eq` is the equivalent viscous damping ratio of the contact ([`MotionQuantity::Damping`]),
-    /// computed with the strain energy of all springs. `zeta_eq(first-roof)` is this ratio, computed with the strain
-    /// energy of the spring between `first` and `roof` alone. Any other name means a displacement or a force.
+    /// Reads a name, and returns the motion and the quantity of this motion that the name means.
+    ///
+    /// | name | quantity |
+    /// |---|---|
+    /// | `vel(roof)` | largest velocity of the motion `roof` |
+    /// | `accel(roof)` | largest acceleration of the motion `roof` |
+    /// | `slip(contact)` | largest relative displacement in the contact |
+    /// | `force(contact)` | largest force in the contact |
+    /// | `energy(contact)` | energy that the contact dissipates in a cycle |
+    /// | `zeta_eq` | equivalent viscous damping ratio ([`MotionQuantity::Damping`]), with the energy of all springs |
+    /// | `zeta_eq(first-roof)` | equivalent viscous damping ratio, with the energy of one spring |
+    /// | any other name | displacement or force, as in [`motion_named`](Self::motion_named) |
     ///
     /// ```
     /// use frictiongen::study::response::MotionQuantity;
@@ -110,7 +116,9 @@ impl<S: Float> System<S> {
     /// ```
     ///
     /// # Errors
-    /// Same errors as [`motion_named`](Self::motion_named), and [`UnknownMotion::Rate`] for the velocity of a force.
+    /// Same errors as [`motion_named`](Self::motion_named). [`UnknownMotion::Rate`] for the velocity or the
+    /// acceleration of a force. [`UnknownMotion::Slip`] if the brackets of `slip`, `force` or `energy` do not contain
+    /// the contact.
     pub fn quantity_named(&self, name: &str) -> Result<(Of, MotionQuantity), UnknownMotion> {
         let name = name.trim();
         if let Some(of) = self.damping_named(name)? {

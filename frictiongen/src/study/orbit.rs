@@ -82,8 +82,8 @@ impl<'a, S: Float> SystemOrbit<'a, S> {
     #[must_use]
     pub fn reversed_contact_phase(&self) -> S {
         let phase = self.orbit.contact().phase();
-        // A rigid contact that never slides has no instant of its largest displacement, and so no reversed phase. The
-        // spring of an elastic contact moves it also while it sticks.
+        // A rigid contact that never slides has no instant of its largest displacement, and so no reversed phase. An
+        // elastic contact has this instant also while it sticks, because its spring deforms.
         let is_rigid = self.system.scene().stiffness.is_none();
         if is_rigid && self.orbit.never_slides() {
             phase

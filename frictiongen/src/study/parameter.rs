@@ -21,7 +21,7 @@ pub enum OperatingPoint {
         hertz: f64,
         /// Kinetic friction force F, in N.
         friction: f64,
-        /// The load: a force P in N, or a base motion Y in m.
+        /// The load in its own unit, for example a force P in N or a base motion Y in m.
         load: Load,
     },
 }
@@ -33,7 +33,8 @@ pub enum Parameter {
     Quantity(Quantity),
     /// The friction. It is the force F in N at a physical operating point, and β at a non-dimensional operating point.
     Friction,
-    /// The amplitude of the load: P in N, or Y in m. A non-dimensional operating point does not have this parameter.
+    /// The amplitude of the load in its own unit, for example P in N or Y in m. A non-dimensional operating point does
+    /// not have this parameter.
     Load,
     /// The frequency. It is in Hz at a physical operating point, and is the ratio r at a non-dimensional operating
     /// point.

@@ -1,8 +1,8 @@
 //! Derivatives of a response with respect to every number of a description and of an operating point, in any regime.
 //!
-//! At an operating point in physical units, each derivative keeps the frequency in Hz, the friction force and the load
-//! constant. The non-dimensional groups refer to the first mass m₁ and the first spring k₁. A change of m₁ or k₁
-//! therefore also changes r, β or the unit of displacement.
+//! At an operating point in physical units, a derivative with respect to a mass or a stiffness keeps the frequency in
+//! Hz, the friction force and the load constant. The non-dimensional groups refer to the first mass m₁ and the first
+//! spring k₁. A change of m₁ or k₁ therefore also changes r, β or the unit of displacement.
 
 use super::error::StudyError;
 use super::held::offset_from_rest;
@@ -45,8 +45,8 @@ pub struct ParameterSensitivity {
 pub struct ResponseSensitivities {
     /// The regime of the response at the operating point.
     pub regime: Regime,
-    /// Derivatives with respect to each parameter, in the order masses, springs, damping, stiction, friction, load,
-    /// frequency.
+    /// Derivatives with respect to each parameter, in the order masses, springs, damping, contact stiffness, stiction,
+    /// friction, load, frequency.
     pub parameters: Vec<ParameterSensitivity>,
 }
 
@@ -75,9 +75,9 @@ impl System {
     /// If the contact stops and slides, it is the steady state in which the motion from rest ends. If the contact never
     /// slides, it is the stuck response.
     ///
-    /// In physical units no derivative depends on the order of masses and springs. The phase of the contact has the
-    /// sign of the contact in the scene description ([`contact_is_reversed`](Self::contact_is_reversed)). A change of
-    /// m₁ or k₁ also changes the non-dimensional groups.
+    /// At a physical operating point, a change of m₁ or k₁ also changes the non-dimensional groups. No derivative then
+    /// depends on the order of masses and springs. The phase of the contact then has the sign of the contact in the
+    /// scene description ([`contact_is_reversed`](Self::contact_is_reversed)).
     ///
     /// ```
     /// use frictiongen::study::{System, units::Load, sensitivity::{OperatingPoint, Parameter, Quantity}};
@@ -114,8 +114,8 @@ impl System {
     ///
     /// # Errors
     /// [`StudyError`] for an operating point outside the domain, and for a load that does not fit the scene.
-    /// [`StudyError`] also for a motion that does not exist, and if no steady motion exists. [`NoDerivative`] if the
-    /// response has no derivative.
+    /// [`StudyError`] also for a motion that the scene does not have, for a spring force or the base shear, and if no
+    /// steady motion exists. [`NoDerivative`] if the response has no derivative.
     pub fn response_sensitivities(
         &self,
         point: OperatingPoint,
@@ -155,7 +155,8 @@ impl System {
         Ok(ResponseSensitivities { regime, parameters })
     }
 
-    /// Returns the frequency ratio r and the friction ratio β of an operating point. Fails if β is invalid.
+    /// Returns the frequency ratio r and the friction ratio β of an operating point. Fails if the load does not fit
+    /// the scene, or if β is negative, infinite or NaN.
     fn groups_at(&self, point: OperatingPoint) -> Result<(f64, f64), StudyError> {
         let (r, beta) = match point {
             OperatingPoint::Groups { r, beta } => (r, beta),
@@ -197,8 +198,9 @@ impl System {
     }
 }
 
-/// Returns amplitude and phase of a known response with their derivatives. The phase is `None` if the contact or mass
-/// does not move. If `turned` is true, the result is that of the contact's relative motion with the opposite sign.
+/// Returns amplitude and phase of the motion `of` in a known response, with their derivatives. The phase is `None` if
+/// the contact or mass does not move. If `turned` is true, the result is that of the contact's relative motion with
+/// the opposite sign.
 pub(super) fn swing(
     varied: &Varied,
     response: &SystemResponse<'_>,
@@ -230,8 +232,8 @@ pub(super) fn swing(
 
 /// Returns amplitude and phase of a motion with their derivatives, for a response in which the contact never slides.
 ///
-/// The offset of a contact that has never slid is 0, or −Y on a moving base. After a slip the offset depends on every
-/// earlier slip. This function gives no derivative of the offset after a slip.
+/// [`offset_from_rest`] gives the offset of a contact that has never slid. After a slip, the offset depends on every
+/// earlier slip. The function then fails, because it cannot differentiate this offset.
 fn stuck_swing(
     varied: &Varied,
     held: &SystemHeld<'_>,
@@ -323,8 +325,8 @@ fn groups(
 /// of a motion with the offset of a contact that has never slid.
 const SAME_OFFSET: f64 = 1e-9;
 
-/// Largest change p·dX/dp that is treated as 0, divided by X (or by 1 if X is larger). In numbers of 30 digits,
-/// rounding causes changes of this size.
+/// Largest relative derivative |p·(dX/dp)/X| that is treated as 0. If |X| exceeds 1, the code uses |p·dX/dp| instead.
+/// Rounding of numbers with 30 digits causes values of this size.
 const NOTHING: f64 = 1e-24;
 
 /// Returns a number and its derivative with respect to one parameter. `parameter` is the value of that parameter.

@@ -6,9 +6,9 @@
 pub enum MotionQuantity {
     /// The quantity is the largest displacement |x̄|.
     Displacement,
-    /// The quantity is the largest velocity |dx̄/dτ|. Multiplied by ω, it is the velocity in time.
+    /// The quantity is the largest velocity |dx̄/dτ|. Multiplied by ω, it is |dx̄/dt|.
     Velocity,
-    /// The quantity is the largest acceleration |d²x̄/dτ²|. Multiplied by ω², it is the acceleration in time.
+    /// The quantity is the largest acceleration |d²x̄/dτ²|. Multiplied by ω², it is |d²x̄/dt²|.
     Acceleration,
     /// The quantity is the largest force in the contact, divided by P (by k₁Y for base motion). Only the contact has
     /// this quantity.

@@ -15,7 +15,8 @@ use std::f64::consts::PI;
 const PLACES: f64 = 16.0;
 /// Upper bound on the number of samples in a half period of the excitation.
 const MOST: f64 = 4096.0;
-/// Largest number of steps in the refinement of a maximum. A golden section keeps at most 0.62 of the interval.
+/// Largest number of golden sections in the refinement of a maximum. Each one shortens the interval to 0.62 of its
+/// length.
 const STEPS: usize = 40;
 /// Length of the interval of τ, in rad, at which the refinement of a maximum ends. Because the function is flat at its
 /// maximum, this length already gives all digits of the maximum.

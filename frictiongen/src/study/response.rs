@@ -45,20 +45,21 @@ use std::f64::consts::TAU;
 pub enum SystemResponse<'a> {
     /// The continuous response in closed form: the contact slides all the time.
     Continuous(SystemMotion<'a>),
-    /// Any other steady state, computed from event to event. If the motion does not settle, the response contains the
-    /// last 64 cycles that were computed.
+    /// A steady state that is neither the closed form nor stuck, computed from event to event. If the motion does not
+    /// settle, the response contains the last 64 cycles that were computed.
     StickSlip(Box<SystemOrbit<'a>>),
     /// The stuck response: the contact never slides.
     Stuck(SystemHeld<'a>),
 }
 
-/// The amplitude of a motion, which is its largest displacement, and the phase of that maximum.
+/// The amplitude of a motion, which is its largest displacement |x̄|, and the phase of this largest displacement.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Swing {
     /// The largest |x̄| in the period, where x̄ = x/(P/k₁) (x/Y for base motion).
     pub amplitude: f64,
-    /// Lag of the instant at which |x̄| reaches `amplitude` behind the maximum of the excitation, in rad, in (−π, π].
-    /// `None` if the contact or mass does not move.
+    /// Lag behind the maximum of the excitation, in rad, in (−π, π]. It belongs to the instant at which |x̄| reaches
+    /// `amplitude`. If x̄ is negative at this instant, half a turn is added. `None` if the contact or mass does not
+    /// move.
     pub phase: Option<f64>,
 }
 
@@ -92,7 +93,8 @@ impl SystemResponse<'_> {
         }
     }
 
-    /// Returns amplitude and phase of the contact or of a mass. Returns `None` if the scene does not have this motion.
+    /// Returns amplitude and phase of the motion `of`: the contact, a mass, or a combination of masses and base.
+    /// Returns `None` if the scene does not have this motion.
     #[must_use]
     pub fn swing(&self, of: Of) -> Option<Swing> {
         let moving = |(amplitude, phase)| Swing {
@@ -118,8 +120,8 @@ impl SystemResponse<'_> {
         }
     }
 
-    /// Returns the centred amplitude: half the distance between the least and the largest x̄, where x̄ = x/(P/k₁) (x/Y
-    /// for base motion). Returns `None` if the scene does not have this motion.
+    /// Returns the centred amplitude of a motion: half the distance between the least and the largest x̄, where x̄ =
+    /// x/(P/k₁) (x/Y for base motion). Returns `None` if the scene does not have this motion.
     #[must_use]
     pub fn centred_amplitude(&self, of: Of) -> Option<f64> {
         match self {
@@ -129,8 +131,8 @@ impl SystemResponse<'_> {
         }
     }
 
-    /// Returns the lag −arg X₁ of the fundamental component behind the excitation, in rad, in (−π, π]. Returns `None`
-    /// if the contact or mass does not move, and if the scene does not have this motion.
+    /// Returns the lag −arg X₁ of the fundamental component of a motion behind the excitation, in rad, in (−π, π].
+    /// Returns `None` if the contact or mass does not move, and if the scene does not have this motion.
     #[must_use]
     pub fn fundamental_phase(&self, of: Of) -> Option<f64> {
         fundamental_phase(self.harmonic(of, 1)?, self.centred_amplitude(of)?)
@@ -191,8 +193,8 @@ impl SystemResponse<'_> {
         }
     }
 
-    /// Returns the monoharmonic estimate of an amplitude (5.50, 7.33). Returns `None` if the regime is not continuous,
-    /// or if the scene does not have this motion.
+    /// Returns the monoharmonic estimate of an amplitude, from the fundamental harmonic alone (5.50, 7.33). Returns
+    /// `None` if the regime is not continuous, or if the scene does not have this motion.
     #[must_use]
     pub fn monoharmonic(&self, of: Of) -> Option<f64> {
         let Self::Continuous(motion) = self else {
@@ -201,8 +203,8 @@ impl SystemResponse<'_> {
         Some(motion.motion_of(of)?.amplitude_monoharmonic())
     }
 
-    /// Returns the largest displacement, velocity or acceleration of the contact or of a mass. Returns `None` if the
-    /// scene does not have this motion.
+    /// Returns the quantity `size` of the motion `of`, for example the largest velocity of a mass. Returns `None` if
+    /// the scene does not have this motion, or if the motion does not have this quantity.
     ///
     /// An acceleration jumps when the friction force jumps. The result includes the values on both sides of a jump.
     #[must_use]
@@ -269,11 +271,12 @@ impl SystemResponse<'_> {
         }
     }
 
-    /// Returns the work of friction in one cycle of the excitation, divided by P²/k₁ (by k₁Y² for base motion).
+    /// Returns the energy that friction dissipates in one cycle of the excitation, divided by P²/k₁ (by k₁Y² for base
+    /// motion).
     #[must_use]
     pub fn friction_work(&self) -> f64 {
         match self {
-            // In a cycle the contact slides forwards and backwards, a distance of four amplitudes in total.
+            // In a cycle the contact slides forwards and backwards, over a distance of four amplitudes in total.
             Self::Continuous(motion) => 4.0 * motion.friction().beta * motion.contact().amplitude(),
             Self::StickSlip(orbit) => {
                 orbit.beta() * orbit.sliding_distance() / f64::from(orbit.period())
@@ -283,9 +286,9 @@ impl SystemResponse<'_> {
     }
 }
 
-/// Returns the equivalent viscous damping ratio of a contact that dissipates `energy` in a cycle. The motion `of`
-/// selects the strain energy of all springs or of one spring for this ratio. Returns `None` for any other motion, and
-/// if no spring is deformed. `centred` returns the centred amplitude of a motion.
+/// Returns the equivalent viscous damping ratio of a contact that dissipates `energy` in a cycle. The ratio contains
+/// the strain energy of all springs if `of` is the contact, and of one spring if `of` is this spring. Returns `None`
+/// for any other motion, and if no spring is deformed. `centred` returns the centred amplitude of a motion.
 pub(super) fn equivalent_damping(
     system: &System,
     of: Of,

@@ -9,9 +9,8 @@ use crate::{Error, Given, NoOrbit, NotContinuous, OutOfDomain, Regime, StuckReso
 use frictiongen_kernel::oscillator::mode::{Kind, Mode};
 use frictiongen_kernel::response::Scene as _;
 
-/// Largest distance of √λ_i/r from an even integer at which √λ_i/r is treated as this integer, in machine epsilons
-/// times √λ_i/r. √λ_i is the frequency ratio of mode i. An undamped mode whose √λ_i/r is an even integer has a Floquet
-/// multiplier on the unit circle.
+/// Relative tolerance, in machine epsilons, within which √λ_i/r is treated as an even integer. √λ_i is the frequency
+/// ratio of mode i. If √λ_i/r is an even integer, an undamped mode has a Floquet multiplier on the unit circle.
 const ON_CIRCLE: f64 = 4096.0;
 
 /// The state of a steady motion at a maximum of the excitation. It consists of displacement and velocity of every mass,
@@ -26,8 +25,8 @@ pub(super) struct Carried {
 
 #[cfg(feature = "desk")]
 impl Carried {
-    /// Converts displacements and velocities to the unit of displacement that a load has at the frequency ratio r. The
-    /// amplitude of the load is proportional to r⁻ⁿ, where n is `fall`.
+    /// Divides displacements and velocities by the unit of displacement at another frequency ratio r. The unit changes
+    /// with r, because the amplitude of the load is proportional to r⁻ⁿ. n is `fall`.
     pub(super) fn under(&self, fall: i32, r: f64) -> Self {
         let factor = (r / self.r).powi(fall);
         let scaled = |values: &[f64]| values.iter().map(|value| value * factor).collect();
@@ -54,8 +53,8 @@ impl Carried {
 }
 
 impl<'a> SystemAt<'a> {
-    /// Returns the steady response at the friction ratio β = F/P in any regime. It is the state in which the motion
-    /// from rest ends.
+    /// Returns the steady response at the friction ratio β = F/P, in any regime: the state in which the motion from
+    /// rest ends.
     ///
     /// With μ = 1 this state is the closed form for every β < β_lim. The exception is a chain without damping at r =
     /// √λ_i/(2n) with an integer n, where √λ_i is the frequency ratio of a mode that the contact drives. At these r the
@@ -92,8 +91,8 @@ impl<'a> SystemAt<'a> {
         }
     }
 
-    /// Returns the response in which the motion from the state `start` ends, and the state of this response. The next
-    /// call can use this state as its initial state.
+    /// Returns the response in which the motion from the state `start` ends, and the state of this response. Without
+    /// `start` the motion starts from rest. The next call can use the returned state as its initial state.
     #[cfg(feature = "desk")]
     pub(super) fn response_from(
         &self,
@@ -177,8 +176,9 @@ impl<'a> SystemAt<'a> {
         }
     }
 
-    /// Returns the response under a friction with which the contact never leaves its initial position. A rigid contact
-    /// on a moving base stays at the relative displacement −Y. Any other contact stays at the relative displacement 0.
+    /// Returns the response under a friction with which the contact never leaves its initial position. The offset of
+    /// the contact is that of [`offset_from_rest`]: on a moving base it is −Y for a rigid contact, and smaller for an
+    /// elastic contact. Without a moving base in the contact, the offset is 0.
     pub(super) fn locked(&self) -> Result<SystemResponse<'a>, Error> {
         let offset = offset_from_rest(self.scene());
         Ok(SystemResponse::Stuck(self.held(offset, f64::INFINITY)?))
@@ -206,9 +206,9 @@ impl<'a> SystemAt<'a> {
         Ok(other.map_or(last, SystemOrbit::not_from_rest))
     }
 
-    /// Returns true if no steady state other than the closed form can exist. With μ = 1 there is only one exception. It
-    /// is an undamped mode that the contact drives, and whose √λ_i/r is an even integer (√λ_i is the mode's frequency
-    /// ratio).
+    /// Returns true if no steady state other than the closed form can exist. For μ > 1 the result is false. If μ is 1,
+    /// the result is false only if √λ_i/r is an even integer for an undamped mode that the contact drives. √λ_i is the
+    /// frequency ratio of this mode.
     fn is_unique(&self) -> bool {
         let numbers = self.scene().numbers();
         let even = |x: f64| {

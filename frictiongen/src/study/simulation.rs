@@ -7,7 +7,8 @@ use frictiongen_kernel::motion::{AnyContact, Dynamics, Lines, Part};
 use frictiongen_kernel::simulation::{Moment, Segment, Simulation};
 use frictiongen_kernel::{Float, Plain};
 
-/// An exact simulation in time of a system, from event to event. The simulation is an iterator over its segments.
+/// An exact simulation in time of a system, from event to event. The simulation is an iterator over its segments. In a
+/// segment the contact sticks, or slides in one direction.
 #[derive(Clone, Debug)]
 pub struct SystemSimulation<'a, S = f64> {
     pub(super) system: &'a System<S>,
@@ -22,8 +23,8 @@ impl<S: Plain> System<S> {
         self.transient().contact_dynamics()
     }
 
-    /// Returns the modal data for a simulation in time. Fails for a chain with too many modes at or beyond critical
-    /// damping.
+    /// Returns the modal data for a simulation in time. Fails if too many modes are at or beyond critical damping, and
+    /// for several contacts or dashpots.
     pub(super) fn dynamics_in_time(&self) -> Result<Dynamics<'_, S, AnyContact<S>>, OutOfDomain> {
         self.single()?;
         if self.loses_motion() {
@@ -32,14 +33,15 @@ impl<S: Plain> System<S> {
         Ok(self.dynamics())
     }
 
-    /// Returns oscillators without a motion, as storage for a simulation. There is one oscillator for each mode of the
-    /// chain, and one for each mode of the chain with its contact stuck.
+    /// Returns the storage of a simulation: a list of oscillators at rest. The list has one oscillator for each mode
+    /// of the chain, and one for each mode of the chain with its contact stuck.
     pub(super) fn parts(&self) -> Vec<Part<S>> {
         let dynamics = self.dynamics();
         vec![Part::empty(); dynamics.oscillators()]
     }
 
-    /// Starts the exact motion in time from rest, with the excitation at its maximum.
+    /// Starts the exact motion in time from rest, at the frequency ratio r and the friction ratio β. The excitation
+    /// starts at its maximum.
     ///
     /// ```
     /// use frictiongen::kernel::simulation::Event;
@@ -75,8 +77,8 @@ impl<S: Plain> System<S> {
     /// dx̄/dτ of every mass.
     ///
     /// # Errors
-    /// Same errors as [`simulation`](Self::simulation). [`OutOfDomain`] also for a state that is not finite or not one
-    /// number for each mass.
+    /// Same errors as [`simulation`](Self::simulation). [`OutOfDomain`] also if `state` does not have one finite
+    /// displacement and one finite velocity for each mass.
     pub fn simulation_from(
         &self,
         r: S,
@@ -134,8 +136,8 @@ impl<S: Plain> System<S> {
     /// contains x̄ and dx̄/dτ of every mass.
     ///
     /// # Errors
-    /// Same errors as [`simulation_under`](Self::simulation_under). [`OutOfDomain`] also for a state that is not finite
-    /// or not one number for each mass.
+    /// Same errors as [`simulation_under`](Self::simulation_under). [`OutOfDomain`] also if `state` does not have one
+    /// finite displacement and one finite velocity for each mass.
     pub fn simulation_under_from(
         &self,
         r: S,
@@ -182,7 +184,7 @@ impl<S: Plain> System<S> {
 }
 
 impl<'a, S: Float> SystemSimulation<'a, S> {
-    /// Returns the present displacement and velocity of the mass called `name`.
+    /// Returns the present displacement x̄ and velocity dx̄/dτ of the mass called `name`.
     ///
     /// # Errors
     /// [`UnknownMass`] if no mass has this name.
@@ -197,8 +199,8 @@ impl<'a, S: Float> SystemSimulation<'a, S> {
         &self.run
     }
 
-    /// Advances to the next event, or by `reach` in the phase τ = ωt if no event comes earlier. A reach of 0 changes
-    /// nothing.
+    /// Advances to the next event, or by the phase `reach` (in rad of τ = ωt) if no event comes earlier. A reach of 0
+    /// changes nothing.
     ///
     /// # Errors
     /// [`OutOfDomain`] for a reach that is negative, infinite or NaN. The simulation is then unchanged.

@@ -50,8 +50,8 @@ impl<S: Plain> System<S> {
     /// a maximum of the excitation. An elastic contact starts without force.
     ///
     /// # Errors
-    /// Same errors as [`steady_state`](Self::steady_state). [`OutOfDomain`] also for a state that is not finite or not
-    /// one number for each mass.
+    /// Same errors as [`steady_state`](Self::steady_state). [`OutOfDomain`] also if `state` does not have one finite
+    /// displacement and one finite velocity for each mass.
     pub fn steady_state_from(
         &self,
         r: S,
@@ -76,8 +76,8 @@ impl<S: Plain> System<S> {
         self.settled_from(r, beta, start, (limit, false))
     }
 
-    /// Returns β*_lim = |f|/μ, the smallest β = F/P with which the contact need not slide. Here f is the force of the
-    /// stuck contact, divided by P. The contact may be rigid or elastic.
+    /// Returns the limit of sliding β*_lim = |f|/μ, the smallest β = F/P at which a stuck state exists. f is the
+    /// complex amplitude of the force in the stuck contact, divided by P. The contact may be rigid or elastic.
     ///
     /// If β is at least this limit, an elastic contact that starts without force never slides. If the contact has slid
     /// earlier, its slider may rest at another position. The contact force then has an additional constant part.

@@ -18,8 +18,8 @@ use std::ops::{Deref, DerefMut};
 /// interpolation of the input.
 const COEFFICIENTS: usize = 4;
 
-/// Constant tables for time steps of a fixed length, in vectors. They advance each mode of the sliding chain and of the
-/// stuck chain.
+/// Constants that advance each mode by one time step of fixed length: the modes of the chain with its contact sliding,
+/// and those with its contact stuck.
 #[doc(hidden)]
 #[derive(Clone, Debug)]
 pub struct SystemStepTables<S> {
@@ -73,7 +73,7 @@ where
     }
 }
 
-/// State of a stepper, in vectors: displacement and velocity of each mode of the sliding chain and of the stuck chain.
+/// State of a stepper: displacement and velocity of each mode, with the contact sliding and with the contact stuck.
 #[doc(hidden)]
 #[derive(Clone, Debug)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
@@ -171,7 +171,7 @@ type KernelStepper<'a, S> =
 #[doc(hidden)]
 pub type SystemStepSaved<S = f64> = Saved<S, SystemStepStore<S>>;
 
-/// The motion of a system in time steps of equal length, under any input.
+/// A stepper, which advances the motion of a system by time steps of equal length, under any input.
 #[derive(Clone, Debug)]
 pub struct SystemStepper<'a, S = f64> {
     pub(super) system: &'a System<S>,
@@ -228,7 +228,7 @@ impl<'n, S: Float> SystemInput<'n, S> {
         }
     }
 
-    /// Converts the numbers of the input to another scalar.
+    /// Converts the numbers of the input to another scalar type.
     #[cfg(feature = "measure")]
     pub(crate) fn map<T>(self, number: impl Fn(S) -> T) -> SystemInput<'n, T> {
         let more = self.more.into_iter();
@@ -299,8 +299,8 @@ impl<S: Plain> System<S> {
     /// Returns a stepper that starts from a given state: the displacements and velocities of all masses.
     ///
     /// # Errors
-    /// Same errors as [`stepper`](Self::stepper). [`OutOfDomain`] also for a state that is not finite or not one number
-    /// for each mass.
+    /// Same errors as [`stepper`](Self::stepper). [`OutOfDomain`] also if `state` does not have one finite
+    /// displacement and one finite velocity for each mass.
     pub fn stepper_from(
         &self,
         dt: S,
@@ -309,7 +309,7 @@ impl<S: Plain> System<S> {
         self.stepping(dt, Some(state))
     }
 
-    /// Returns a stepper that continues from an [`image`](SystemStepper::image), with its step and its state.
+    /// Returns a stepper that continues from an [`image`](SystemStepper::image), with its time step and its state.
     ///
     /// # Errors
     /// [`OutOfDomain`] for an image of another scene or version, and for an image in which a bit has changed.
@@ -430,7 +430,7 @@ impl<'a, S: Float> SystemStepper<'a, S> {
     }
 
     /// Returns the present displacement and velocity of all masses, in the order of the scene description. The call
-    /// evaluates each mode only once, and then multiplies the mode shapes with the modes.
+    /// evaluates each mode only once for all masses.
     #[must_use]
     pub fn all_masses(&self) -> Vec<MassNow<S>> {
         let mut masses = vec![self.stepper.mass(usize::MAX); self.forces.len()];

@@ -1,4 +1,5 @@
-//! The run-time system. It evaluates the closed forms, and stores its data in vectors instead of arrays.
+//! The run-time system, which evaluates the closed forms. It stores its data in vectors, because the number of masses
+//! is known only at run time.
 
 use super::error::{InvalidScene, UnknownMass};
 use super::large;
@@ -106,7 +107,8 @@ impl<S: Float> System<S> {
         Self::with_data(scene, modal.clone(), &modal, rounded::<S>)
     }
 
-    /// Creates the system from the numbers of its modal data `data`. `to` converts every number to the scalar type.
+    /// Creates the system from its modal data. `data` contains these data in a number type that may have derivatives.
+    /// `to` converts every number of `data` to the scalar type.
     pub(super) fn with_data<T: Float>(
         scene: Scene,
         modal: Modal,
@@ -184,8 +186,9 @@ impl<S: Float> System<S> {
             .get_or_init(|| StepperSettings::of(&self.scene, &self.modal, masses, rounded::<S>))
     }
 
-    /// Returns a description of the scene as text. The scene may also come from code, from a fit or from a changed
-    /// scene. The description has no comments. Parsing it gives an equal scene, with the same numbers to the last bit.
+    /// Returns a description of the scene as text. This also works for a scene that was built in code, fitted or
+    /// changed. The description has no comments. Parsing it gives an equal scene, with the same numbers to the last
+    /// bit.
     ///
     /// ```
     /// # fn main() -> Result<(), Box<dyn std::error::Error>> {
@@ -254,28 +257,29 @@ impl<S: Float> System<S> {
         omega / self.reference
     }
 
-    /// Converts friction force and load amplitude to β = F/P. For base motion of amplitude Y, P = k₁Y.
+    /// Returns the friction ratio β = F/P for the friction force F and the amplitude P of the load. For base motion of
+    /// amplitude Y, pass k₁Y as `load`.
     #[must_use]
     pub fn friction_ratio(&self, friction: S, load: S) -> S {
         friction / load
     }
 
     /// Returns an upper bound on β_lim, and the exact β*_lim (6.11, 6.27, 6.33), without a search over time. In place
-    /// of the maximum S of the velocity constraint, the bound uses the limit of the constraint for τ → 0 (5.64). This
-    /// is the fastest call if no other result is needed at this r.
+    /// of the maximum S of the velocity constraint, the bound uses the limit of the constraint for τ → 0 (5.64). If no
+    /// other result is needed at this r, this call is the fastest.
     ///
     /// # Errors
     /// [`OutOfDomain`] for NaN and negative r. At r = 0 and r = ∞ the call returns the limit values. [`OutOfDomain`]
-    /// also for `friction: stribeck`, because the exact continuous response requires a kinetic friction force that does
-    /// not depend on the speed.
+    /// also for `friction: stribeck`, and for a scene with several contacts or dashpots. The exact continuous response
+    /// requires one contact, with a kinetic friction force that does not depend on the speed.
     pub fn limits_without_search(&self, r: S) -> Result<Limits<S>, OutOfDomain> {
         self.constant_force()?;
         At::limits_without_search(&self, r)
     }
 
-    /// Returns the threshold β_n,i of every resonance (6.2, 6.26). At a smaller friction ratio the amplitude at the
-    /// undamped resonance i is unbounded. The entry is `None` for a mode that the contact does not drive, and for a
-    /// scene with `contacts` or `dampers`. F is a constant kinetic friction force.
+    /// Returns the threshold β_n,i of every resonance i (6.2, 6.26). If β is below this threshold, the amplitude at
+    /// the undamped resonance is unbounded. The entry is `None` for a mode that the contact does not drive, and for a
+    /// scene with `contacts` or `dampers`. The thresholds hold for a constant kinetic friction force F.
     #[must_use]
     pub fn resonance_thresholds(&self) -> Vec<Option<S>> {
         if self.scene.is_joined() {

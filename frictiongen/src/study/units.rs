@@ -18,11 +18,14 @@ pub enum Load<S = f64> {
     Force(S),
     /// The load is a motion Y cos ωt of the base. The field is its amplitude Y, in m in SI units.
     Base(S),
-    /// Base motion with the same amplitude v of velocity at every frequency, in m/s in SI: Y = v/ω.
+    /// Base motion whose velocity has the amplitude v at every frequency. The field is v, in m/s in SI units. The
+    /// amplitude of the base motion is Y = v/ω.
     BaseVelocity(S),
-    /// Base motion with the same amplitude a of acceleration at every frequency, in m/s² in SI: Y = a/ω².
+    /// Base motion whose acceleration has the amplitude a at every frequency. The field is a, in m/s² in SI units. The
+    /// amplitude of the base motion is Y = a/ω².
     BaseAcceleration(S),
-    /// Unbalance m·e of a rotor, mass times eccentricity, in kg·m in SI: P = m·e·ω².
+    /// Unbalance of a rotor. The field is m·e, mass times eccentricity, in kg·m in SI units. The unbalance causes a
+    /// force of amplitude P = m·e·ω².
     Unbalance(S),
 }
 
@@ -58,8 +61,8 @@ impl<S: Copy> Load<S> {
         !matches!(self, Self::Force(_) | Self::Unbalance(_))
     }
 
-    /// Returns the exponent n if the amplitude P or Y of the load is proportional to ω⁻ⁿ. It is 0 for a constant
-    /// amplitude.
+    /// Returns the exponent n of the load, whose amplitude P or Y is proportional to ω⁻ⁿ. For a constant amplitude n
+    /// is 0.
     #[doc(hidden)]
     #[must_use]
     pub fn fall(&self) -> i32 {
@@ -327,12 +330,12 @@ impl<S: Float> System<S> {
         hertz(self.angular_frequency(r))
     }
 
-    /// Returns true if the sign of the contact's relative motion in all results is opposite to the description.
+    /// Returns true if the contact's relative motion has opposite signs in the results and in the scene description.
     ///
     /// A contact `a - b` in a description is the motion of b relative to a. The results contain the motion of the mass
-    /// listed later relative to the mass listed earlier. If these two motions differ in sign, their phases differ by
-    /// half a turn ([`reversed_phase`]). A contact of one mass with a support is never reversed, because the results
-    /// contain the motion of the mass.
+    /// listed later relative to the mass listed earlier. If these two motions have opposite signs, their phases differ
+    /// by half a turn ([`reversed_phase`]). A contact of one mass with a support is never reversed, because the
+    /// results contain the motion of the mass.
     ///
     /// ```
     /// # fn main() -> Result<(), Box<dyn std::error::Error>> {

@@ -53,18 +53,19 @@ pub type Sensitive = Dual<Dd>;
 /// ```
 ///
 /// Derivatives exist for steady states with stops ([`orbit`](Self::orbit)) and for steppers
-/// ([`stepper`](Self::stepper)) too. Simulations in time do not.
+/// ([`stepper`](Self::stepper)) too. Simulations in time have no derivatives.
 #[derive(Clone, Debug)]
 pub struct Varied {
     system: System<Sensitive>,
     data: Modal<Sensitive>,
-    /// The system without derivatives (`plain`). The field `transient` contains the data for motions in time with
-    /// derivatives. The first use of each field computes its contents.
+    /// The system without derivatives. The first use computes it.
     plain: OnceLock<System>,
+    /// The data for motions in time, with derivatives, or `None` if these derivatives do not exist. The first use
+    /// computes the data.
     transient: OnceLock<Option<Transient<Sensitive>>>,
-    /// The quantity with respect to which the results have derivatives. The field `steps` contains the settings of a
-    /// stepper with derivatives, which the first use computes.
+    /// The quantity with respect to which the results have derivatives. `None` for derivatives with respect to r or β.
     pub(super) quantity: Option<Quantity>,
+    /// The settings of a stepper with derivatives. The first use computes them.
     pub(super) steps: OnceLock<StepperSettings<Sensitive>>,
 }
 
@@ -72,7 +73,8 @@ impl Varied {
     /// Returns the system at the frequency ratio r.
     ///
     /// # Errors
-    /// [`OutOfDomain`] for NaN and negative r.
+    /// [`OutOfDomain`] for NaN and negative r, for `friction: stribeck`, and for a scene with several contacts or
+    /// dashpots.
     pub fn at(&self, r: Sensitive) -> Result<SystemAt<'_, Sensitive>, OutOfDomain> {
         self.system.at(r)
     }
@@ -166,7 +168,7 @@ impl Varied {
         })
     }
 
-    /// Returns the system with derivatives in double precision.
+    /// Returns the system with its numbers and their derivatives rounded to double precision.
     #[cfg(feature = "measure")]
     pub(super) fn rounded(&self) -> System<Dual<f64>> {
         let (scene, modal) = (self.system.scene().clone(), self.system.modal.clone());
@@ -183,8 +185,9 @@ impl Varied {
         &self.system
     }
 
-    /// Returns the data for motions in time, with derivatives. Returns `None` if several modes have the same frequency
-    /// and a change of the varied quantity separates them.
+    /// Returns the data for motions in time, with derivatives. Returns `None` if a single mode has no derivative. One
+    /// reason is that several modes have the same frequency, and a change of the varied quantity separates them.
+    /// [`Transient::along`] lists all reasons.
     pub(super) fn transient(&self) -> Option<&Transient<Sensitive>> {
         let transient = self
             .transient
@@ -227,15 +230,15 @@ impl FrictionSystem for Varied {
 }
 
 impl<S: Float> System<S> {
-    /// Returns this scene with derivatives with respect to `quantity`. Returns `None` if the scene does not have
-    /// this quantity.
+    /// Returns this system with derivatives with respect to `quantity`. Returns `None` if the scene does not have this
+    /// quantity.
     #[must_use]
     pub fn along(&self, quantity: Quantity) -> Option<Varied> {
         let data = self.modal.along(&self.scene, quantity)?;
         Some(self.varied(data, Some(quantity)))
     }
 
-    /// Returns this scene without a varied quantity, for derivatives with respect to r or β.
+    /// Returns this system without a varied quantity, for derivatives with respect to r or β.
     #[must_use]
     pub fn unvaried(&self) -> Varied {
         self.varied(self.modal.fixed(), None)

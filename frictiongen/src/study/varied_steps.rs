@@ -1,4 +1,4 @@
-//! Steppers whose results have derivatives.
+//! Steppers whose results have derivatives with respect to a number of the scene, the friction force or the load.
 
 #[cfg(test)]
 mod tests;
@@ -22,9 +22,9 @@ impl Varied {
     /// (displacement, velocity, force, work) has a derivative with respect to the varied quantity.
     ///
     /// For derivatives with respect to the friction force or to the input, pass `Dual::variable` in a sample to a
-    /// stepper of an [`unvaried`](super::System::unvaried) system. If the variable is a friction force that is constant
-    /// in time, pass `Dual::variable` in every sample. In all other derivatives the samples are constant, in the
-    /// scene's units.
+    /// stepper of an [`unvaried`](super::System::unvaried) system. If the variable is a friction force that is
+    /// constant in time, pass `Dual::variable` in every sample. For derivatives with respect to all other quantities,
+    /// pass samples in the scene's units as constants.
     ///
     /// The derivatives stay correct after stops, break-aways and reversals. They take into account that the instants of
     /// these events change with the quantity. At some values of the quantity an event appears or vanishes. The motion
@@ -80,7 +80,8 @@ impl Varied {
         )?)
     }
 
-    /// Returns the settings of a stepper whose units have derivatives.
+    /// Returns the settings of a stepper. The factors that convert its non-dimensional groups to the scene's units
+    /// have derivatives.
     fn settings(&self) -> StepperSettings<Sensitive> {
         let (scene, modal) = (self.system().scene(), self.modal());
         let fixed = Sensitive::fixed;
@@ -175,10 +176,11 @@ impl RoundedSteps {
 }
 
 impl SystemStepper<'_, Sensitive> {
-    /// Fails if the derivatives are unreliable, because the motion has grazed an event since the start. In a graze, the
-    /// contact's velocity or force crosses its level very slowly. A rounding error of the input in `f64` then changes
-    /// the derivative of the event's instant by more than a millionth of the derivative. The method also fails if a
-    /// rounding error of the input may decide whether the contact stops or slides on.
+    /// Fails if the derivatives are unreliable, because the motion has grazed an event since the start. In a graze,
+    /// the contact's velocity or force very slowly crosses the value at which the event occurs. A rounding error of
+    /// the input in `f64` then changes the derivative of the event's instant by more than a millionth of the
+    /// derivative. The method also fails if a rounding error of the input may decide whether the contact stops or
+    /// slides on.
     ///
     /// # Errors
     /// [`NoDerivative::Graze`] at the first graze and at all later instants.

@@ -19,7 +19,7 @@ use frictiongen_kernel::simulation::{Contact, Event};
 #[cfg(feature = "desk")]
 use std::borrow::Cow;
 
-/// Returns the word for a regime.
+/// Returns the word for a regime, for example `stick-slip`.
 #[must_use]
 pub fn regime(regime: Regime) -> &'static str {
     match regime {
@@ -238,7 +238,7 @@ pub fn measured(measured: InvariantQuantity) -> &'static str {
     }
 }
 
-/// Returns the condition that makes a point invariant.
+/// Returns the condition under which the motion at an invariant point does not depend on friction.
 #[must_use]
 pub fn condition(point: &InvariantPoint) -> &'static str {
     match point.condition {

@@ -1,5 +1,5 @@
-//! Counts the work that the computation of a response costs. The code counts work instead of time, so that a bound on
-//! work stops a search at the same point on every machine.
+//! Estimates the work of computing a response. A search counts work instead of time, so that a bound on its work stops
+//! the search at the same point on every machine.
 //!
 //! One unit of work is about 10 µs. The constants are rounded means over random frames of one to six masses.
 
@@ -8,17 +8,19 @@ use super::system::System;
 use crate::study::scene::Damping;
 use crate::{Error, NoOrbit};
 
-/// Work of the last cycles of a motion from rest that did not settle, in units of about 10 µs. The code multiplies this
-/// number by (number of masses + 2).
+/// Work of a motion from rest that did not settle, in units of about 10 µs. The code multiplies this number by (number
+/// of masses + 2).
 const UNSETTLED: usize = 400;
-/// Additional work of a response if the motion from rest did not settle and the search found another steady state.
+/// Work of a response for which the motion from rest did not settle and the search found another steady state, in
+/// units of about 10 µs.
 const ANOTHER: usize = 1000;
-/// Number of vibrations of the fastest mode in one cycle of the excitation that doubles the work of this cycle. The
-/// comparison is with a cycle in which all modes are slow.
+/// Number of vibrations of the fastest mode in one cycle of the excitation that doubles the work. Such a cycle costs
+/// twice the work of a cycle in which all modes are slow.
 const VIBRATIONS: f64 = 10.0;
-/// Computing time of a settled motion of a damped chain, for each mass, in units of about 10 µs.
+/// Work of a settled motion of a damped chain, for each mass, in units of about 10 µs.
 const DAMPED: usize = 8;
-/// Computing time of a settled motion of an undamped chain, for each pair of modes, in units of about 10 µs.
+/// Work of a settled motion of an undamped chain, in units of about 10 µs. The code multiplies this number by the
+/// square of the number of masses.
 const UNDAMPED: usize = 6;
 
 /// Returns the work of the response `found` at the frequency ratio r, in units of about 10 µs.

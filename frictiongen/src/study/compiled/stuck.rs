@@ -36,7 +36,8 @@ impl<'a, S: Float> TabledStuck for &'a CompiledSystem<'a, S> {
 pub struct CompiledStuck<'a, S: Float = f64>(Sticking<&'a CompiledSystem<'a, S>>);
 
 impl<'a, S: Float> CompiledStuck<'a, S> {
-    /// Returns the complex amplitude of the mass called `name` while the contact is stuck, as a non-dimensional group.
+    /// Returns the complex amplitude of the mass called `name` while the contact is stuck, divided by P/k₁ (by Y for
+    /// base motion).
     ///
     /// # Errors
     /// [`UnknownMass`] if no mass has this name.

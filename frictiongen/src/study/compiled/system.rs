@@ -33,8 +33,9 @@ enum TablePieces<S> {
 /// A system with tables of its limits and of its contact's motion. The tables have a declared accuracy over a range of
 /// frequency ratios r.
 ///
-/// Within this range a `CompiledSystem` has the same methods as the system. The exact formulas compute the results that
-/// the tables do not contain, such as the motions of masses while the contact slides.
+/// Within this range a `CompiledSystem` has the methods of the trait [`FrictionSystem`], as the exact [`System`] has.
+/// The exact formulas compute the results that the tables do not contain, such as the motions of masses while the
+/// contact slides.
 ///
 /// ```
 /// use frictiongen::{FrictionSystem, LimitsAt, System};
@@ -143,8 +144,9 @@ impl<'s, S: Float> CompiledSystem<'s, S> {
         &self.tables
     }
 
-    /// Returns the tables with proofs of their error bounds for β_lim and for the contact's motion, as far as the
-    /// permitted `work` suffices. [`ProofWork::WHOLE`] takes a few seconds.
+    /// Proves the error bounds of the tables for β_lim and for the contact's motion, and returns the system with these
+    /// proofs. If a proof needs more than the permitted `work`, it is incomplete. [`ProofWork::WHOLE`] takes a few
+    /// seconds.
     #[cfg(feature = "proof")]
     #[must_use]
     pub fn proven(mut self, work: ProofWork) -> Self {
@@ -152,8 +154,9 @@ impl<'s, S: Float> CompiledSystem<'s, S> {
         self
     }
 
-    /// Returns the proof of the error bound for β_lim. The method `proven`, which needs the feature `proof`, makes this
-    /// proof. If there is no proof, the tables were only compared with exact values at points.
+    /// Returns the proof of the error bound for β_lim. The method `proven`, which needs the feature `proof`, makes
+    /// this proof. Without a call of `proven`, the result only says that the tables were compared with exact values at
+    /// points.
     ///
     /// `tables().motion_proof` is the proof for the contact's motion. `tables().sliding_proof` is the proof for β*_lim,
     /// which needs no evaluations.
@@ -162,7 +165,7 @@ impl<'s, S: Float> CompiledSystem<'s, S> {
         &self.tables.proof
     }
 
-    /// Returns the system with tables at the frequency ratio r.
+    /// Returns this system at the frequency ratio r.
     ///
     /// # Errors
     /// [`OutOfDomain`] outside the range of the tables, and for NaN.

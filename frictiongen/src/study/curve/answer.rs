@@ -1,4 +1,4 @@
-//! The response over frequency, as a curve.
+//! The result of a computation of a curve: the curve over frequency, its pieces and its gaps.
 
 use super::point::CurvePoint;
 use super::request::CurveStart;
@@ -7,21 +7,22 @@ use crate::{Error, Regime};
 /// A curve: the response over frequency at one friction ratio.
 #[derive(Clone, Debug)]
 pub struct Curve {
-    /// Friction ratio β = F/P (F/(k₁Y) for base motion).
+    /// Friction ratio β = F/P (F/(k₁Y) for base motion). If `CurveRequest::rise` is not 0, `beta` is the friction
+    /// ratio at r = 1.
     pub beta: f64,
     /// The initial state of the motion at each point of the curve.
     pub start: CurveStart,
     /// The pieces of the curve, in ascending order of the frequency ratio r. Straight lines may join the points of one
     /// piece.
     pub pieces: Vec<CurvePiece>,
-    /// The ranges of frequency without a response.
+    /// The ranges of the frequency ratio r in which the curve has no response.
     pub gaps: Vec<Gap>,
     /// True if straight lines between the points have the requested accuracy. False if the refinement has ended early,
     /// because the curve reached its bound on work.
     pub refined: bool,
 }
 
-/// A range of a curve with a single regime. Straight lines may join its points.
+/// A range of a curve without a change of regime, a pole, a jump or a gap. Straight lines may join its points.
 #[derive(Clone, Debug)]
 pub struct CurvePiece {
     /// Regime at all points of the piece.

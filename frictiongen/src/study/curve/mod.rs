@@ -23,8 +23,8 @@ use refine::Refine;
 use std::sync::atomic::{AtomicUsize, Ordering};
 
 impl System {
-    /// Returns the response over frequency at one friction ratio. At frequencies where the contact slides all the time,
-    /// the points come from the closed form. All other points come from steady states with stops, or from the stuck
+    /// Returns the response over frequency at one friction ratio. At frequencies where the contact slides all the
+    /// time, the points come from the closed form. All other points come from stick-slip motions, or from the stuck
     /// response.
     ///
     /// ```
@@ -84,8 +84,8 @@ impl System {
         self.curve_from(request, beta, request.start)
     }
 
-    /// Returns several curves, which the call computes in parallel. Each curve has its own friction ratio and initial
-    /// state, which replace those of the request.
+    /// Returns several curves, which the call computes in parallel. The list `asked` gives the friction ratio β and
+    /// the initial state of each curve. This initial state replaces that of the request.
     ///
     /// # Errors
     /// Same errors as [`curve`](Self::curve).

@@ -5,7 +5,7 @@ use super::point::CurvePoint;
 use super::request::CurveStart;
 use crate::Error;
 
-/// A frequency ratio of a curve with its response.
+/// A frequency ratio r of a curve, with the response at this r or the reason why there is none.
 #[derive(Clone, Debug)]
 pub(super) struct CurveNode {
     pub r: f64,

@@ -8,11 +8,13 @@ use crate::{Of, Regime};
 
 /// Number of intervals in the first grid of frequency ratios.
 const INTERVALS: usize = 160;
-/// Largest number of odd sub-harmonics of one resonance that become points of a curve.
+/// Largest number of odd sub-harmonics of one resonance that become points of a curve. The odd sub-harmonics are the
+/// resonance divided by 3, 5, 7, ….
 const MOST_SUBHARMONICS: usize = 25;
 /// Relative distance from a pole of the response to the nearest points of the curve.
 const NEAR_POLE: f64 = 1e-5;
-/// Relative distance from a resonance at which the code evaluates the amplitude to detect a pole.
+/// Relative distance from a resonance at which the code evaluates the amplitude. A comparison with the amplitude at
+/// ten times this distance detects a pole, towards which the amplitude grows without bound.
 const POLE: f64 = 1e-9;
 /// Number of golden-section steps in a search for another regime between three neighbouring frequency ratios. Each step
 /// reduces the interval to 0.62 of its length.
@@ -24,8 +26,9 @@ pub(super) struct CurvePlace {
     pub r: f64,
     /// The reason why the curve is cut between this frequency ratio and the next. `None` without a cut.
     pub cut: Option<PieceEnd>,
-    /// True for a sub-harmonic of a resonance that is not next to a cut. If the curve reaches its bound on work, the
-    /// code leaves out the points for which this flag is true.
+    /// True if the curve may leave out this point. The point is then a sub-harmonic of a resonance and not next to a
+    /// cut. A sweep leaves out all such points. Any other curve computes these points last, as far as its bound on
+    /// work permits.
     pub spare: bool,
 }
 
@@ -97,8 +100,8 @@ fn grid(request: &CurveRequest) -> Vec<f64> {
     let inner = (1..count).map(|i| request.from + width * i as f64 / count as f64);
     let mut grid: Vec<f64> = inner.collect();
     grid.extend([request.from, request.to]);
-    // Sub-harmonics of the resonances are closer together at low r. The spacing of the grid is therefore proportional
-    // to r.
+    // At low r the sub-harmonics of the resonances are closer together. The additional points at low r therefore have
+    // a spacing proportional to r.
     let mut low = request.from * 1.05;
     while low < request.to * 0.1 && grid.len() < count + 200 {
         grid.push(low);
@@ -114,14 +117,14 @@ struct PlaceSearch<'a> {
 }
 
 impl PlaceSearch<'_> {
-    /// Returns the resonances of the chain, free and with its contact stuck, as frequency ratios.
+    /// Returns the resonances of the chain without friction and with its contact stuck, as frequency ratios.
     fn resonances(&self) -> Vec<f64> {
         let held = self.system.dynamics().held;
         let free = self.system.resonances().iter().copied();
         free.chain(held.iter().map(|mode| mode.frequency)).collect()
     }
 
-    /// Returns true if the amplitude of a motion in `of` grows without bound towards a resonance.
+    /// Returns true if the amplitude of a motion in the list `of` grows without bound towards the given resonance.
     fn is_pole(&self, resonance: f64, of: &[Of]) -> bool {
         let largest = |distance: f64| -> Option<f64> {
             let r = resonance * (1.0 - distance);
@@ -161,8 +164,8 @@ impl PlaceSearch<'_> {
         limits.regime(self.request.beta_at(self.beta, r)).ok()
     }
 
-    /// Returns the first frequency ratios of a curve. The function adds both sides of every regime boundary and of
-    /// every pole to the grid.
+    /// Adds both sides of every regime boundary to the grid. Marks the cuts of the curve at regime boundaries and at
+    /// poles.
     fn cut(&self, grid: &[f64], is_pole: impl Fn(f64, f64) -> bool) -> Vec<CurvePlace> {
         let mut all = grid.to_vec();
         all.extend(self.hidden(grid));
@@ -249,8 +252,9 @@ impl PlaceSearch<'_> {
         found
     }
 
-    /// Searches for a frequency ratio between `low` and `high` at which `sign` times the margin is not negative.
-    /// Returns `None` if the search finds no such frequency ratio.
+    /// Searches for a frequency ratio between `low` and `high` at which `sign` times the margin is not negative. The
+    /// function `read` selects ln(β/β_lim) or ln(β/β*_lim) as the margin. Returns `None` if the search finds no such
+    /// frequency ratio.
     fn beyond(&self, mut low: f64, mut high: f64, read: MarginOf, sign: f64) -> Option<f64> {
         let value = |r: f64| sign * read(self.margins(r));
         let golden = 0.618_033_988_749_894_8;

@@ -12,16 +12,16 @@ pub struct CurvePoint {
     pub r: f64,
     /// Regime of the response: continuous, stick-slip or stuck.
     pub regime: Regime,
-    /// Number of stops of the contact in a period.
+    /// Number of stops of the contact in one period of the motion.
     pub stops: usize,
     /// Number of cycles of the excitation after which the motion repeats.
     pub period: u32,
     /// True if the motion repeats. If false, the values of this point belong to the last 64 computed cycles.
     pub settled: bool,
-    /// True if the steady state belongs to a continuum of steady states.
+    /// True if the steady state belongs to a continuum of steady states, or is the end of a continuum.
     pub marginal: bool,
-    /// True if the motion from rest ends in this state. False if the motion from rest does not settle, and this state
-    /// is another steady state.
+    /// True if the motion from the requested initial state ends in this state. False if that motion does not settle,
+    /// and this state is another steady state.
     pub from_rest: bool,
     /// Offset (max z̄ + min z̄)/2 of the contact's relative motion, divided by P/k₁ (by Y for base motion).
     pub offset: f64,
@@ -29,14 +29,14 @@ pub struct CurvePoint {
     pub movements: Vec<Movement>,
     /// The largest friction force in a period, divided by P (by k₁Y for base motion).
     pub contact_force: f64,
-    /// The work of friction in one cycle of the excitation, divided by P²/k₁ (by k₁Y² for base motion).
+    /// The energy that friction dissipates in one cycle of the excitation, divided by P²/k₁ (by k₁Y² for base motion).
     pub friction_work: f64,
 }
 
 /// The motion of the contact or of a mass at one point of a curve.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Movement {
-    /// Amplitude and phase of the motion: the largest |x̄|, and the lag of this maximum in rad.
+    /// Amplitude and phase of the motion: the largest |x̄|, and the lag of this maximum behind the excitation, in rad.
     pub swing: Swing,
     /// Centred amplitude, half the distance between the least and the largest x̄, where x̄ = x/(P/k₁) (x/Y for base
     /// motion).
@@ -44,10 +44,10 @@ pub struct Movement {
     /// Lag of the fundamental component behind the excitation, in rad, in (−π, π]. `None` if the contact or mass does
     /// not move.
     pub fundamental_phase: Option<f64>,
-    /// Largest |dx̄/dτ| and largest |d²x̄/dτ²| of the motion, if the request contains them.
+    /// Largest |dx̄/dτ| and largest |d²x̄/dτ²| of the motion, present only if `CurveRequest::rates` is true.
     pub rates: Option<(f64, f64)>,
-    /// Equivalent viscous damping ratio of the contact. The ratio is present for the motion of the contact and for
-    /// spring forces, if the request contains rates.
+    /// Equivalent viscous damping ratio of the contact. It is present only for the motion of the contact and for
+    /// spring forces, and only if `CurveRequest::rates` is true.
     pub damping: Option<f64>,
     /// The harmonics that were requested, in the order of the request.
     pub harmonics: Vec<Complex<f64>>,
@@ -116,7 +116,7 @@ impl Movement {
         })
     }
 
-    /// Reverses the sign of the contact's relative motion in this response.
+    /// Returns this motion of the contact with the opposite sign.
     fn turned(mut self, response: &SystemResponse<'_>) -> Self {
         self.swing.phase = response.reversed_contact_phase();
         self.fundamental_phase = self.fundamental_phase.map(reversed_phase);

@@ -1,8 +1,8 @@
 //! Adds points to a curve where it bends. The first frequency ratios of the curve are called *places*.
 //!
-//! An interval between two points is open if a straight line does not represent the curve within it. The code halves
-//! all open intervals in turn, and wide intervals before narrow ones. If the bound on work ends the refinement early,
-//! the points are therefore equally close over the whole range.
+//! An interval between two points stays open until a straight line represents the curve within it. In each round the
+//! code halves all open intervals. If the bound on work ends the refinement early, the points are therefore about
+//! equally close over the whole range.
 
 use super::answer::{Curve, PieceEnd};
 use super::pieces::{self, CurveNode};
@@ -22,8 +22,8 @@ pub(super) const NARROW: f64 = 1e-7;
 /// Smallest relative distance of neighbouring points where amplitudes scatter. Amplitudes scatter if motions do not
 /// settle, or if motions from rest end in different steady states at neighbouring points.
 pub(super) const NARROW_SCATTERED: f64 = 1e-3;
-/// Largest number of open intervals between two neighbouring frequency ratios of the first grid. An interval is open if
-/// a straight line does not represent the curve in this interval. If more intervals are open, the code assumes that the
+/// Largest number of open intervals between two neighbouring frequency ratios of the first grid. An interval stays open
+/// until a straight line represents the curve within it. If more intervals are open, the code assumes that the
 /// amplitudes scatter from point to point.
 const MOST_BENT: usize = 32;
 /// Smallest relative width of an interval in which the search locates a change in the contact's pattern of stops.
@@ -31,12 +31,14 @@ pub(super) const NARROW_PATTERN: f64 = 1e-4;
 /// Smallest relative width of an interval in which the search locates a bound of a gap. A gap is a range of frequency
 /// ratios without a response.
 const NARROW_GAP: f64 = 1e-7;
-/// Smallest amplitude at which the refinement follows a bend, divided by the median amplitude over the first grid.
+/// Lower bound on the amplitude to which the tolerance is relative, divided by the median amplitude over the first
+/// grid. The bound keeps the refinement from following bends of a very small motion.
 const SMALL: f64 = 1e-3;
 /// Number of less important frequency ratios (sub-harmonics of resonances) that the code computes before it compares
 /// the work with the bound on work.
 const AT_ONCE: usize = 16;
-/// Largest amplitude of a motion that is treated as a rounding error, divided by the amplitude of another motion.
+/// Median amplitude below which a motion is treated as rounding, divided by the largest median amplitude of all
+/// motions.
 const ROUNDING: f64 = 1e-6;
 
 /// An interval between two neighbouring nodes of the curve, which the refinement may halve. A node is a frequency ratio
@@ -60,9 +62,8 @@ pub(super) struct Refine<'a> {
     pub straight: Straight,
 }
 
-/// Returns true if the offset of a stuck contact can jump between neighbouring frequencies. It can jump if the offset
-/// depends on every earlier slip. The offset depends on every earlier slip if static friction exceeds kinetic friction
-/// (μ > 1), and in a chain without damping.
+/// Returns true if the offset of a stuck contact can jump between neighbouring frequencies. Without damping, or with
+/// static friction above kinetic friction (μ > 1), the offset depends on every earlier slip. It can then jump.
 fn offsets_jump(system: &System) -> bool {
     let scene = system.scene();
     1.0 < scene.stiction || scene.damping == Damping::None
@@ -104,9 +105,8 @@ impl<'a> Refine<'a> {
         (point, work)
     }
 
-    /// Returns one amplitude for each motion. The code does not refine the curve where the motion has a smaller
-    /// amplitude. The returned amplitude is a fraction of the median over the first points, because a pole hardly
-    /// changes the median.
+    /// Returns, for each motion, a lower bound on the amplitude to which the tolerance is relative. The bound is a
+    /// fraction of the median amplitude over the first points, because a pole hardly changes the median.
     pub(super) fn scales(&self, nodes: &[CurveNode]) -> Vec<f64> {
         let median = |index: usize| {
             let points = nodes.iter().filter_map(|node| node.answer.as_ref().ok());
@@ -126,8 +126,8 @@ impl<'a> Refine<'a> {
         scales.into_iter().map(|scale| scale.max(least)).collect()
     }
 
-    /// Computes the points of the first grid. The flag is true if the permitted work sufficed for all points. The code
-    /// computes less important points (sub-harmonics of resonances) last.
+    /// Computes the points of the first grid. The second result is true if the permitted work sufficed for all points.
+    /// The code computes less important points (sub-harmonics of resonances) last.
     fn grid(&self, places: &[CurvePlace]) -> (Vec<CurveNode>, bool) {
         let (spare, needed): (Vec<CurvePlace>, Vec<CurvePlace>) =
             places.iter().partition(|place| place.spare);
@@ -180,8 +180,8 @@ impl<'a> Refine<'a> {
         pieces::curve((self.beta, self.request.start), nodes.into_iter(), refined)
     }
 
-    /// Returns the middles of all intervals in `open` that are wide enough to halve. If the two points of a narrow
-    /// interval are on different curves, the function cuts the curve between them.
+    /// Returns the middles of all intervals in `open` that are wide enough to halve. If the amplitudes at the two
+    /// points of a narrow interval still differ by a jump, the function cuts the curve between the points.
     fn worth_halving(
         &self,
         open: &[NodeInterval],
@@ -227,7 +227,7 @@ impl<'a> Refine<'a> {
         self.system.scene().stiction <= 1.0 || (slides(a) && slides(b))
     }
 
-    /// Cuts the curve within intervals whose two points are on different curves.
+    /// Cuts the curve within intervals at whose two points the amplitudes differ by a jump.
     fn cut_apart(&self, intervals: &[(NodeInterval, f64)], nodes: &mut [CurveNode]) {
         for (interval, _) in intervals {
             let ends = [interval.left, interval.right].map(|end| nodes.get(end));
@@ -281,8 +281,8 @@ pub(super) fn spent(nodes: &[CurveNode]) -> usize {
     nodes.iter().map(|node| node.work).sum()
 }
 
-/// Returns the number of intervals, counted from the first, for which the remaining work suffices. The code estimates
-/// the work for the middle of an interval as that of the more expensive one of its two points.
+/// Returns the number of intervals, counted from the first, for which the remaining work suffices. As an estimate of
+/// the work for the middle of an interval, the code takes the larger work of its two points.
 fn affordable(intervals: &[(NodeInterval, f64)], nodes: &[CurveNode], left: usize) -> usize {
     let work = |end: usize| nodes.get(end).map_or(0, |node| node.work);
     let mut sum = 0_usize;

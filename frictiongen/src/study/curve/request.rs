@@ -37,7 +37,7 @@ pub struct CurveRequest {
     pub widest: Option<f64>,
     /// The orders of the harmonics that each point contains.
     pub harmonics: Vec<u32>,
-    /// True if each point contains velocities and accelerations.
+    /// True if each point contains velocities, accelerations and the equivalent viscous damping ratio.
     pub rates: bool,
     /// True if the curve contains the contact's motion with the opposite sign. The sign then agrees with the
     /// description if [`System::contact_is_reversed`](crate::study::System::contact_is_reversed) returns true.
@@ -53,12 +53,13 @@ pub struct CurveRequest {
     /// under an unbalance.
     pub rise: i32,
     /// Exponent n of the load along the curve: the amplitude of the load is proportional to r⁻ⁿ. The refinement of the
-    /// curve compares the displacements under this load.
+    /// curve expresses all displacements in the unit P/k₁ (Y for base motion) at r = 1.
     pub fall: i32,
 }
 
 impl CurveRequest {
-    /// Requests amplitudes and phases of some motions over a range of the frequency ratio r, with a tolerance of 5e-4.
+    /// Requests amplitudes and phases of the motions `of` over a range of the frequency ratio r, with a tolerance of
+    /// 5e-4.
     #[must_use]
     pub fn new(from: f64, to: f64, of: &[Of]) -> Self {
         Self {
@@ -77,7 +78,7 @@ impl CurveRequest {
         }
     }
 
-    /// Returns the friction ratio at the frequency ratio r, which is β·rⁿ.
+    /// Returns the friction ratio at the frequency ratio r, which is β·rⁿ with n = `rise`.
     pub(super) fn beta_at(&self, beta: f64, r: f64) -> f64 {
         beta * r.powi(self.rise)
     }

@@ -10,8 +10,8 @@ use std::f64::consts::PI;
 pub(super) struct Straight {
     /// The largest permitted deviation of a straight line from the curve, divided by the value of the curve.
     pub accuracy: f64,
-    /// One amplitude for each motion. Where the motion has a smaller amplitude, deviations from a straight line do not
-    /// matter.
+    /// For each motion, a lower bound on the amplitude to which the tolerance is relative. The bound keeps small
+    /// motions from needing many points.
     pub scales: Vec<f64>,
     /// True if μ > 1 or if the chain has no damping. The offset of a stuck contact then depends on every earlier slip,
     /// and jumps from point to point. The criteria then use the centred amplitude (without the offset), because more
@@ -22,7 +22,8 @@ pub(super) struct Straight {
 }
 
 impl Straight {
-    /// Returns the unit of displacement at a point of the curve, divided by the unit at r = 1.
+    /// Returns the unit of displacement (P/k₁, or Y for base motion) at a point of the curve, divided by this unit at
+    /// r = 1.
     pub(super) fn unit(&self, point: &CurvePoint) -> f64 {
         point.r.powi(-self.fall)
     }
@@ -44,7 +45,8 @@ impl Straight {
         })
     }
 
-    /// Returns true if two neighbouring points belong to one curve without a jump.
+    /// Returns true if the amplitudes at two neighbouring points differ so little that the curve has no jump between
+    /// the points.
     pub(super) fn touch(&self, a: &CurvePoint, b: &CurvePoint) -> bool {
         let reach = 100.0 * self.accuracy;
         self.swings([a, b]).all(|([a, b], scale)| {
@@ -53,8 +55,8 @@ impl Straight {
         })
     }
 
-    /// Returns two items for each motion: its amplitudes and phases at several points, and the amplitude below which
-    /// deviations do not matter.
+    /// Returns two items for each motion: its amplitudes and phases at several points, and the lower bound on the
+    /// amplitude to which the tolerance is relative.
     fn swings<'p, const N: usize>(
         &'p self,
         points: [&'p CurvePoint; N],
@@ -77,8 +79,8 @@ impl Straight {
     }
 }
 
-/// Returns true if three points have the same number of stops and the same period, and if all three motions or no
-/// motion settles.
+/// Returns true if three points have the same number of stops and the same period, and if all or none of the three
+/// motions settle.
 pub(super) fn alike(points: [&CurvePoint; 3]) -> bool {
     let pattern = |point: &CurvePoint| (point.stops, point.period, point.settled);
     points

@@ -27,8 +27,8 @@ impl Refine<'_> {
     /// Returns the curve that the sweep follows through the given frequency ratios, in the requested direction.
     pub(super) fn swept(mut self, places: &[CurvePlace]) -> Curve {
         let down = self.request.start == CurveStart::Down;
-        // A sweep computes every motion twice. To save work, the sweep leaves out the less important frequency ratios
-        // (sub-harmonics of resonances).
+        // A sweep computes the motion at each of these frequency ratios twice, first for the scales and then for the
+        // curve. To save work, it leaves out the less important frequency ratios (sub-harmonics of resonances).
         let places = places.iter().filter(|place| !place.spare);
         let mut places: Vec<CurvePlace> = places.copied().collect();
         if down {
@@ -78,7 +78,8 @@ impl Refine<'_> {
         nodes.collect()
     }
 
-    /// Returns the response at the frequency ratio r, for a motion that starts from a state, or from rest.
+    /// Returns the response at the frequency ratio r, for a motion from the state `start`, or from rest without this
+    /// state.
     fn step(&self, r: f64, start: Option<&Carried>) -> SweepStep {
         let found = self.system.at(r).map_err(Error::from).and_then(|at| {
             let beta = self.request.beta_at(self.beta, r);

@@ -1,5 +1,5 @@
-//! Linear responses in closed form: the response of the chain without friction, and that of the chain with all contacts
-//! stuck.
+//! Linear responses of a chain to its load, in closed form: the response without friction, and the response while all
+//! contacts stick.
 
 use super::error::UnknownContact;
 use super::scene::Joined;
@@ -8,7 +8,7 @@ use crate::Complex;
 use crate::study::error::UnknownMass;
 use crate::study::joints::StuckResponse;
 
-/// Linear response of a chain to its load. It consists of the complex amplitude of each mass.
+/// Linear response of a chain to its load: the complex amplitude of each mass.
 #[derive(Clone, Debug)]
 pub struct LinearResponse<'a> {
     joined: Joined<'a>,
@@ -29,7 +29,8 @@ impl<'a> LinearResponse<'a> {
         }
     }
 
-    /// Returns the complex amplitude X of the mass called `name`. The motion of the mass is x̄ = Re X exp(iτ).
+    /// Returns the complex amplitude X of the mass called `name`. The displacement of the mass is x̄ = Re X exp(iτ),
+    /// with the phase τ = ωt of the load.
     ///
     /// # Errors
     /// [`UnknownMass`] if no mass has this name.
@@ -71,9 +72,12 @@ impl<'a> StuckState<'a> {
         }
     }
 
-    /// Returns β*_lim, the smallest common friction at which no contact slides. It is the largest value of
-    /// |f|/(μ·share) among the contacts. f is the amplitude of the force in a contact, and the share is the contact's
-    /// friction force divided by the common friction. If the load is in N or m, the result is a force in N.
+    /// Returns β*_lim, the smallest common friction at which no contact slides. If the load is in N or m, the result
+    /// is a force in N.
+    ///
+    /// The limit is the largest value of |f|/(μ·share) among the contacts. f is the amplitude of the force in a
+    /// contact, and μ its ratio of static to kinetic friction. The share is the contact's friction force divided by
+    /// the common friction.
     #[must_use]
     pub fn limit(&self) -> f64 {
         self.limit
@@ -85,7 +89,7 @@ impl<'a> StuckState<'a> {
         &self.first
     }
 
-    /// Returns the complex amplitude of the mass called `name`, while no contact slides.
+    /// Returns the complex amplitude of the displacement of the mass called `name`, while no contact slides.
     ///
     /// # Errors
     /// [`UnknownMass`] if no mass has this name.

@@ -12,10 +12,10 @@ use crate::study::joints::{
 use crate::{Given, OutOfDomain};
 use frictiongen_model::scene::Excitation;
 
-/// Number of cycles of the load that the code skips, before it takes the amplitude of a motion that does not settle.
+/// Number of cycles of the load before the code takes the amplitude of a motion that does not settle.
 const SKIPPED: usize = 512;
-/// Number of cycles of the load, after the skipped cycles, over which the code takes the amplitude of a motion that
-/// does not settle.
+/// Number of cycles of the load over which the code takes the amplitude of a motion that does not settle. `SKIPPED`
+/// cycles precede them.
 const KEPT: usize = 64;
 
 /// Displacements and velocities of all masses, in the units of [`JoinedAt::units`].
@@ -25,7 +25,8 @@ type GivenState<'s> = (&'s [f64], &'s [f64]);
 #[derive(Clone, Debug)]
 pub struct JoinedAt<'a> {
     joined: Joined<'a>,
-    /// The chain with its load, for a common friction of 1. The friction force of each contact is therefore its share.
+    /// The chain with its load, for a common friction of 1. The friction force of each contact is then its share of
+    /// the common friction.
     chain: Chain,
     omega: f64,
     units: AnswerUnits,
@@ -34,10 +35,10 @@ pub struct JoinedAt<'a> {
 impl<'a> Joined<'a> {
     /// Evaluates the scene at the frequency ratio r = ω√(m₁/k₁). Frictions are ratios β = F/P (F/(k₁Y) for base
     /// motion). Displacements are divided by P/k₁ (by Y for base motion), and forces are divided by P (by k₁Y for base
-    /// motion).
+    /// motion). Velocities are derivatives of these displacements with respect to the phase τ = ωt.
     ///
     /// # Errors
-    /// [`OutOfDomain`] unless r is above 0 and finite. [`JoinedError::NoSpring`] for a scene without springs.
+    /// [`JoinedError::NoSpring`] for a scene without springs. Otherwise same errors as [`at_any`](Self::at_any).
     pub fn at(&self, r: f64) -> Result<JoinedAt<'a>, JoinedError> {
         if self.scene().springs.is_empty() {
             return Err(JoinedError::NoSpring);
@@ -49,8 +50,8 @@ impl<'a> Joined<'a> {
     /// k₁ = 1 in the units of the scene description.
     ///
     /// # Errors
-    /// [`OutOfDomain`] unless r is above 0 and finite. [`JoinedError::NoAmplitude`] for `friction: stribeck` without the
-    /// load ([`with_length`](Self::with_length)).
+    /// [`OutOfDomain`] unless r is above 0 and finite. [`JoinedError::NoAmplitude`] if the scene has
+    /// `friction: stribeck` and [`with_length`](Self::with_length) has not set the unit of displacement.
     pub fn at_any(&self, r: f64) -> Result<JoinedAt<'a>, JoinedError> {
         if !(r > 0.0 && r.is_finite()) {
             return Err(OutOfDomain::FrequencyRatioInTime(Given::of(r)).into());
@@ -131,8 +132,8 @@ impl<'a> JoinedAt<'a> {
         self.units
     }
 
-    /// Returns the chain that the solver uses, with its load and with the friction force of each contact under this
-    /// common friction.
+    /// Returns the chain that the solver uses, with its load. The friction force of each contact is its share of the
+    /// common friction `friction`.
     ///
     /// # Errors
     /// [`OutOfDomain`] for a friction that is negative or not finite.
@@ -187,8 +188,8 @@ impl<'a> JoinedAt<'a> {
         ))
     }
 
-    /// Returns the largest |x̄| of every mass over cycles 513 to 576 of the motion from rest. This amplitude is useful
-    /// if the motion does not settle.
+    /// Returns the largest |x̄| of every mass over cycles 513 to 576 of the motion from rest. This amplitude replaces
+    /// that of the steady state if the motion does not settle.
     ///
     /// # Errors
     /// Same errors as [`simulation`](Self::simulation).
@@ -256,9 +257,9 @@ impl<'a> JoinedAt<'a> {
         JoinedSimulation::new(self.joined.clone(), motion, (self.omega, self.units))
     }
 
-    /// Returns the state in which no contact slides, in closed form. The state contains the amplitudes, the force of
-    /// each contact, and the smallest friction for this state. The call assumes that no earlier motion has left a
-    /// constant force in a contact.
+    /// Returns the state in which no contact slides, in closed form. The result contains the amplitude of each mass,
+    /// the force in each contact, and the smallest friction for this state. The method assumes that no earlier motion
+    /// has left a constant force in a contact.
     ///
     /// # Errors
     /// [`JoinedError::Resonance`] on an undamped resonance of the chain with its contacts stuck.
@@ -281,8 +282,8 @@ impl<'a> JoinedAt<'a> {
     }
 }
 
-/// Converts the error of a linear response. The frequency of a load in a scene is always valid. Only a resonance can
-/// therefore cause an error.
+/// Converts the error of a linear response. The frequency of a load in a scene is always valid. [`JointError::Number`]
+/// therefore means a resonance.
 fn resonance(error: JointError) -> JoinedError {
     match error {
         JointError::Number(_) => JoinedError::Resonance,

@@ -32,7 +32,7 @@ impl std::error::Error for UnknownContact {}
 #[derive(Clone, Debug, PartialEq)]
 #[non_exhaustive]
 pub enum JoinedError {
-    /// A number of the request is outside the domain, or the scene does not support the request.
+    /// A number of the request is outside its domain, or the scene does not support the request.
     OutOfDomain(OutOfDomain),
     /// The scene has more masses than the solver supports. The field is the number of masses.
     TooManyMasses(usize),
@@ -40,15 +40,17 @@ pub enum JoinedError {
     NoSpring,
     /// The angular frequency is not positive and finite.
     Frequency(Given),
-    /// The amplitude of the load is not positive and finite.
+    /// The amplitude of the load is not positive and finite. For derivatives, also a force on a scene with base
+    /// motion, or a base motion for a scene with a force.
     Amplitude(Given),
     /// The scene has `friction: stribeck`, whose speeds have units. The load therefore needs an amplitude in units.
     NoAmplitude,
     /// The frequency is an undamped resonance of the linear chain, whose response is then unbounded.
     Resonance,
-    /// The interval of a contact's share does not begin above 0, or does not end above its start.
+    /// The interval of a contact's share does not begin above 0, does not end above its start, or is not finite. Also
+    /// if the interval is for a contact that does not exist.
     Shares,
-    /// The caller stopped the search before it had a result.
+    /// The function `watch` of the caller stopped the search before it had a result.
     Stopped,
     /// The scene has no contact with the requested name.
     UnknownContact(UnknownContact),

@@ -1,30 +1,31 @@
-//! Samples of a motion in time of several contacts, or of one period of their steady state.
+//! Samples a motion in time of a scene with several contacts. The motion may be one period of a steady state.
 
 use super::error::JoinedError;
 use super::orbit::JoinedOrbit;
 use super::simulation::{JoinedContactNow, JoinedEvent, JoinedSimulation};
 use std::f64::consts::TAU;
 
-/// Distance between an event and the two samples of [`JoinedSimulation::path`] next to this event, in radians of the
-/// load. The distance exceeds the rounding error of the event's instant, and is too small to be visible in a plot.
+/// Distance between an event and the two samples of [`JoinedSimulation::path`] next to this event, in rad of the phase
+/// τ = ωt. The distance exceeds the rounding error of the event's instant, and is too small to be visible in a plot.
 const BESIDE: f64 = 1e-9;
 
-/// A motion over time of a scene with several contacts: equally spaced samples, and the events between them.
+/// Samples of a motion in time of a scene with several contacts, and the events between the samples.
 #[derive(Clone, Debug, Default)]
 pub struct JoinedHistory {
     /// Phase τ = ωt of each sample, counted from the first sample.
     pub taus: Vec<f64>,
     /// Displacements and velocities of all masses at each sample.
     pub states: Vec<(Vec<f64>, Vec<f64>)>,
-    /// For each sample, the motion and force of every contact.
+    /// State of every contact at each sample: motion, force, slip and dissipated energy.
     pub contacts: Vec<Vec<JoinedContactNow>>,
     /// The events in the order of time. The phase τ of each event is counted from the first sample.
     pub events: Vec<JoinedEvent>,
 }
 
 impl JoinedSimulation<'_> {
-    /// Advances by `skip` cycles of the load, and then samples `cycles` cycles, each with `samples` intervals. The
-    /// first sample is at the start of these cycles, and the last sample is at their end.
+    /// Samples the motion over `cycles` cycles of the load, with `samples` equal intervals in each cycle. The motion
+    /// first advances by `skip` cycles without samples. The first sample is at the start of the sampled cycles, and
+    /// the last sample is at their end.
     ///
     /// # Errors
     /// Same errors as [`advance`](Self::advance).
@@ -37,9 +38,9 @@ impl JoinedSimulation<'_> {
         self.sampled((skip, cycles, samples), false)
     }
 
-    /// Samples the motion as [`history`](Self::history) does, and takes two more samples at each event. One sample is
-    /// just before the event, and one is just after it. A line through the samples then has the corners of a hysteresis
-    /// loop.
+    /// Samples the motion as [`history`](Self::history) does, with two more samples at each event. One sample is just
+    /// before the event, and one is just after it. A plot of force over displacement then shows the corners of the
+    /// hysteresis loop.
     ///
     /// # Errors
     /// Same errors as [`advance`](Self::advance).
@@ -93,7 +94,7 @@ impl JoinedSimulation<'_> {
 }
 
 impl JoinedHistory {
-    /// Adds the present state of a motion to the samples.
+    /// Adds the present state of a motion to the samples. `tau` is the phase of this sample.
     fn push(&mut self, tau: f64, motion: &JoinedSimulation<'_>) {
         // If two events are at nearly the same instant, a sample before the second event can lie before an earlier
         // sample. The phases must not decrease.

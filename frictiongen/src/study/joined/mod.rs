@@ -1,9 +1,10 @@
-//! Responses of scenes with several contacts, with dashpots, or with masses that no path of springs connects to a
-//! support.
+//! Computes responses of scenes with several contacts, with dashpots, or with masses that no path of springs connects
+//! to a support.
 //!
 //! These scenes have the field `contacts` or `dampers` in their description.
-//! [`System::joined`](crate::study::System::joined) gives access to their results. The methods of `System` for a single
-//! contact return an error that names these fields. The solver is in [`joints`](super::joints).
+//! [`System::joined`](crate::study::System::joined) returns a solver for these scenes. For such a scene, the methods
+//! of `System` for a single contact return an error that names the fields. The module [`joints`](super::joints)
+//! contains the computations.
 //!
 //! ```
 //! use frictiongen::{Regime, System};

@@ -1,5 +1,5 @@
-//! Finds the best common friction. This friction makes the largest amplitude of a mass over a band of frequencies
-//! smallest.
+//! Finds the best common friction: the friction with which the largest amplitude of a mass over a band of frequencies
+//! is smallest.
 
 use super::error::JoinedError;
 use super::scene::Joined;
@@ -7,14 +7,14 @@ use crate::study::golden::smallest;
 use crate::study::joints::JointError;
 use crate::{Given, OutOfDomain};
 
-/// Number of frequency ratios in the first grid of the search over the band.
+/// Number of frequency ratios in the grid over the band.
 const FREQUENCIES: usize = 25;
 /// Number of friction values in the first grid of the search.
 const FRICTIONS: usize = 11;
 /// Number of golden sections in each refinement of the search.
 const STEPS: usize = 8;
-/// Smallest friction of the search's first grid, divided by the largest friction of the grid. The largest friction is
-/// the largest β*_lim (limit of the stuck state) in the band. No contact slides at this friction.
+/// Smallest friction of the search's first grid, divided by the largest friction of this grid. The largest friction is
+/// the largest β*_lim (limit of the stuck state) in the band. With the largest friction, no contact slides.
 const LEAST: f64 = 0.01;
 
 /// Result of a search for the best common friction.
@@ -22,20 +22,20 @@ const LEAST: f64 = 0.01;
 pub struct JoinedOptimum {
     /// The best common friction β.
     pub friction: f64,
-    /// The largest amplitude of the mass over the band with this friction.
+    /// The largest amplitude of the mass over the band with the best friction.
     pub amplitude: f64,
     /// Frequency ratio r of the largest amplitude in the band.
     pub r: f64,
     /// Number of steady states that the search has computed.
     pub evaluations: usize,
-    /// False if the caller stopped the search through its function. The result is then the best friction until the
-    /// stop.
+    /// False if the caller's function `watch` stopped the search. The result is then the best friction that the search
+    /// had found.
     pub is_complete: bool,
 }
 
 /// Reason why a search for the best friction ends early.
 pub(super) enum Early {
-    /// The caller stopped the search through its function.
+    /// The caller's function `watch` stopped the search.
     Stopped,
     /// The computation of a steady state failed.
     Failed(JoinedError),
@@ -52,15 +52,15 @@ impl Joined<'_> {
     /// smallest.
     ///
     /// The search first compares 11 frictions at 13 equally spaced frequencies. Then it refines the best friction by
-    /// golden sections at 25 frequencies. Finally it refines the frequency of the largest peak. It can miss a minimum
-    /// or a peak that is narrower than its grids. The search tries no friction above the largest limit of the stuck
-    /// state, because all contacts are then stuck at every frequency of the band.
+    /// golden sections at 25 frequencies. Finally it refines the frequency of the largest peak. The search can miss a
+    /// minimum or a peak that is narrower than its grids. The search tries no friction above the largest limit of the
+    /// stuck state, because all contacts are then stuck at every frequency of the band.
     ///
     /// # Errors
-    /// [`JoinedError::UnknownMass`] if no mass has this name. [`OutOfDomain::Range`] if the upper bound of the band
-    /// does not exceed the lower one. [`JoinedError::Engine`] if a motion has too many events. If a motion from rest
-    /// does not settle, this is no error. The search then takes the largest amplitude in cycles 513 to 576 of the
-    /// motion.
+    /// [`JoinedError::UnknownMass`] if no mass has this name. [`OutOfDomain`] if a bound of the band is not above 0
+    /// and finite, or if the upper bound does not exceed the lower bound. [`JoinedError::Engine`] if a motion has too
+    /// many events. A motion from rest that does not settle is not an error. The search then takes the largest
+    /// amplitude in cycles 513 to 576 of this motion.
     pub fn optimum(
         &self,
         mass: &str,
@@ -105,11 +105,11 @@ pub(super) enum BandAccuracy {
 pub(super) struct FrictionSearch<'j, 'a> {
     joined: Joined<'a>,
     mass: usize,
-    /// Frequency ratios of the search's first grid.
+    /// Frequency ratios r of the grid over the band.
     grid: Vec<f64>,
     evaluations: usize,
     watch: &'j dyn Fn() -> bool,
-    /// The smallest peak so far, among the peaks with the highest accuracy so far.
+    /// The smallest peak so far. A peak of higher accuracy replaces every peak of lower accuracy.
     best: Option<FrictionPeak>,
 }
 
@@ -173,7 +173,8 @@ impl<'j, 'a> FrictionSearch<'j, 'a> {
         })
     }
 
-    /// Searches over all frictions, first on a coarse grid and then on finer ones.
+    /// Searches for the best friction, first on a grid of frictions and then by golden sections. Finally refines the
+    /// peak with this friction.
     fn run(&mut self) -> Result<(), Early> {
         let most = self.most()?;
         let ratio = LEAST.powf(1.0 / (FRICTIONS - 1) as f64);
@@ -199,7 +200,8 @@ impl<'j, 'a> FrictionSearch<'j, 'a> {
     }
 
     /// Returns the largest β*_lim (limit of the stuck state) over the frequencies of the grid. With this common
-    /// friction, no contact slides.
+    /// friction, no contact slides at any of these frequencies. Frequencies at an undamped resonance of the stuck
+    /// chain do not count.
     fn most(&self) -> Result<f64, Early> {
         let mut most = 0.0_f64;
         for r in &self.grid {

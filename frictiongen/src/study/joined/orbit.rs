@@ -101,7 +101,8 @@ impl<'a> JoinedOrbit<'a> {
     }
 
     /// Returns the Floquet multipliers of the motion over a period, in descending order of their modulus. The list
-    /// leaves out the multipliers 1 of marginal directions, in which a small deviation stays constant.
+    /// leaves out the multipliers 1 of marginal directions. In a marginal direction, a small deviation neither grows
+    /// nor decays.
     #[must_use]
     pub fn multipliers(&self) -> &[Complex<f64>] {
         &self.steady.multipliers
@@ -130,9 +131,9 @@ impl<'a> JoinedOrbit<'a> {
         kept.map(|(_, name)| name).collect()
     }
 
-    /// Returns the number of marginal directions of the parts of the chain without a path of springs to a support. In a
-    /// marginal direction a small deviation stays constant. The directions of these parts are displacements and
-    /// constant velocities.
+    /// Returns the number of marginal directions that belong to parts of the chain without a path of springs to a
+    /// support. A marginal direction is a displacement or a constant velocity of such a part. A small deviation in
+    /// this direction does not decay.
     #[must_use]
     pub fn free_directions(&self) -> usize {
         self.steady.neutral
@@ -171,8 +172,8 @@ impl<'a> JoinedOrbit<'a> {
         })
     }
 
-    /// Returns the amplitude of the mass called `name`: the largest |x̄|. If a part of the chain has no path of springs
-    /// to a support, returns the centred amplitude (max − min)/2 instead.
+    /// Returns the amplitude of the mass called `name`: the largest |x̄| in a period. If a part of the chain has no
+    /// path of springs to a support, the amplitude is the centred amplitude (max − min)/2 instead.
     ///
     /// # Errors
     /// [`UnknownMass`] if no mass has this name.
@@ -193,14 +194,15 @@ impl<'a> JoinedOrbit<'a> {
         amplitudes.map(|x| x / self.units.length).collect()
     }
 
-    /// Returns the largest |x̄| of every mass, including the mean displacement of the motion.
+    /// Returns the largest |x̄| of every mass in a period. This value includes the mean displacement of the mass.
     #[must_use]
     pub fn largest_displacements(&self) -> Vec<f64> {
         let largest = self.steady.cycle.amplitudes.iter();
         largest.map(|x| x / self.units.length).collect()
     }
 
-    /// Returns the centred amplitude of every mass: (max − min)/2 of its displacement x̄.
+    /// Returns the centred amplitude of every mass: (max − min)/2 of its displacement x̄ in a period. If a part of the
+    /// chain has no path of springs to a support, the displacement by the mean velocity does not count.
     #[must_use]
     pub fn centred_amplitudes(&self) -> Vec<f64> {
         let centred = self.steady.cycle.centred.iter();
@@ -216,7 +218,7 @@ impl<'a> JoinedOrbit<'a> {
         (x.collect(), v.collect())
     }
 
-    /// Returns a motion in time that starts at the beginning of the period.
+    /// Returns a motion in time that starts from this steady state at a maximum of the load, where the period begins.
     ///
     /// # Errors
     /// [`JoinedError::Engine`] if the solver does not support the chain.

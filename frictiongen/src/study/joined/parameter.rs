@@ -1,11 +1,11 @@
-//! Parameters of a steady state of several contacts: the numbers of a description and of an operating point.
+//! Parameters of a steady state with several contacts: the numbers of a scene description and of an operating point.
 
 use crate::study::parameter::{Parameter, symbol};
 use crate::study::sensitivity::{OperatingPoint, Quantity};
 use frictiongen_model::scene::{Damping, Scene};
 
-/// A number on which a steady state of several contacts depends. Every index counts in the order of the scene
-/// description, from 0.
+/// A number on which a steady state with several contacts depends. Every index counts from 0 in the order of the scene
+/// description.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum JoinedParameter {
     /// A mass, the stiffness of a spring, or a damping number of the scene description.
@@ -29,7 +29,7 @@ pub enum JoinedParameter {
     Frequency,
 }
 
-/// A scene at an operating point, with all its numbers.
+/// A scene and its operating point. The search for derivatives changes their numbers one at a time.
 #[derive(Clone, Debug)]
 pub(super) struct JoinedPoint {
     pub(super) scene: Scene,
@@ -37,7 +37,8 @@ pub(super) struct JoinedPoint {
 }
 
 impl JoinedPoint {
-    /// Creates the operating point of a scene. Each mode gets its own damping ratio, so that each ratio can vary alone.
+    /// Combines a scene with an operating point. Each mode gets its own damping ratio, so that each ratio can vary
+    /// alone.
     pub(super) fn new(scene: &Scene, point: OperatingPoint) -> Self {
         let mut scene = scene.clone();
         if let Damping::Uniform(ratio) = scene.damping {
@@ -142,8 +143,8 @@ impl JoinedParameter {
         }
     }
 
-    /// Returns the symbol of the parameter, which contains names from the description. Examples are `m upper`, `share
-    /// brace` and `F`.
+    /// Returns the symbol of the parameter. The symbol of a number of a mass, spring, dashpot or contact contains the
+    /// names from the description. Examples are `m upper`, `share brace` and `F`.
     #[must_use]
     pub fn symbol(self, scene: &Scene, point: &OperatingPoint) -> String {
         let contact = |short: &str, index: usize| {

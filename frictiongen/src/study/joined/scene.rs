@@ -1,4 +1,4 @@
-//! The chain of a scene, in the units of its description.
+//! Converts a scene to the chain that the solver for several contacts uses, in the units of the scene description.
 
 use super::error::{JoinedError, UnknownContact};
 use crate::study::error::UnknownMass;
@@ -9,16 +9,17 @@ use frictiongen_model::joined::damping_matrix;
 use frictiongen_model::modal::Modal;
 use frictiongen_model::scene::Scene;
 
-/// A scene with several contacts or dashpots, whose methods compute the responses.
+/// Solver for the responses of a scene with several contacts or dashpots.
 #[derive(Clone, Debug)]
 pub struct Joined<'a> {
     scene: &'a Scene,
-    /// The chain without loads, for a common friction of 1. The friction force of each contact is therefore its share.
+    /// The chain without loads, for a common friction of 1. The friction force of each contact is then its share of
+    /// the common friction.
     chain: Chain,
     /// Reference angular frequency √(k₁/m₁), in rad per unit of time.
     reference: f64,
-    /// Unit of displacement of a load, for results in ratios: P/k₁, or Y for base motion. The solver needs this unit if
-    /// a friction law depends on the sliding speed.
+    /// Unit of displacement for results in ratios: P/k₁, or Y for base motion. The solver needs this unit if a
+    /// friction law depends on the sliding speed.
     length: Option<f64>,
 }
 
@@ -77,15 +78,15 @@ impl<'a> Joined<'a> {
         self.scene
     }
 
-    /// Returns the chain without loads, for a common friction of 1. The friction force of each contact is therefore its
-    /// share.
+    /// Returns the chain without loads, for a common friction of 1. The friction force of each contact is then its
+    /// share of the common friction.
     #[must_use]
     pub fn chain(&self) -> &Chain {
         &self.chain
     }
 
-    /// Returns a solver for results in ratios, under a load whose unit of displacement is `length`. This unit is P/k₁,
-    /// or Y for base motion. Only the speeds of `friction: stribeck` depend on it.
+    /// Returns this solver with the unit of displacement for results in ratios. `length` is this unit: P/k₁, or Y for
+    /// base motion. Only results with `friction: stribeck` depend on it.
     #[must_use]
     pub fn with_length(&self, length: f64) -> Self {
         Self {
@@ -94,7 +95,7 @@ impl<'a> Joined<'a> {
         }
     }
 
-    /// Returns the unit of displacement of the load, if it is known.
+    /// Returns the unit of displacement for results in ratios (P/k₁, or Y for base motion), if it is known.
     pub(super) fn length(&self) -> Option<f64> {
         self.length
     }
@@ -113,9 +114,10 @@ impl<'a> Joined<'a> {
         contacts.map(|contact| contact.name).collect()
     }
 
-    /// Returns the sign of a contact in the scene description. It is −1 for a contact `b - a` whose first mass is the
-    /// later of its two masses, and otherwise 1. With this factor, the relative displacement of a contact `a - b` is
-    /// x_b − x_a. Results in N and m for a scene with a single contact have the same sign.
+    /// Returns the factor that converts the sign of the solver for a contact to the sign of the scene description.
+    /// With this factor, the relative displacement of a contact `a - b` of two masses is x_b − x_a. The factor is −1
+    /// if the first mass of the contact is the later of its two masses, and otherwise 1. Results in N and m for a
+    /// scene with a single contact have the same sign.
     #[must_use]
     pub fn sign(&self, contact: usize) -> f64 {
         let contacts = self.scene.named_contacts();

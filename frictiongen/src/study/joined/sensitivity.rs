@@ -1,10 +1,10 @@
-//! Derivatives of steady states with several contacts with respect to every number of a description and of an operating
-//! point.
+//! Computes derivatives of steady states with several contacts. The parameters are the numbers of a scene description
+//! and of an operating point.
 //!
 //! The module finds the steady state of a slightly changed scene by Newton's method, from the known state, with a
-//! residual below 1e-11. The derivatives are central differences of these changed states, with Richardson's
-//! extrapolation from two steps. A step is valid only if the contacts have the same numbers of stops and reversals on
-//! both sides of the known state.
+//! residual below 1e-11. The derivatives are central differences of such states, with Richardson's extrapolation from
+//! two steps. A step is valid only if each contact stops and reverses as often in both changed states as in the known
+//! state.
 
 use super::error::JoinedError;
 use super::parameter::{JoinedParameter, JoinedPoint};
@@ -18,12 +18,13 @@ use crate::study::units::angular_frequency;
 use crate::{Given, OutOfDomain, Regime};
 use frictiongen_model::scene::{Excitation, Scene};
 
-/// First step of a central difference, divided by the value of the parameter.
+/// First step of the parameter in a central difference, divided by the value of the parameter.
 const STEP: f64 = 1e-3;
 /// Largest number of steps of the parameter that the code tries. Each step is a quarter of the previous step.
 const STEPS: usize = 5;
-/// Largest change of a difference by Richardson's extrapolation, divided by the result. The relative error of the
-/// extrapolated derivative is about the square of this number.
+/// Largest change of p·dX/dp by Richardson's extrapolation, divided by X + |p·dX/dp|. p is the parameter. X is the
+/// largest amplitude, or the sum of all energies. The relative error of the extrapolated derivative is about the
+/// square of this number.
 const AGREES: f64 = 3e-5;
 
 /// Derivatives of a steady state with respect to one parameter p.
@@ -52,24 +53,26 @@ pub struct JoinedSensitivities {
     pub parameters: Vec<JoinedSensitivity>,
 }
 
-/// A scene at an operating point, with the data that the solver for several contacts needs.
+/// Data of a scene at an operating point that the search for a steady state needs.
 struct Prepared {
     chain: Chain,
     omega: f64,
     units: AnswerUnits,
 }
 
-/// Amplitudes and energies of a steady state, and the number of stops and reversals of each contact.
+/// Amplitudes of the masses and energies of the contacts in a steady state, and the numbers of stops and reversals of
+/// each contact.
 struct SteadyAmplitudes {
     numbers: Vec<f64>,
     events: Vec<(usize, usize)>,
 }
 
 impl Joined<'_> {
-    /// Returns derivatives of the steady state that the motion from rest reaches. They are the derivatives of the
-    /// amplitude of each mass, and of the energy that each contact dissipates. The method computes each derivative as a
-    /// difference of steady states. Its error is about 1e-8 of the amplitude, or of the sum of all energies. The steady
-    /// state may have a period of several cycles.
+    /// Returns derivatives of the steady state that the motion from rest reaches: of the amplitude of each mass, and
+    /// of the energy that each contact dissipates.
+    ///
+    /// The method computes each derivative as a difference of steady states. The error of a derivative is about 1e-8
+    /// of the amplitude, or of the sum of all energies. The steady state may have a period of several cycles.
     ///
     /// ```
     /// use frictiongen::study::{System, joined::JoinedParameter, sensitivity::OperatingPoint};
@@ -96,10 +99,10 @@ impl Joined<'_> {
     /// ```
     ///
     /// # Errors
-    /// [`NoDerivative::Marginal`] if the steady state depends on the initial state. It does if a contact never slides,
-    /// or if no spring connects a part of the chain to a support. [`NoDerivative::Graze`] if an event is about to
-    /// appear or to vanish. [`JoinedError::Engine`] if the motion does not settle. Other [`JoinedError`]s for an
-    /// operating point outside the domain.
+    /// [`NoDerivative::Marginal`] if the steady state depends on the initial state. This is the case if a contact
+    /// never slides, or if a part of the chain has no path of springs to a support. [`NoDerivative::Graze`] if an
+    /// event is about to appear or to vanish. [`JoinedError::Engine`] if the motion does not settle. Other
+    /// [`JoinedError`]s for an operating point outside the domain.
     pub fn sensitivities(&self, point: OperatingPoint) -> Result<JoinedSensitivities, JoinedError> {
         let setting = JoinedPoint::new(self.scene(), point);
         let prepared = prepare(&setting)?;
@@ -235,8 +238,9 @@ impl NeighbourSearch {
         Err(NoDerivative::Graze.into())
     }
 
-    /// Returns the central difference over a relative step of the parameter. Returns `None` if on either side no steady
-    /// state is found, or one with other numbers of stops or reversals than the known state.
+    /// Returns the central difference over a step of the parameter. `step` is the step divided by `value`. Returns
+    /// `None` if one of the two changed steady states does not exist, or stops or reverses more or less often than the
+    /// known state.
     fn difference(
         &self,
         parameter: JoinedParameter,
@@ -260,7 +264,7 @@ impl NeighbourSearch {
     }
 
     /// Returns the steady state for another value of a parameter. Returns `None` if Newton's method finds no steady
-    /// state, or one with other numbers of stops or reversals than the known state.
+    /// state. Also returns `None` if a contact stops or reverses more or less often than in the known state.
     fn moved(
         &self,
         parameter: JoinedParameter,
@@ -283,7 +287,8 @@ impl NeighbourSearch {
         Ok((found.events == self.found.events).then_some(found))
     }
 
-    /// Returns true if the extrapolation changes no derivative by more than the tolerance.
+    /// Returns true if the extrapolation changes no derivative by more than the tolerance `AGREES`. `fine` contains
+    /// the derivatives before the extrapolation, and `better` contains those after it.
     fn agree(&self, fine: &[f64], better: &[f64], value: f64) -> bool {
         let (amplitudes, energies) = self.found.numbers.split_at(self.masses);
         let largest = amplitudes.iter().copied().fold(0.0, f64::max);

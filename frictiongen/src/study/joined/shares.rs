@@ -9,12 +9,14 @@ use frictiongen_model::scene::Scene;
 const FIRST: f64 = 1.6;
 /// First step of the search with refined peaks. A step is a factor on a share or on the friction.
 const REFINED: f64 = 1.25;
-/// Last step of the search. A step is a factor on a share or on the friction.
+/// Lower bound of the steps. The search ends when the next step is not above this bound. A step is a factor on a share
+/// or on the friction.
 const LAST: f64 = 1.02;
-/// Largest number of distributions (friction and shares) that the search compares.
+/// Number of compared distributions (friction and shares) after which the search begins no further pass over all
+/// numbers.
 const MOST: usize = 400;
 
-/// Interval in which the search may choose the share of one contact.
+/// Interval of the values that a search for the best shares may give to the share of one contact.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct ShareRange {
     /// Index of the contact in the scene description.
@@ -49,15 +51,17 @@ impl<'a> Joined<'a> {
     /// Finds the common friction and the shares with which the largest amplitude of a mass over a band of frequency
     /// ratios is smallest. The search calls `watch` before each steady state, and stops if `watch` returns false.
     ///
-    /// The search begins at the best common friction with the shares of the scene description. It changes one number at
-    /// a time, the friction or a share, by a factor. It reduces this factor from 1.6 to 1.02. In this first pass, it
-    /// compares the largest amplitudes at 25 equally spaced frequencies of the band. In the second pass, it begins with
-    /// a factor of 1.25, and includes the peaks between these frequencies. Its result is a local minimum. Another
-    /// distribution far from the description may be better.
+    /// The search begins at the best common friction with the shares of the scene description. It changes one number
+    /// at a time, the friction or a share, by a factor. After an improvement it also tries the whole change once more.
+    /// It reduces the factor from 1.6 to 1.02. In this first pass, the search compares the largest amplitudes at 25
+    /// equally spaced frequencies of the band. In the second pass, it begins with a factor of 1.25, and includes the
+    /// peaks between these frequencies. The result is a local minimum. Another distribution far from the description
+    /// may be better.
     ///
     /// # Errors
-    /// Same errors as [`optimum_watched`](Self::optimum_watched). [`JoinedError::Shares`] for an interval that does not
-    /// begin above 0 or does not end above its start, and for a contact that does not exist.
+    /// Same errors as [`optimum_watched`](Self::optimum_watched). [`JoinedError::Shares`] for an interval that does
+    /// not begin above 0, does not end above its start, or is not finite. [`JoinedError::Shares`] also for a contact
+    /// that does not exist.
     pub fn best_shares(
         &self,
         mass: &str,
@@ -127,7 +131,7 @@ struct Distribution {
     peak: (f64, f64),
 }
 
-/// A search that changes one number after the other: first the friction, then each share.
+/// A search that multiplies one number after the other by a factor: first the friction, then each share.
 struct Descent<'j, 'a> {
     search: FrictionSearch<'j, 'a>,
     ranges: &'j [ShareRange],
@@ -156,7 +160,8 @@ impl Descent<'_, '_> {
         self.descend(REFINED)
     }
 
-    /// Changes one number after the other by a factor. Reduces the factor when no change gives a smaller peak.
+    /// Multiplies or divides one number after the other by a factor. If no change gives a smaller peak, reduces the
+    /// factor.
     fn descend(&mut self, mut factor: f64) -> Result<(), Early> {
         while LAST < factor && self.compared < MOST {
             let before = self.best.clone();
@@ -222,7 +227,8 @@ impl Descent<'_, '_> {
         Ok(better)
     }
 
-    /// Returns the largest amplitude of the mass over the band with a distribution, and its frequency ratio.
+    /// Returns the largest amplitude of the mass over the band with a distribution, and the frequency ratio at which
+    /// it occurs.
     fn peak(&mut self, tried: &Distribution) -> Result<(f64, f64), Early> {
         self.compared += 1;
         self.search.set_shares(&tried.shares);

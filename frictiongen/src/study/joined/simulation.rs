@@ -19,7 +19,7 @@ pub struct JoinedEvent {
     pub contact: usize,
     /// Name of the contact in the scene description.
     pub name: String,
-    /// Type of the event: a stop, a break-away or a reversal.
+    /// Kind of the event: a stop, a break-away or a reversal.
     pub event: Event,
 }
 
@@ -32,10 +32,11 @@ pub struct JoinedContactNow {
     pub velocity: f64,
     /// Force in the contact at this instant, in the unit of force of the results.
     pub force: f64,
-    /// Distance that the slider has travelled since the start, added over both directions, in the unit of length.
+    /// Distance that the slider has travelled since the start, added over both directions, in the unit of length of
+    /// the results.
     pub slip: f64,
     /// Energy that friction has dissipated in the contact since the start, in the unit of force times the unit of
-    /// length.
+    /// length of the results.
     pub energy: f64,
     /// True if the contact sticks at this instant.
     pub is_sticking: bool,
@@ -139,8 +140,8 @@ impl<'a> JoinedSimulation<'a> {
         })
     }
 
-    /// Advances the motion by `reach` in the phase τ = ωt, and returns the events in this interval. Several contacts
-    /// may have an event at the same instant.
+    /// Advances the motion until the phase τ = ωt of the load has increased by `reach`, in rad. Returns the events in
+    /// this interval. Several contacts may have an event at the same instant.
     ///
     /// # Errors
     /// [`OutOfDomain`] for a reach that is negative or not finite. [`JoinedError::Engine`] if the motion has too many
@@ -155,7 +156,7 @@ impl<'a> JoinedSimulation<'a> {
     /// Advances the motion to a time in seconds, and returns the events until this time.
     ///
     /// # Errors
-    /// [`JoinedError::Engine`], as [`advance`](Self::advance).
+    /// [`JoinedError::Engine`] if the motion has too many events or leaves the range of numbers.
     pub fn advance_to(&mut self, time: f64) -> Result<Vec<JoinedEvent>, JoinedError> {
         let followed = self.motion.run_with(time, &mut self.slides);
         let events = self.slides.take_events();

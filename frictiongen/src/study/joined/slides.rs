@@ -1,4 +1,5 @@
-//! Distances that the sliders of the contacts travel, and energies that friction dissipates in the contacts.
+//! Adds up the distances that the sliders of the contacts travel, and the energies that friction dissipates in the
+//! contacts.
 
 use crate::study::joints::{Heap, Model, Series, State, Transition};
 use frictiongen_kernel::joints::{FREE, Observe, STUCK};
@@ -21,6 +22,7 @@ pub(super) struct Slide {
     /// True if the kinetic friction force depends on the sliding speed.
     has_law: bool,
     /// Energy that an elastic contact dissipates at a break-away, divided by the square of the kinetic friction force.
+    /// 0 for a rigid contact.
     drop: f64,
     /// Distance that the slider has travelled, added over both directions.
     pub slip: f64,
@@ -29,7 +31,8 @@ pub(super) struct Slide {
 }
 
 impl Slides {
-    /// Creates an entry for each contact of the model, with its friction force. Distances and energies are 0.
+    /// Creates an entry for each contact of the model, with its kinetic friction force. The distances and energies of
+    /// all entries are 0.
     pub fn new(model: &Model) -> Self {
         let contacts = model.contacts.iter().map(|contact| Slide {
             ends: (contact.plus, contact.minus),
@@ -55,7 +58,7 @@ impl Slides {
     }
 
     /// Sets the kinetic friction force of a contact to `level`. If the `force` of an elastic contact exceeds `level`,
-    /// the spring of the contact loses a part of its energy.
+    /// the spring of the contact loses a part of its energy. The method adds this part to the dissipated energy.
     pub fn set_level(&mut self, index: usize, level: f64, (force, stiffness): (f64, Option<f64>)) {
         let Some(slide) = self.contacts.get_mut(index) else {
             return;

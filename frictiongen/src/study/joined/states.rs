@@ -4,8 +4,8 @@ use super::at::JoinedAt;
 use super::error::JoinedError;
 use super::orbit::JoinedOrbit;
 
-/// Factors on the states of linear responses. The product of each state and each factor is an initial state of the
-/// search.
+/// Factors on the states of the two linear responses (no contact slides, no friction). The product of each state and
+/// each factor is an initial state of the search.
 const FACTORS: [f64; 3] = [1.0, -1.0, 3.0];
 /// Largest difference of the amplitudes at which two steady states are treated as the same, divided by the largest
 /// amplitude.
@@ -13,8 +13,10 @@ const SAME: f64 = 1e-6;
 
 impl<'a> JoinedAt<'a> {
     /// Returns every steady state that the search finds at one common friction. The initial states are rest, the state
-    /// in which no contact slides, the response without friction, and multiples of these two responses. The first entry
-    /// is the steady state from rest. The list is empty if the search finds no steady state.
+    /// in which no contact slides, the response without friction, and multiples of these two responses.
+    ///
+    /// The first entry is the steady state from rest, if the motion from rest settles. Initial states from which the
+    /// motion does not settle give no entry. The list may be empty.
     ///
     /// # Errors
     /// [`OutOfDomain`](crate::OutOfDomain) for a friction that is negative or not finite.
@@ -44,8 +46,8 @@ impl<'a> JoinedAt<'a> {
     }
 }
 
-/// Returns true if two steady states are the same. Two marginal states of one continuum of steady states also count as
-/// the same.
+/// Returns true if two steady states have the same period, the same numbers of stops and the same centred amplitudes.
+/// Two states of a continuum of steady states can therefore also count as the same state.
 fn same(one: &JoinedOrbit<'_>, other: &JoinedOrbit<'_>) -> bool {
     let (a, b) = (one.centred_amplitudes(), other.centred_amplitudes());
     let size = a

@@ -12,18 +12,18 @@ use frictiongen_model::scene::{Excitation, StepInput};
 /// Input of one step of a stepper, in the units of the scene description.
 #[derive(Clone, Copy, Debug, Default)]
 pub struct JoinedInput<'i> {
-    /// Displacement and velocity of the base at the end of the step, or 0 and 0 for a base that does not move.
+    /// Displacement and velocity of the base at the end of the step, or at its start with `input: hold`. Both are 0
+    /// for a base that does not move.
     pub base: [f64; 2],
-    /// Forces on masses at the end of the step, each with the name of its mass. Forces on the same mass add up. A mass
-    /// without an entry has no force.
+    /// Forces on masses at the end of the step, or during the whole step with `input: hold`. Each force has the name
+    /// of its mass. Forces on the same mass add up. A mass without an entry has no force.
     pub forces: &'i [(&'i str, f64)],
     /// Kinetic friction forces of contacts during the step, each with the name of its contact. A contact with the
     /// friction force 0 has no effect. A contact without an entry keeps its friction force.
     pub frictions: &'i [(&'i str, f64)],
 }
 
-/// Stepper of a scene with several contacts. All time steps have equal length. The units are those of the scene
-/// description.
+/// Advances a scene with several contacts in time steps of equal length. The units are those of the scene description.
 #[derive(Clone, Debug)]
 pub struct JoinedStepper<'a> {
     joined: Joined<'a>,
@@ -35,7 +35,7 @@ pub struct JoinedStepper<'a> {
     slides: Slides,
 }
 
-/// Input of one step, in the order of the scene description.
+/// Forces on the masses and friction forces of the contacts in one step, in the order of the scene description.
 struct Ordered {
     forces: Vec<f64>,
     frictions: Vec<f64>,
@@ -43,10 +43,11 @@ struct Ordered {
 
 impl<'a> Joined<'a> {
     /// Returns a stepper that starts from rest. A force can act on every mass. Every contact has its own friction
-    /// force, which is 0 until an input sets it. The field `input` of the scene description determines the input
-    /// between two samples: linear, or constant (`hold`). A base that drives the scene follows a cubic between two
-    /// samples. With `hold`, it instead starts from the displacement of the new sample and moves with the velocity of
-    /// this sample.
+    /// force, which is 0 until an input sets it.
+    ///
+    /// The field `input` of the scene description determines the forces between two samples: linear, or constant
+    /// (`hold`). A base that drives the scene follows a cubic between two samples. With `hold`, the base instead
+    /// starts from the displacement of the new sample and moves with the velocity of this sample.
     ///
     /// # Errors
     /// [`OutOfDomain`](crate::OutOfDomain) for a step that is 0, negative, infinite, NaN, or too long.
@@ -70,9 +71,9 @@ impl JoinedStepper<'_> {
     /// Advances by one step. Returns the number of events in the step.
     ///
     /// # Errors
-    /// [`OutOfDomain`](crate::OutOfDomain) for a force or a base motion that is not finite, and for motion of a base at
-    /// rest. [`OutOfDomain`](crate::OutOfDomain) also for a friction force that is negative or not finite, and for a
-    /// step in which the motion exceeds a bound of the solver. [`JoinedError::UnknownMass`] and
+    /// [`OutOfDomain`](crate::OutOfDomain) for a force or a base motion that is not finite, and for a base motion in a
+    /// scene that a force drives. [`OutOfDomain`](crate::OutOfDomain) also for a friction force that is negative or
+    /// not finite, and for a step in which the motion exceeds a bound of the solver. [`JoinedError::UnknownMass`] and
     /// [`JoinedError::UnknownContact`] for a name that the scene does not have. After an error the stepper is
     /// unchanged.
     pub fn advance(&mut self, input: JoinedInput<'_>) -> Result<usize, JoinedError> {
@@ -87,7 +88,7 @@ impl JoinedStepper<'_> {
     }
 
     /// Sets the input at the start of the first step. Without this call, the input at the start is 0. After the call,
-    /// the methods return the motion under this input.
+    /// the methods of the stepper return the state at the start under this input.
     ///
     /// # Errors
     /// Same errors as [`advance`](Self::advance), and [`OutOfDomain::Begun`] after the first step.
@@ -124,8 +125,8 @@ impl JoinedStepper<'_> {
     }
 
     /// Returns the travelled distances and dissipated energies after a change of the friction forces. If the new
-    /// friction force of an elastic contact is below its present force, the spring of the contact loses a part of its
-    /// energy.
+    /// friction force of an elastic contact is below the present force in this contact, its spring loses a part of its
+    /// energy. This part counts as dissipated.
     fn relaxed(&self, frictions: &[f64]) -> Slides {
         let mut slides = self.slides.clone();
         let contacts = self.stepper.motion().model().contacts.iter();

@@ -1,4 +1,4 @@
-//! Computes the damping matrix of a chain from damping ratios, or from Rayleigh's two factors.
+//! Computes the damping matrix of a chain from modal damping ratios, or from the two factors of Rayleigh damping.
 
 use super::{Chain, JointError};
 use frictiongen_kernel::joints::at;
@@ -10,12 +10,13 @@ use frictiongen_model::scene::{
 };
 
 impl Chain {
-    /// Sets the damping ratio of each mode of the chain without contacts, in ascending order of natural frequency. A
-    /// rigid-body mode, which deforms no spring, also has an entry. This entry has no effect.
+    /// Sets the damping ratio of each mode of the chain without contacts, in ascending order of natural frequency.
+    /// `ratios` also has an entry for a rigid-body mode, which deforms no spring. This entry has no effect.
     ///
     /// # Errors
     ///
-    /// Same errors as [`Chain::model`], and [`JointError::Number`] if there is not one ratio for each mode.
+    /// Same errors as [`Chain::model`]. [`JointError::Number`] also if there is not one ratio for each mode, or if a
+    /// ratio is negative or NaN.
     pub fn damp_modes(&mut self, ratios: &[f64]) -> Result<(), JointError> {
         if ratios.len() != self.masses.len() || ratios.iter().any(|ratio| !(*ratio >= 0.0)) {
             return Err(JointError::Number("a damping ratio"));
@@ -41,7 +42,7 @@ impl Chain {
         Ok(())
     }
 
-    /// Returns a scene with the masses and springs of this chain.
+    /// Returns a scene with the masses and springs of this chain and with the given damping. It has no dashpots.
     fn scene(&self, damping: Damping) -> Scene {
         let springs = self.springs.iter();
         let springs = springs.map(|&(from, to, stiffness)| Spring {

@@ -1,14 +1,13 @@
-//! Chains with several contacts (rigid or elastic), with dashpots, or with masses that no path of springs connects to a
-//! support, at run time.
+//! Computes motions and steady states of chains at run time. The chains may have several contacts (rigid or elastic),
+//! dashpots, and masses that no path of springs connects to a support.
 //!
-//! All quantities are in the units of the scene description. A contact between the nodes `later - earlier` has the
-//! relative displacement z. Between two masses, z is the displacement of the later mass minus that of the earlier mass.
-//! On the base or the wall, z is the displacement of the mass minus that of the base or the wall. The force f of the
-//! contact acts against z on the later mass.
+//! All quantities are in the units of the scene description. z is the relative displacement of a contact. Between two
+//! masses, z is the displacement of the later mass minus that of the earlier mass, by their order in the chain. On the
+//! base or the wall, z is the displacement of the mass minus that of the base or the wall. A positive force f of the
+//! contact acts on the later mass, or on the only mass, against the direction of positive z.
 //!
-//! [`frictiongen_kernel::joints`] contains the motion from event to event, the closed form of the stuck state, and the
-//! steady states. Emitted code uses the same functions. This module contains the check of a chain, and its damping
-//! matrix.
+//! [`frictiongen_kernel::joints`] computes the motion from event to event, the closed form of the stuck state, and the
+//! steady states. Emitted code uses the same functions. This module checks a chain, and computes its damping matrix.
 
 mod damping;
 mod model;
@@ -27,19 +26,20 @@ use frictiongen_kernel::joints::{self, Halt, MAX_PATTERNS};
 use frictiongen_model::scene::Node;
 use std::fmt;
 
-/// A checked chain with numbered nodes, whose data are in vectors.
+/// A checked chain with numbered nodes, stored in `Vec`s.
 pub type Model = joints::Model<f64, Heap>;
-/// The state of a chain with several contacts, in vectors.
+/// The state of a chain with several contacts, stored in `Vec`s.
 pub type State = joints::State<f64, Heap>;
-/// The motion of a chain over one stretch (time interval of a power series), in vectors.
+/// The motion of a chain over one stretch (time interval of a power series), stored in `Vec`s.
 pub type Series = joints::Series<f64, Heap>;
-/// Collects the results of a period, one stretch (time interval of a power series) after the other.
+/// Collects the results of a period while the motion advances, one stretch (time interval of a power series) after the
+/// other.
 pub type Watch = joints::Watch<f64, Heap>;
 /// Amplitudes of the masses, and results of each contact, over a period.
 pub type Cycle = joints::Cycle<f64, Heap>;
 /// Stops, reversals, slip, force and energy of one contact in a period.
 pub type ContactCycle = joints::ContactCycle<f64>;
-/// A straight line over time plus one harmonic: c + bt + a cos(ωt + φ).
+/// A function of the time t that is a straight line plus one harmonic: c + bt + a cos(ωt + φ).
 pub type Wave = joints::Wave<f64>;
 
 /// Largest number of contacts that a chain may have.
@@ -52,7 +52,8 @@ pub const MAX_MASSES: usize = 64;
 pub struct Joint {
     /// The two nodes between which the contact acts.
     pub ends: (Node, Node),
-    /// Kinetic friction force F of the contact. For a rigid contact it may vary in time, and must then stay positive.
+    /// Kinetic friction force F of the contact. The force of a rigid contact may vary in time, and must then stay
+    /// positive.
     pub level: Wave,
     /// Ratio μ of the static to the kinetic friction force, at least 1.
     pub stiction: f64,
@@ -72,13 +73,13 @@ pub struct Chain {
     /// Rows of the matrix of modal or Rayleigh damping. The list is empty if the scene has neither modal nor Rayleigh
     /// damping.
     pub damping: Vec<Vec<f64>>,
-    /// Selects the velocities on which the damping matrix acts. True means velocities relative to the base, and false
-    /// means absolute velocities.
+    /// True if the damping matrix acts on velocities relative to the base. False if it acts on absolute velocities.
     pub damping_from_base: bool,
     /// Contacts of the chain.
     pub contacts: Vec<Joint>,
-    /// Points (v, φ) of the friction law of the rigid contacts. At the sliding speed v, the kinetic friction force is φ
-    /// times the level. The list is empty if the kinetic friction does not depend on the speed.
+    /// Points (v, φ) of the friction law of the rigid contacts. At the sliding speed v, the kinetic friction force is
+    /// φ times the force `level` of the contact. The list is empty if the kinetic friction does not depend on the
+    /// speed.
     pub law: Vec<[f64; 2]>,
     /// Forces on masses, each with the index of the mass.
     pub loads: Vec<(usize, Wave)>,
@@ -93,13 +94,14 @@ pub enum JointError {
     Size,
     /// A number of the chain is not finite, or has an invalid sign. The field names the number.
     Number(&'static str),
-    /// A spring, dashpot, contact or load names a mass that does not exist, or has the same node on both sides.
+    /// A spring, dashpot, contact or load names a mass that does not exist. Also if a spring, dashpot or contact has
+    /// the same node, or two supports, on its two sides. The field names the kind of element.
     Ends(&'static str),
     /// Several rigid contacts, given by their indices, form a closed loop and can all stick at the same time. Their
     /// forces are then not determined.
     Redundant(Vec<usize>),
     /// The solver would need more than [`MAX_PATTERNS`] patterns to decide which contacts stick. A pattern says for
-    /// each contact that it sticks or slides.
+    /// each contact whether it sticks or in which direction it slides.
     Patterns,
     /// The motion has more than [`MAX_EVENTS`] events.
     Events,

@@ -58,7 +58,7 @@ impl Chain {
     }
 }
 
-/// Converts a contact of the scene description to a contact between numbered nodes.
+/// Converts a contact of the chain to a contact between numbered nodes.
 fn numbered(masses: usize, joint: &Joint) -> Result<Contact<f64>, JointError> {
     let (plus, minus) = ends(masses, joint.ends, "a contact")?;
     Ok(Contact {
@@ -89,8 +89,8 @@ fn check_redundant(model: &Model) -> Result<(), JointError> {
     Ok(())
 }
 
-/// Returns the numbers of two nodes. The first number is that of the node whose displacement has a positive sign in the
-/// relative displacement.
+/// Returns the numbers of two nodes. The displacement of the first returned node has a positive sign in the relative
+/// displacement, and that of the second has a negative sign.
 fn ends(
     masses: usize,
     (from, to): (Node, Node),
@@ -99,7 +99,7 @@ fn ends(
     frictiongen_model::joined::numbered(masses, from, to).ok_or(JointError::Ends(what))
 }
 
-/// Fails if a number of the chain is invalid.
+/// Returns an error if a number of the chain is invalid.
 fn check_numbers(chain: &Chain) -> Result<(), JointError> {
     let positive = |value: f64| value > 0.0 && value.is_finite();
     let checks = [
@@ -147,7 +147,8 @@ fn check_numbers(chain: &Chain) -> Result<(), JointError> {
     }
 }
 
-/// Returns true if the speeds of a friction law ascend from a number above 0, and if its levels are not negative.
+/// Returns true if the points (v, φ) of a friction law are valid. The speeds v must be above 0 and ascend, and the
+/// factors φ must not be negative.
 fn law_fits(points: &[[f64; 2]]) -> bool {
     let speeds = points.iter().map(|[speed, _]| *speed);
     let ascends = std::iter::once(0.0).chain(speeds.clone()).zip(speeds);
@@ -169,7 +170,8 @@ fn level_fits(joint: &Joint) -> bool {
     contact.fits(&joint.level)
 }
 
-/// Returns the contacts on the path between two nodes of a graph without loops. `tree` lists the edges of the graph.
+/// Returns the contacts on the path between two nodes of a graph without loops, or `None` if no path connects them.
+/// `tree` lists the edges of the graph, which are contacts.
 fn path(tree: &[(usize, usize, usize)], from: usize, to: usize) -> Option<Vec<usize>> {
     let mut ways = vec![(from, Vec::<usize>::new())];
     while let Some((node, way)) = ways.pop() {

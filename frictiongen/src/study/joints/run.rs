@@ -1,4 +1,4 @@
-//! Motion in time of a chain with several contacts, whose data are in vectors.
+//! Motion in time of a chain with several contacts, stored in `Vec`s.
 
 use super::{Chain, JointError, Model, Series, State, Wave};
 use frictiongen_kernel::joints::{self, Bounds, Observe, Size, Value};
@@ -14,7 +14,7 @@ const BOUNDS: Bounds = Bounds {
     stretches: MAX_STRETCHES,
 };
 
-/// Size of a chain whose data are in vectors.
+/// Size of a chain whose data are stored in `Vec`s.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Heap {
     pub(super) masses: usize,
@@ -82,7 +82,8 @@ pub struct Motion {
     motion: joints::Motion<f64, Heap>,
 }
 
-/// Collects the events, and passes each stretch (time interval of a power series) to a function.
+/// Observer that collects the events of a motion, and passes each stretch (time interval of a power series) to a
+/// function.
 struct Record<'w> {
     watch: &'w mut dyn FnMut(&Series, f64, &State),
     events: Vec<Transition>,
@@ -122,7 +123,7 @@ impl Motion {
         Ok(Self { motion })
     }
 
-    /// Returns the motion as the kernel's type.
+    /// Returns this motion as the type of the crate `frictiongen_kernel`.
     pub(super) fn into_engine(self) -> joints::Motion<f64, Heap> {
         self.motion
     }
@@ -139,7 +140,7 @@ impl Motion {
         self.motion.state()
     }
 
-    /// Returns the chain of this motion, with its numbered nodes.
+    /// Returns the checked chain of this motion, with numbered nodes.
     #[must_use]
     pub fn model(&self) -> &Model {
         self.motion.model()
@@ -176,7 +177,8 @@ impl Motion {
     ///
     /// # Errors
     ///
-    /// [`JointError::Number`] if the load is not finite, [`JointError::Ends`] if the model has no load with this index.
+    /// [`JointError::Number`] if the load is not finite. [`JointError::Ends`] if the model has no load with this
+    /// index.
     pub fn set_load(&mut self, load: usize, to: Wave) -> Result<(), JointError> {
         if load >= self.model().loads.len() {
             return Err(JointError::Ends("a load"));
@@ -184,9 +186,9 @@ impl Motion {
         Ok(self.motion.set_load(load, to)?)
     }
 
-    /// Advances the motion to the given instant, and returns the events until this instant. The function calls `watch`
-    /// with each stretch (time interval of a power series), and with the fraction of the stretch that the motion has
-    /// covered.
+    /// Advances the motion to the given instant, and returns the events until this instant. The method calls `watch`
+    /// for each stretch (time interval of a power series). Its arguments are the power series, the fraction of the
+    /// stretch that the motion covers, and the state.
     ///
     /// # Errors
     ///

@@ -1,4 +1,4 @@
-//! Finds steady states, which are periodic motions, by the shooting method of the kernel.
+//! Finds steady states (periodic motions) by the shooting method of the crate `frictiongen_kernel`.
 
 use super::run::Motion;
 use super::{Chain, Cycle, Heap, JointError, State};
@@ -14,8 +14,9 @@ pub struct Steady {
     pub period: usize,
     /// The state at a maximum of the load, where the period begins.
     pub state: State,
-    /// Number of independent displacements and velocities of parts of the chain that no spring connects to a support.
-    /// In the steady state, they have the values that the motion from rest has reached.
+    /// Number of independent displacements and constant velocities of parts of the chain that no path of springs
+    /// connects to a support. The load does not determine them. In the steady state, they have the values that the
+    /// preceding motion has reached.
     pub neutral: usize,
     /// Floquet multipliers over a period, in descending order of modulus. The list leaves out the multipliers 1 of
     /// contacts that never slide (`marginal`), and of parts of the chain without springs to a support (`neutral`).
@@ -27,7 +28,7 @@ pub struct Steady {
     pub cycle: Cycle,
     /// Largest difference between the states at the start and at the end of a period, divided by the size of the state.
     pub residual: f64,
-    /// The result of the kernel's search.
+    /// The steady state as the type of the crate `frictiongen_kernel`.
     found: joints::Steady<f64, Heap>,
 }
 
@@ -84,8 +85,8 @@ pub fn steady_state_of(motion: Motion, omega: f64) -> Result<Steady, JointError>
     found.map(Steady::new).ok_or(JointError::NotSteady)
 }
 
-/// Returns the steady state of a chain that is close to a known steady state of a similar chain. Newton's method starts
-/// from the known state.
+/// Returns the steady state of a chain near a known steady state of a similar chain. Newton's method starts from the
+/// known state.
 ///
 /// # Errors
 ///

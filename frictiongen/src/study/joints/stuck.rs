@@ -1,4 +1,4 @@
-//! Response of a chain while no contact slides. The chain is then linear, and the kernel computes the response.
+//! Response of a chain while no contact slides. The chain is then linear, and the response has a closed form.
 
 use super::{Chain, JointError};
 use nalgebra::Complex;
@@ -6,23 +6,24 @@ use nalgebra::Complex;
 /// Response of a chain while no contact slides, under loads of one frequency.
 #[derive(Clone, Debug)]
 pub struct StuckResponse {
-    /// Amplitude of each mass, |X|.
+    /// Amplitude |X| of the displacement of each mass.
     pub amplitudes: Vec<f64>,
     /// Complex amplitude X of each mass: x = Re X exp(iωt).
     pub displacements: Vec<Complex<f64>>,
     /// Amplitude of the force in each contact.
     pub forces: Vec<f64>,
-    /// The factor on all friction forces at which the first contact is about to slide, and the index of this contact.
-    /// `None` if no contact has a friction force.
+    /// Smallest common factor on all friction forces at which no contact slides, and the index of the contact that
+    /// slides first below this factor. `None` if no contact has a friction force.
     pub limit: Option<(f64, usize)>,
 }
 
-/// Returns the response while no contact slides. It leaves out constant loads, and assumes that no earlier motion has
-/// left a constant force in an elastic contact.
+/// Returns the response while no contact slides. The response leaves out constant loads. The function assumes that no
+/// earlier motion has left a constant force in an elastic contact.
 ///
 /// # Errors
 ///
-/// [`JointError::Number`] if the loads have several frequencies, or if the frequency is a resonance.
+/// [`JointError`] for an invalid chain. [`JointError::Number`] also if no load is harmonic, if the loads have several
+/// frequencies, or if the frequency is an undamped resonance of the chain with its contacts stuck.
 pub fn stuck_response(chain: &Chain) -> Result<StuckResponse, JointError> {
     let model = chain.model()?;
     let response = model.stuck(frequency(chain)?);
@@ -36,7 +37,7 @@ pub fn stuck_response(chain: &Chain) -> Result<StuckResponse, JointError> {
     })
 }
 
-/// Returns the angular frequency that all loads have in common.
+/// Returns the angular frequency that all harmonic loads and the base motion have in common.
 fn frequency(chain: &Chain) -> Result<f64, JointError> {
     let waves = chain
         .loads

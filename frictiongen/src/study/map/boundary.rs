@@ -1,5 +1,5 @@
-//! Friction ratios between two points of a map at which the pattern of the contact's motion changes. A pattern consists
-//! of regime, stops, reversals and period.
+//! Searches a map for boundaries: friction ratios at which the pattern of the contact's motion changes. A pattern
+//! consists of regime, stops, reversals and period.
 
 use super::{Map, Pattern};
 use crate::study::at::SystemAt;
@@ -15,7 +15,8 @@ pub struct Boundary {
     pub r: f64,
     /// Friction ratio β, the middle of the interval that contains the boundary.
     pub beta: f64,
-    /// Width in β of the interval that contains the boundary. It is 0 if a limit gives the exact boundary.
+    /// Width in β of the interval that contains the boundary. It is 0 if the boundary is the exact limit β_lim or
+    /// β*_lim.
     pub width: f64,
     /// Pattern at less friction, or the reason why there is no response.
     pub below: Result<Pattern, Error>,
@@ -47,12 +48,11 @@ impl System {
     /// halves the interval until it knows the boundary to `digits` significant digits. If the middle has a third
     /// pattern, the search continues in both halves.
     ///
-    /// The search finds all boundaries that are more than a quarter of the map's step apart. It can miss two boundaries
-    /// of one region within a quarter of a step. It can also miss a boundary close to a limit. Let a be the part of a
-    /// step in which the contact alternately sticks and slides. A boundary is then too close if its distance from the
-    /// limit is less than a/64. A finer map has smaller steps. In a cascade of period doublings, the search may meet a
-    /// third pattern more than six times between two neighbouring β. In this case the search finds only the lowest
-    /// boundary of the cascade.
+    /// The search finds all boundaries that are more than a quarter of the map's step in β apart. It can miss two
+    /// boundaries of one region within a quarter of a step. It can also miss a boundary whose distance from a limit is
+    /// less than a/64. Here a is the part of a step in which the contact alternately sticks and slides. A finer map
+    /// has smaller steps. In a cascade of period doublings, the search may meet a third pattern more than six times
+    /// between two neighbouring β. In this case the search finds only the lowest boundaries of the cascade.
     ///
     /// Close to a boundary a motion settles slowly. More digits therefore take much longer.
     ///
@@ -114,8 +114,8 @@ const LOOKS: u32 = 2;
 /// Number of times between two neighbouring β that the search may continue in both halves of an interval. The search
 /// continues in both halves if the pattern at the middle differs from the patterns at both bounds (a third pattern).
 const MOST_BRANCHES: u32 = 6;
-/// Distance from a limit at which the search evaluates the pattern, divided by the length of the interval between the
-/// limits.
+/// Distance from a limit at which the search begins, divided by the length of the interval in which it searches. This
+/// interval is the part of one step of the map that lies between the limits.
 const BESIDE: f64 = 1.0 / 64.0;
 
 /// A friction ratio β with the pattern of the contact.

@@ -1,12 +1,12 @@
-//! β_lim and β*_lim over frequency. The points are close together where the limits bend.
+//! Computes the limits β_lim and β*_lim over frequency. The points are close together where the limits bend.
 
 use crate::study::system::System;
 use crate::{Limits, OutOfDomain};
 
 /// Number of intervals in the first grid of frequency ratios.
 const PLACES: usize = 400;
-/// Largest number of odd sub-harmonics of one resonance that become points of a limit line. Without damping β_lim is 0
-/// at these sub-harmonics.
+/// Largest number of odd sub-harmonics of one resonance that become points of a limit line. The odd sub-harmonics are
+/// the resonance divided by 3, 5, 7, …. Without damping β_lim is 0 at these sub-harmonics.
 const MOST_SUBHARMONICS: usize = 25;
 /// Smallest relative width of an interval of r that the code still halves.
 const NARROW: f64 = 1e-9;
@@ -35,7 +35,8 @@ impl LimitLines {
 
 impl System {
     /// Returns β_lim and β*_lim over a range of frequency ratios. Straight lines between neighbouring points deviate
-    /// from the limits by at most `accuracy`, measured in β/(1 + β).
+    /// from the limits by at most `accuracy`. The deviation is measured in β/(1 + β), which is 1 for an infinite
+    /// limit.
     ///
     /// # Errors
     /// [`OutOfDomain`] unless 0 ≤ from < to < ∞.

@@ -28,9 +28,10 @@ pub struct MapRequest {
 pub struct Pattern {
     /// Regime of the motion: continuous, stick-slip or stuck.
     pub regime: Regime,
-    /// Number of stops of the contact in a period.
+    /// Number of stops of the contact in one period of the motion. It is 0 if the motion does not settle.
     pub stops: usize,
-    /// Number of changes of the contact's sliding direction without a stop, in a period.
+    /// Number of reversals in one period: changes of the sliding direction without a stop. It is 0 if the motion does
+    /// not settle.
     pub reversals: usize,
     /// Number of cycles of the excitation after which the motion repeats. It is 0 if the motion does not settle.
     pub period: u32,
@@ -167,9 +168,9 @@ impl System {
     /// `false`, the map does not contain the remaining columns.
     ///
     /// # Errors
-    /// [`OutOfDomain`] for a frequency ratio or a friction ratio that is negative, NaN or infinite, and for a mass that
-    /// the scene does not have. [`Unsupported::FrictionLaw`](crate::Unsupported::FrictionLaw) for `friction: stribeck`.
-    /// A point without a response contains the reason.
+    /// [`OutOfDomain`] for a frequency ratio or a friction ratio that is negative, NaN or infinite, and for a mass or
+    /// a spring that the scene does not have. [`Unsupported::FrictionLaw`](crate::Unsupported::FrictionLaw) for
+    /// `friction: stribeck`. A point without a response contains the reason.
     pub fn map(
         &self,
         request: &MapRequest,
@@ -224,8 +225,8 @@ impl System {
         })
     }
 
-    /// Returns a column of the map, or `None` if the caller has cancelled the map. Fails if the scene has no response
-    /// at this frequency for any friction.
+    /// Returns a column of the map, or `None` if the caller has cancelled the map. Fails if [`at`](Self::at) fails at
+    /// this frequency ratio.
     fn column(
         &self,
         r: f64,

@@ -34,15 +34,15 @@ pub struct PeriodicTrack {
     /// Value and time derivative at the start of each step, and at the end of the period.
     pub values: Vec<[f64; 2]>,
     step: f64,
-    /// For the motion of a rigid contact: true for steps with an event. In such a step the acceleration jumps where the
-    /// velocity is 0. The force of an elastic contact, and therefore the acceleration, is continuous.
+    /// One flag for each step. It is true if the acceleration may jump in this step at velocity 0: at an event in the
+    /// motion of a rigid contact. The force of an elastic contact, and therefore the acceleration, is continuous.
     kinks: Vec<bool>,
 }
 
 impl PeriodicTrack {
-    /// Returns the smallest and the largest value of this track in the period. Between two steps the value follows the
-    /// cubic through the values and derivatives at both steps. If the motion of a rigid contact reverses in a step, two
-    /// parabolas replace the cubic. The parabolas meet at the contact's largest displacement.
+    /// Returns the smallest and the largest value of this track in the period. Within a step the value follows the
+    /// cubic through the values and derivatives at both ends of the step. If the motion of a rigid contact reverses in
+    /// a step, two parabolas replace the cubic. The parabolas meet at the contact's largest displacement.
     #[must_use]
     pub fn extremes(&self) -> [f64; 2] {
         let mut extremes = [f64::INFINITY, f64::NEG_INFINITY];
@@ -79,7 +79,7 @@ impl PeriodicTrack {
 }
 
 impl PeriodicState {
-    /// Records one period of a motion that starts from a state that repeats.
+    /// Records one period of the motion from the present state of `walk`, which repeats after this period.
     pub(super) fn of(
         walk: &mut Walk<'_>,
         load: &Sampled,
@@ -136,8 +136,9 @@ impl PeriodicState {
     }
 
     /// Returns the Floquet multipliers over a period of the motion, in descending order of their modulus. The
-    /// multipliers come from central differences, with an error of about 1e-9. If the contact never slides, one
-    /// multiplier is 1, because the contact keeps its position.
+    /// multipliers are the factors by which small deviations change in the period. The code computes them from central
+    /// differences, with an error of about 1e-9. If the contact never slides, one multiplier is 1, because the contact
+    /// keeps its position.
     #[must_use]
     pub fn multipliers(&self) -> &[Complex<f64>] {
         &self.multipliers
@@ -158,7 +159,8 @@ impl PeriodicState {
         self.events
     }
 
-    /// Returns the fraction of all steps in a period at the end of which the contact sticks.
+    /// Returns the fraction of the period during which the contact sticks. The function counts the steps at whose end
+    /// the contact sticks.
     #[must_use]
     pub fn stuck_fraction(&self) -> f64 {
         let steps = self.forces.len().saturating_sub(1).max(1);
@@ -179,7 +181,7 @@ impl PeriodicState {
         self.residual
     }
 
-    /// Returns the time between two steps of the tracks, in s.
+    /// Returns the length of a step of the tracks, in s.
     #[must_use]
     pub fn step(&self) -> f64 {
         self.step
@@ -197,7 +199,8 @@ impl PeriodicState {
         &self.tracks
     }
 
-    /// Returns the force of the contact at each step, and at the end of the period.
+    /// Returns the friction force in the contact at the start of each step and at the end of the period, in the
+    /// scene's unit of force.
     #[must_use]
     pub fn forces(&self) -> &[f64] {
         &self.forces

@@ -15,7 +15,8 @@ pub enum PeriodicError {
     /// The last sample of a table differs from the first sample. The last sample must repeat the first sample, because
     /// the load is periodic.
     Open(f64, f64),
-    /// The mean acceleration or velocity of the base is not 0. The base would then not return to its position.
+    /// The mean acceleration or velocity of the base is not 0. The base would then not return to its position. The
+    /// fields are the name of the quantity and its mean.
     Drifts(&'static str, f64),
     /// The list of harmonics is empty.
     NoHarmonics,
@@ -25,13 +26,13 @@ pub enum PeriodicError {
     BaseMoves,
     /// The load is a base motion, but a force on a mass drives the scene.
     BaseAtRest,
-    /// The description has `input: hold`, which is not possible for a base motion.
+    /// The description has `input: hold`, which is possible only for a table of forces.
     Held,
     /// The period of the load needs more steps than the search permits.
     Long,
     /// The scene does not have the mass or the spring of the requested motion.
     NoSuchMotion(Of),
-    /// The stepper rejects a number of the request.
+    /// The stepper rejects a number of the request, for example a negative friction force.
     Step(OutOfDomain),
     /// The motion from rest does not settle to a period of at most 64 periods of the load.
     NotSteady,

@@ -22,7 +22,7 @@ const MEAN: f64 = 1e-6;
 /// Number of iterations that compute the spline through displacements. Each iteration divides the error by more than 2.
 const SWEEPS: usize = 64;
 
-/// One harmonic of a periodic load: a_n cos(nωt − φ).
+/// One harmonic a_n cos(nωt − φ) of a periodic load, where 2π/ω is the period of the load.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Harmonic {
     /// Order n of the harmonic. Order 0 is a constant.
@@ -50,9 +50,10 @@ pub struct PeriodicLoad(LoadKind);
 
 #[derive(Clone, Debug, PartialEq)]
 enum LoadKind {
-    /// Time between samples, and the forces. The list leaves out the last sample, which repeats the first sample.
+    /// The load is a table of forces. The fields are the time between samples, and the forces without the last sample.
     Forces(f64, Vec<f64>),
-    /// Time between samples, and displacement and velocity of the base.
+    /// The load is a base motion. The fields are the time between samples, and displacement and velocity at each
+    /// sample.
     Base(f64, Vec<[f64; 2]>),
     /// The load is a sum of harmonics. The fields are its period and the list of its harmonics.
     Harmonics(f64, Vec<Harmonic>),
@@ -90,8 +91,8 @@ impl PeriodicLoad {
     /// first sample.
     ///
     /// # Errors
-    /// [`PeriodicError`] for fewer than three samples, for numbers that are not finite, and if the last sample differs
-    /// from the first sample.
+    /// [`PeriodicError`] for fewer than three samples, for a time step that is not positive, for numbers that are not
+    /// finite, and if the last sample differs from the first sample.
     pub fn forces(step: f64, samples: &[f64]) -> Result<Self, PeriodicError> {
         Ok(Self(LoadKind::Forces(
             step,
@@ -99,8 +100,8 @@ impl PeriodicLoad {
         )))
     }
 
-    /// Creates a motion of the base from samples with the time step `step`, in s. The last sample repeats the first
-    /// sample. The mean displacement of the base is 0.
+    /// Creates a motion of the base from samples of `quantity` (displacement, velocity or acceleration) with the time
+    /// step `step`, in s. The last sample repeats the first sample. The function subtracts the mean displacement.
     ///
     /// # Errors
     /// Same errors as [`forces`](Self::forces), and [`PeriodicError::Drifts`] if the base does not return to its
@@ -145,7 +146,8 @@ impl PeriodicLoad {
     /// the displacement of the base.
     ///
     /// # Errors
-    /// [`PeriodicError`] for an empty list, for an order above 1000, and for numbers that are not finite.
+    /// [`PeriodicError`] for an empty list, for an order above 1000, for a period that is not positive, and for
+    /// numbers that are not finite.
     pub fn harmonics(period: f64, harmonics: &[Harmonic]) -> Result<Self, PeriodicError> {
         if harmonics.is_empty() {
             return Err(PeriodicError::NoHarmonics);
@@ -267,8 +269,8 @@ fn settled(rates: &[f64], quantity: &'static str) -> Result<Vec<f64>, PeriodicEr
     Ok(rates.iter().map(|rate| rate - mean).collect())
 }
 
-/// Returns displacement and velocity of the base at the samples. The acceleration of the base changes linearly between
-/// samples.
+/// Integrates accelerations. Returns displacement and velocity of the base at the samples. The acceleration changes
+/// linearly between samples.
 fn integrated(step: f64, accelerations: &[f64]) -> Vec<[f64; 2]> {
     let next = |k: usize| at(accelerations, (k + 1) % accelerations.len().max(1));
     let (mut place, mut rate) = (0.0, 0.0);
@@ -278,8 +280,8 @@ fn integrated(step: f64, accelerations: &[f64]) -> Vec<[f64; 2]> {
         place += step * (rate + step * (2.0 * here + next(k)) / 6.0);
         rate += 0.5 * step * (here + next(k));
     }
-    // The start from velocity 0 makes the base drift. Without the drift, the displacement at the end of the period
-    // equals that at the start.
+    // The integration starts from velocity 0, so that the base drifts. The loop subtracts this drift. The displacement
+    // at the end of the period then equals that at the start.
     let count = accelerations.len() as f64;
     let drift = place / (count * step);
     for (k, [place, rate]) in motion.iter_mut().enumerate() {

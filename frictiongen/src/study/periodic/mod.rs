@@ -1,9 +1,9 @@
 //! Steady states under any periodic load. The load is a table of one period, or a list of harmonics.
 //!
-//! The stepper computes the motion. The steps of the stepper are exact for loads that are polynomials between samples.
-//! Newton's method finds the state that repeats after a whole number of periods of the load. The closed forms of this
-//! crate require a load that is a cosine in time. For other periodic loads there are therefore no limits β_lim and
-//! β*_lim, no friction ratio and no phase.
+//! The stepper advances the motion in time. It is exact for loads that are polynomials between samples. Newton's
+//! method finds the state that repeats after a whole number of periods of the load. The closed forms of this crate
+//! require a load that is a cosine in time. For other periodic loads there are therefore no limits β_lim and β*_lim,
+//! no friction ratio and no phase.
 
 mod answer;
 mod error;
@@ -33,14 +33,14 @@ pub struct PeriodicRequest {
 }
 
 impl System {
-    /// Returns the steady state in which the motion from rest ends, under a periodic load on the excited mass or of the
-    /// base.
+    /// Returns the steady state in which the motion from rest ends, under a periodic force on the excited mass or
+    /// under a periodic motion of the base.
     ///
-    /// The load is a table of one period or a sum of harmonics. Between the samples of a table, forces change linearly.
-    /// With `input: hold` the forces are constant between samples. The acceleration of the base changes linearly
-    /// between samples. The stepper is exact for these loads. For a sum of harmonics, the code takes 1024 samples in a
-    /// cycle of the highest order, and cubics between them. The cubics differ from the sum by at most 4e-12 of its
-    /// amplitude.
+    /// The load is a table of one period or a sum of harmonics. Between the samples of a table, forces change
+    /// linearly, or stay constant with `input: hold`. In a table of the base's motion, velocities and accelerations
+    /// change linearly, and displacements follow a cubic spline. The stepper is exact for these loads. For a sum of
+    /// harmonics, the code takes 1024 samples in a cycle of the highest order, and cubics between them. The cubics
+    /// differ from the sum by at most 4e-12 of its amplitude.
     ///
     /// The search follows the motion from rest until Newton's method finds a state that repeats. Central differences
     /// give the matrix of Newton's method. The result is a steady state that the motion from rest approaches. No
@@ -66,8 +66,8 @@ impl System {
     /// ```
     ///
     /// # Errors
-    /// [`PeriodicError`] for a load that does not close or does not fit the excitation, and if no steady state is
-    /// found.
+    /// [`PeriodicError`] for a load that does not close or does not fit the excitation, and if the search finds no
+    /// steady state.
     pub fn periodic(&self, request: &PeriodicRequest) -> Result<PeriodicState, PeriodicError> {
         search::steady(self, request)
     }

@@ -22,14 +22,14 @@ const NEARLY: f64 = 0.02;
 const NEWTON: usize = 14;
 /// Largest relative difference at which two states one period apart are treated as equal.
 const SAME: f64 = 1e-13;
-/// Largest relative difference after a period at which Newton's method may end, if a step no longer reduces the
+/// Largest relative difference after a period at which Newton's method may end, if its last step has not halved the
 /// difference.
 const ENOUGH: f64 = 1e-11;
 /// Step of the central differences, divided by the size of the motion. The relative error of the differences is about
 /// the square of this step.
 const STEP: f64 = 1e-5;
-/// Largest singular value of a neutral direction. A deviation along a neutral direction does not change over a period,
-/// and Newton's method ignores this direction.
+/// Largest singular value of I − A in a neutral direction, where A is the matrix of the derivatives over a period. A
+/// deviation along a neutral direction does not change over a period, and Newton's method ignores this direction.
 const RANK: f64 = 1e-7;
 /// Largest distance of a Floquet multiplier from the unit circle at which the multiplier is treated as lying on the
 /// circle. The code computes the multipliers from differences, which have rounding errors.
@@ -84,9 +84,9 @@ struct PeriodicSearch<'a> {
 }
 
 impl PeriodicSearch<'_> {
-    /// Returns the numbers of load periods after which the motion may repeat. The first number is 1. The second number
-    /// is that after which the motion is close to its present state, if there is one. At the end the function restores
-    /// the present state.
+    /// Returns the numbers of load periods after which the motion may repeat. The first number is 1. A second number
+    /// exists if the motion comes close to its present state again after more than one period. At the end the function
+    /// restores the present state.
     fn periods(&mut self, most: usize) -> Result<Vec<usize>, PeriodicError> {
         let here = self.walk.place();
         let first = self.walk.numbers();
@@ -172,8 +172,8 @@ impl PeriodicSearch<'_> {
     }
 
     /// Returns the derivatives of the state after a period with respect to the state before the period, by central
-    /// differences. Returns `None` if a small change of the initial state changes the state of the contact (stuck or
-    /// sliding) at the end of the period.
+    /// differences. Returns `None` if a small change of the initial state changes the state of the contact (stuck, or
+    /// its direction of sliding) at the end of the period.
     fn differences(
         &mut self,
         start: &StepState,
@@ -206,8 +206,9 @@ impl PeriodicSearch<'_> {
         Ok(Some(matrix))
     }
 
-    /// Returns true if the motion approaches a state as fast as the Floquet multipliers predict. The function advances
-    /// the motion.
+    /// Returns true if the motion has reached a steady state, or if its distance from the state falls at least half as
+    /// much as the Floquet multipliers predict. With a multiplier on the unit circle, only a motion that has reached
+    /// the state counts. The function may advance the motion.
     fn approaches(&mut self, fixed: &FixedPoint) -> Result<bool, PeriodicError> {
         let rate = fixed.largest();
         if 1.0 - ON_CIRCLE <= rate {

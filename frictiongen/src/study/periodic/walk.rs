@@ -16,7 +16,7 @@ pub(super) struct Walk<'a> {
     friction: f64,
     /// Index of the next step in the period of the load.
     pub at: usize,
-    /// Force on each loaded mass. Only the first force can be different from 0.
+    /// Force on each mass, with the excited mass first. Only the force on the excited mass can be different from 0.
     forces: Vec<f64>,
     slopes: Vec<[f64; 2]>,
 }
@@ -29,7 +29,7 @@ pub(super) struct StepState {
 }
 
 /// The numbers of a motion's state. Two states can be compared number by number only if the contact sticks in both
-/// states or slides in both states.
+/// states, or slides in the same direction in both states.
 #[derive(Clone, Debug, PartialEq)]
 pub(super) struct StateNumbers {
     pub contact: Contact,
@@ -37,8 +37,8 @@ pub(super) struct StateNumbers {
 }
 
 impl StateNumbers {
-    /// Returns the largest difference between the numbers of two states. It is infinite if the contact slides in one
-    /// state and sticks in the other state.
+    /// Returns the largest difference between the numbers of two states. It is infinite if the contact sticks in only
+    /// one of the states, or slides in opposite directions.
     pub fn away(&self, other: &Self) -> f64 {
         if self.contact != other.contact || self.values.len() != other.values.len() {
             return f64::INFINITY;

@@ -123,7 +123,8 @@ fn carried(system: &System, along: Along) -> Results<Sensitive> {
     )
 }
 
-/// Runs a stepper without derivatives, in double-double numbers. One number is multiplied by `factor` before the run.
+/// Runs a stepper without derivatives, in double-double numbers. The variable `along` is multiplied by `factor` before
+/// the run.
 fn moved(system: &System, along: Along, factor: f64) -> Results<Dd> {
     let mut scene = system.scene().clone();
     let (mut friction, mut load) = (FRICTION, 1.0);
@@ -249,8 +250,9 @@ fn slowly(share: f64) -> (f64, bool) {
 
 /// Compares the derivative of a slow break-away with its formula. The derivative of the break-away's instant with
 /// respect to P is −tan(ωt/2)/(ωP). Its relative error is δ/(2(1 − share)), where δ is the rounding error of the input
-/// divided by μF. The stepper permits a relative error of 1e-6. It counts the terms of its series as part of the
-/// force's size. The test therefore leaves a factor of 30 on both sides of 1 − share = 1e-10.
+/// divided by μF. The stepper permits a relative error of 1e-6. For δ the stepper assumes more than this rounding
+/// error, because it adds up the absolute values of the terms in the force. The test therefore leaves a factor of 30
+/// on both sides of 1 − share = 1e-10.
 #[test]
 fn a_slow_break_away_is_a_graze() {
     for (gap, expected) in [

@@ -8,7 +8,7 @@ const BLOCK: &str =
     "struct Block { masses: { block: 2.0 }, contacts: { floor: block - wall }, excitation: block }";
 
 /// Compares the motion of a block on a floor with its closed form, where θ = ωt is the phase of the load. The block
-/// starts at once with the velocity (P sin θ − Fθ)/(mω), and stops when P sin θ = Fθ.
+/// slides from the start with the velocity (P sin θ − Fθ)/(mω), and reverses when P sin θ = Fθ.
 #[test]
 fn a_block_on_a_floor() {
     let block = system(BLOCK);
@@ -80,7 +80,8 @@ fn a_free_pair_vibrates_about_its_mean_place() {
     assert!(apart(got, body) < 1e-12, "{got} {body}");
 }
 
-/// Checks that the natural frequencies of a free chain of two masses are exactly 0 and √(k(1/m + 1/n)).
+/// Checks the natural frequencies of a chain of two masses m and n without a support. They must be exactly 0, and
+/// √(k(1/m + 1/n)) with the stiffness k of the spring between the masses.
 #[test]
 fn natural_frequencies_of_a_free_chain() {
     let pair = system(
@@ -93,7 +94,7 @@ fn natural_frequencies_of_a_free_chain() {
     assert!(system(BLOCK).natural_frequencies() == [0.0]);
 }
 
-/// Checks that each steady state of a scene with μ > 1 repeats after its period.
+/// Checks that the motion from each steady state of a scene with μ > 1 repeats after the period of this state.
 #[test]
 fn states_repeat() {
     let frame = system(super::FRAME);
@@ -111,8 +112,8 @@ fn states_repeat() {
     }
 }
 
-/// Checks that a path has the corners of the hysteresis loops. The area of a polygon through its samples must be the
-/// dissipated energy, although the period has only 16 equal intervals.
+/// Checks that a path (samples with two more samples at each event) has the corners of the hysteresis loops. The area
+/// of a polygon through the samples must be the dissipated energy, although each cycle has only 16 equal intervals.
 #[test]
 fn a_path_has_the_corners() {
     let frame = system(super::FRAME);
@@ -161,8 +162,8 @@ fn a_path_has_the_corners() {
     }
 }
 
-/// Checks the samples of a period. The first and the last sample must be equal, and the events must be those of the
-/// contacts.
+/// Checks the samples of one period of a steady state. The first and the last sample must be equal. The stops, the
+/// largest force and the slip of each contact must be those of the steady state.
 #[test]
 fn a_period_sample_by_sample() {
     let frame = system(super::FRAME);

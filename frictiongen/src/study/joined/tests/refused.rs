@@ -5,7 +5,8 @@ use super::{FRAME, system};
 use crate::study::scene::JointLaw;
 use crate::{System, Unsupported};
 
-/// Checks that the methods of a system for a single contact return an error that names `contacts` and `dampers`.
+/// Checks that methods for a single contact return an error for a scene with several contacts. The error must name the
+/// fields `contacts` and `dampers`.
 #[test]
 fn other_calls_name_the_fields() {
     let frame = system(FRAME);
@@ -71,7 +72,7 @@ fn curves_maps_and_histories_name_the_fields() {
     );
 }
 
-/// Checks that a builder creates the same scene as a text, and returns the same errors.
+/// Checks that a builder creates the same scene as a text, and that it rejects invalid contacts.
 #[test]
 fn builders_take_contacts_and_dashpots() {
     let builder = || {
@@ -161,7 +162,7 @@ fn bad_numbers_are_refused() {
     assert!(joined.with_length(0.1).at(0.9).is_ok() && joined.under(1.0, 0.1).is_ok());
 }
 
-/// Checks that evaluations of recordings require a single contact.
+/// Checks that evaluations of recordings return an error for a scene with several contacts.
 #[cfg(feature = "measure")]
 #[test]
 fn recordings_name_the_fields() {

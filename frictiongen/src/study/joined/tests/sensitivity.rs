@@ -1,5 +1,5 @@
-//! Checks derivatives of steady states in three ways. The tests compare them with those of a single contact from dual
-//! numbers, with differences of motions from rest, and with laws of scale.
+//! Checks derivatives of steady states in three ways. The tests compare the derivatives with those of the solver for a
+//! single contact, with differences of steady states from rest, and with two laws of scale.
 
 use super::{FRAME, system};
 use crate::study::joined::{JoinedError, JoinedParameter, JoinedSensitivities};
@@ -15,7 +15,8 @@ fn of(all: &JoinedSensitivities, parameter: JoinedParameter) -> Option<(f64, &[S
     Some((found.value, &found.amplitudes, &found.energies))
 }
 
-/// Compares the derivatives of a scene with one contact with those that dual numbers give.
+/// Compares the derivatives of a scene with one contact with those of the solver for a single contact, which uses dual
+/// numbers.
 #[test]
 fn derivatives_are_those_of_a_single_contact() {
     let single = |contact: &str, damping: &str| {
@@ -88,8 +89,8 @@ fn derivatives_are_those_of_a_single_contact() {
         }
     }
     println!("{compared} derivatives: {worst:.1e} of the amplitude");
-    // The residual of a steady state is below 1e-11 of the motion, and a step of the difference is at most 2.5e-4 of
-    // the parameter.
+    // The residual of a steady state is below 1e-11 of the motion, and the smaller step of a difference is at most
+    // 2.5e-4 of the parameter.
     assert!(worst < 1e-6 && compared > 80, "{worst} {compared}");
 }
 
@@ -174,7 +175,7 @@ fn derivatives_are_differences_of_motions_from_rest() {
 }
 
 /// Checks two laws of scale. If all forces grow by one factor, all displacements grow by this factor. If friction,
-/// load, masses, springs and dashpots grow by one factor, no displacement changes.
+/// load, masses, all stiffnesses and dashpots grow by one factor, no displacement changes.
 #[test]
 fn derivatives_follow_the_laws_of_scale() {
     let text = FRAME

@@ -67,7 +67,7 @@ fn searches_without_an_answer() {
     }
 }
 
-/// Runs the whole search, and checks that no neighbour of its result is better by more than the last step permits.
+/// Runs the whole search. Checks that no neighbour of its result has a peak that is smaller by more than a thousandth.
 #[test]
 #[ignore = "a minute of steady states; the search that stops early is the short form"]
 fn neighbours_of_the_best_distribution_are_no_better() {

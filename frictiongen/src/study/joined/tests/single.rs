@@ -1,5 +1,5 @@
 //! Compares two solvers for a scene with one contact: the solver for several contacts, and the solver for a single
-//! contact. The first solver finds the contact in the list `contacts`.
+//! contact. For the solver for several contacts, the scene has the contact in the list `contacts`.
 
 use super::{FRAME, apart, system};
 use crate::Regime;
@@ -193,7 +193,8 @@ fn the_response_without_friction_is_linear() {
     }
 }
 
-/// Checks that a dashpot between a mass and the resting base acts as modal damping ζ = c/(2√(km)).
+/// Checks that a dashpot c between the only mass m of a chain and the resting base acts as modal damping ζ =
+/// c/(2√(km)).
 #[test]
 fn a_dashpot_beside_one_contact_is_modal_damping_of_one_mass() {
     let modal = system(

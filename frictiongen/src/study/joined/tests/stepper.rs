@@ -3,8 +3,8 @@
 use super::{FRAME, system};
 use crate::study::joined::JoinedInput;
 
-/// Checks a block under a constant force of 5 N. The contact first sticks, then slides, and finally has no friction
-/// force.
+/// Checks a block under a constant force of 5 N while its friction force falls. The contact first sticks, then slides,
+/// and finally has no friction force.
 #[test]
 fn friction_forces_change_from_step_to_step() {
     let block = system(
@@ -87,9 +87,9 @@ fn bad_inputs_change_nothing() {
     }
 }
 
-/// Checks the energy balance. The energy that the contacts dissipate must equal the work of a constant force, less the
-/// kinetic energy and the energy in the springs of the contacts. The static friction exceeds the kinetic friction, and
-/// the friction falls during the motion.
+/// Checks the energy balance. The energy that the contacts dissipate must equal the work of the load, less the kinetic
+/// energy and the energy in the spring of the elastic contact. The load is constant in each step. In the elastic
+/// contact, the static friction exceeds the kinetic friction. The friction forces change during the motion.
 #[test]
 fn energies_close_the_balance() {
     let pair = system(
@@ -133,7 +133,7 @@ fn energies_close_the_balance() {
     assert!(breaks > 4 && spent("floor") > 0.01 && spent("joint") > 1.0);
 }
 
-/// Checks that the first input acts from the start of the first step, and that a later call fails.
+/// Checks that the input of `begin` acts from the start of the first step, and that `begin` fails after this step.
 #[test]
 fn the_first_input_acts_from_the_start() {
     let block = system(

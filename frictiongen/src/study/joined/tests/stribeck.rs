@@ -15,8 +15,8 @@ const SINGLE: &str = "struct Frame {
     provide: [stepper],
 }";
 
-/// Compares motions from rest with those of the solver for a single contact, which advances the modes instead of the
-/// masses.
+/// Compares motions from rest with those of the solver for a single contact. This solver advances the modes of the
+/// chain instead of the masses.
 #[test]
 fn motions_are_those_of_a_single_contact() {
     for (load, on_base) in [("excitation: lower", false), ("excitation: base", true)] {
@@ -103,8 +103,8 @@ fn steady_states_are_those_of_the_motion_from_rest() {
     assert!(stops.iter().any(|stops| *stops > 2), "{stops:?}");
 }
 
-/// Checks that a request for results in ratios returns an error. The sliding speeds of the law have units, so that the
-/// solver needs the amplitude of the load.
+/// Checks that a request for results in ratios returns an error. The sliding speeds of Stribeck's law have units. The
+/// solver therefore needs the amplitude of the load.
 #[test]
 fn ratios_are_refused() {
     let frame = system(TWO);

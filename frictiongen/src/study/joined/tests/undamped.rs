@@ -79,7 +79,8 @@ fn check(text: &str, system: &System, (r, factor): (f64, f64)) -> bool {
     true
 }
 
-/// Checks random scenes. Returns the number of scenes with a steady state, and the number of scenes without one.
+/// Checks random scenes. Returns the number of scenes whose motion from rest settles, and the number of scenes whose
+/// motion does not settle.
 fn check_random(count: usize) -> (usize, usize) {
     let mut random = Random(46);
     let (mut settled, mut unsettled) = (0, 0);
@@ -121,8 +122,8 @@ fn a_free_vibration_does_not_lengthen_the_period() {
     ));
 }
 
-/// Checks a chain with an elastic contact that slides only once. Afterwards its force only reaches the friction force,
-/// once in every cycle. In the result the contact must stick.
+/// Checks a chain with an elastic contact that slides only once. Afterwards the force in this contact reaches the
+/// friction force once in every cycle, without sliding. In the steady state the contact must stick.
 #[test]
 fn a_contact_that_only_reaches_its_limit_sticks() {
     let text = "struct Chain {
@@ -143,8 +144,8 @@ fn a_contact_that_only_reaches_its_limit_sticks() {
     ));
 }
 
-/// Checks a chain with an elastic contact. A step of Newton's method changes its state while the contact slides. The
-/// relative velocity then has the opposite sign of the force.
+/// Checks a chain with an elastic contact. A step of Newton's method changes the state of the chain while the contact
+/// slides. The relative velocity of the contact then has the opposite sign of its force.
 #[test]
 fn a_contact_with_the_opposite_velocity_sticks() {
     let text = "struct Chain {

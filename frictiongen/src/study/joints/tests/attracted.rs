@@ -1,5 +1,5 @@
-//! Compares steady states with the motion from rest, cycle after cycle. All contacts of the chains are elastic with μ =
-//! 1. The search for these steady states does not follow the motion until it settles.
+//! Compares steady states with the motion from rest, cycle after cycle. All contacts of the chains are elastic with μ
+//! = 1. For such chains, the search may return a steady state before the motion has settled.
 
 use super::super::{Motion, State, steady_state};
 use super::{Chain, Random, random_chain};
@@ -8,8 +8,9 @@ use std::f64::consts::TAU;
 /// Largest number of cycles of the load for which the tests follow the motion from rest.
 const CYCLES: usize = 4000;
 
-/// Returns two largest differences between the states a and b. The first is that of displacements, and of velocities
-/// divided by ω. The second is that of contact forces divided by their friction force.
+/// Returns the largest difference of motion and the largest difference of contact forces between the states a and b.
+/// The difference of motion is that of displacements, or that of velocities divided by ω. Contact forces are divided
+/// by their friction force.
 fn away(chain: &Chain, omega: f64, (a, b): (&State, &State)) -> (f64, f64) {
     let most = |a: &[f64], b: &[f64]| {
         let differences = a.iter().zip(b).map(|(a, b)| (a - b).abs());
@@ -24,7 +25,8 @@ fn away(chain: &Chain, omega: f64, (a, b): (&State, &State)) -> (f64, f64) {
     (motion, forces.fold(0.0, f64::max))
 }
 
-/// Follows the motion from rest until it repeats. Returns `None` if it does not repeat.
+/// Follows the motion from rest until it repeats, and returns the last state. Returns `None` if the motion does not
+/// repeat.
 fn settled(chain: &Chain, omega: f64) -> Option<State> {
     let mut motion = Motion::from_rest(chain).expect("a chain");
     let mut quiet = 0;

@@ -1,5 +1,5 @@
-//! Tests of the energy balance: the work of loads and base equals the stored energy plus the energy that damping,
-//! dashpots and sliders dissipate.
+//! Tests of the energy balance: the work of loads and base equals the increase of the stored energy plus the energy
+//! that damping, dashpots and contacts dissipate.
 
 use super::super::{JointError, Motion, Series, State};
 use super::{Chain, Random, random_chain};
@@ -81,7 +81,8 @@ fn powers(chain: &Chain, motion: &super::super::Model, series: &Series, at: f64)
 }
 
 /// Returns the error of the energy balance of one scene over some cycles, and the number of events. The error is
-/// divided by the energy at the start plus the energy that load or base put in or took out.
+/// divided by the energy at the start plus the absolute work of load and base. The absolute work counts energy put in
+/// and energy taken out as positive.
 fn balance(chain: &Chain, omega: f64, cycles: f64) -> Result<(f64, usize), JointError> {
     let mut motion = Motion::from_rest(chain)?;
     let model = motion.model().clone();

@@ -1,5 +1,6 @@
-//! Compares arrays of fixed length, as in emitted code, with vectors. Arrays and vectors run the same code. The results
-//! must therefore be equal to the last bit. The module also tests `f32`.
+//! Compares motions of a chain stored in arrays of fixed length, as in emitted code, with motions of the same chain
+//! stored in `Vec`s. Both use the same functions, so that the results must be equal to the last bit. The module also
+//! tests `f32`.
 
 use super::super::{Chain, Model, Motion, Wave};
 use super::{Joint, rigid};

@@ -1,11 +1,11 @@
-//! Tests of loads that consist of straight lines between samples.
+//! Tests of sampled loads, which are straight lines between samples, or jump.
 
 use super::super::Motion;
 use super::{Chain, Joint, Random, Wave, rigid};
 use frictiongen_model::scene::Node::{Base, Mass, Wall};
 
-/// Checks a free block under a rising force. It starts to move when the force reaches F, and then moves in proportion
-/// to the third power of time.
+/// Checks a free block under a rising force. The block starts to move when the force reaches the static friction force
+/// μF. With μ = 1, its displacement then grows with the third power of time.
 #[test]
 fn block_under_a_rising_force() {
     for (stiction, side) in [(1.0, 1.0), (1.0, -1.0), (1.5, 1.0)] {
@@ -91,8 +91,8 @@ fn parts_of_a_step_do_not_change_a_motion() {
     }
 }
 
-/// Checks a load that jumps. A jump above the static friction force moves the contact at once. A jump back to zero does
-/// not stop the contact at once.
+/// Checks a block under a load that jumps. After a jump above the static friction force, the block slides at once.
+/// After a jump back to zero, the block does not stop at once.
 #[test]
 fn a_load_that_jumps() {
     let chain = Chain {

@@ -1,4 +1,4 @@
-//! Compares events, states and steady states with the file `joints.json`. A separate program computed this file with
+//! Compares events, states and steady states with the file `joints.json`. A separate program wrote this file, by
 //! matrix exponentials and bisection. The program shares no code with this project.
 
 use super::super::{Motion, Series};
@@ -91,8 +91,8 @@ fn largest(amplitudes: &mut [f64], series: &Series, end: f64) {
     }
 }
 
-/// Returns the amplitudes of the masses and the stuck fractions of the contacts over one period, after a number of
-/// cycles.
+/// Returns the amplitudes of the masses and the stuck fractions of the contacts over one cycle of the load. The motion
+/// starts from rest, and first runs for `cycles` cycles.
 fn steady(chain: &Chain, omega: f64, cycles: usize) -> (Vec<f64>, Vec<f64>) {
     let mut motion = Motion::from_rest(chain).expect("a chain");
     let period = TAU / omega;

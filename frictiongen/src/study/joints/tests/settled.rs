@@ -4,7 +4,7 @@ use super::super::{JointError, Motion, State, steady_state};
 use super::{Chain, Random, random_chain};
 use std::f64::consts::TAU;
 
-/// Advances by a number of cycles, and returns the state after each cycle.
+/// Advances the motion from the state `start` by a number of cycles, and returns the state after each cycle.
 fn states(chain: &Chain, start: &State, omega: f64, cycles: usize) -> Vec<State> {
     let mut motion = Motion::from_rest(chain).expect("a chain");
     motion.restart(start.clone());
@@ -24,8 +24,8 @@ fn away(a: &State, b: &State) -> f64 {
     differences.fold(0.0, f64::max)
 }
 
-/// Checks steady states of random scenes. Returns two numbers of scenes: those without a result, and those with a
-/// period of several cycles.
+/// Checks steady states of random scenes. Returns the number of scenes in which the search finds no steady state, and
+/// the number of scenes with a period of several cycles.
 fn settle(count: usize) -> (usize, usize) {
     let mut random = Random::new(99);
     let (mut open, mut several, mut compared) = (0, 0, 0);

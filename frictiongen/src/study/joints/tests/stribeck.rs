@@ -6,7 +6,8 @@ use frictiongen_kernel::joints::value;
 use frictiongen_model::scene::Node::{Base, Mass, Wall};
 use std::f64::consts::TAU;
 
-/// Number of small steps that replace a step in which the sliding speed passes a point of the friction law.
+/// Number of small steps that replace a step of the Runge–Kutta method in which a sliding speed passes a point of the
+/// friction law.
 const KINK: u32 = 4096;
 const LAW: [[f64; 2]; 3] = [[0.05, 0.75], [0.2, 0.5], [0.6, 0.9]];
 
@@ -23,8 +24,9 @@ fn law(speed: f64) -> f64 {
     before[1]
 }
 
-/// Checks the force of each sliding rigid contact in random scenes. The force must follow the friction law at points of
-/// every stretch (time interval of a power series). The test of the energy balance checks the equations of motion.
+/// Checks the force of each sliding rigid contact in random scenes. The force must follow the friction law at points
+/// of every stretch (time interval of a power series). The test `a_frame_moves_as_by_small_steps` checks the equations
+/// of motion.
 #[test]
 fn forces_follow_the_law() {
     let mut random = Random::new(31);
@@ -83,8 +85,8 @@ fn frame(omega: f64) -> Chain {
     }
 }
 
-/// Motion of `frame` by a Runge–Kutta method. The rigid contacts act on supports at rest. A mass whose rigid contact
-/// sticks therefore stays in place.
+/// Motion of `frame` by a Runge–Kutta method. The rigid contacts are between a mass and a support at rest. A mass
+/// whose rigid contact sticks is therefore at rest.
 struct Plain {
     omega: f64,
     time: f64,
