@@ -259,26 +259,30 @@ impl<S: Float> System<S> {
         self.load_scale_at(load, S::constant(1.0))
     }
 
+    /// Checks that a load is of the kind that excites the scene: a force on a mass, or a motion of the base.
+    pub(crate) fn fits(&self, load: Load<S>) -> Result<(), LoadError> {
+        match self.scene.excitation {
+            Excitation::Base if !load.is_base_motion() => Err(LoadError::DrivenByBase),
+            Excitation::Force(index) if load.is_base_motion() => {
+                let mass = self.scene.masses.get(index);
+                let name = mass.map_or_else(String::new, |mass| mass.name.clone());
+                Err(LoadError::DrivenByForce(name))
+            }
+            _ => Ok(()),
+        }
+    }
+
     /// Returns the units of length and force of a load at the frequency ratio r.
     ///
     /// # Errors
     /// Same errors as [`load_scale`](Self::load_scale).
     pub fn load_scale_at(&self, load: Load<S>, r: S) -> Result<LoadScale<S>, LoadError> {
         let usable = |value: S| value > S::constant(0.0) && value.is_finite();
-        let amplitude = load.amplitude();
-        let base_moves = self.scene.excitation == Excitation::Base;
-        match self.scene.excitation {
-            _ if load.is_base_motion() == base_moves && !usable(amplitude) => {
-                return Err(LoadError::Amplitude);
-            }
-            Excitation::Base if !load.is_base_motion() => return Err(LoadError::DrivenByBase),
-            Excitation::Force(index) if load.is_base_motion() => {
-                let mass = self.scene.masses.get(index);
-                let name = mass.map_or_else(String::new, |mass| mass.name.clone());
-                return Err(LoadError::DrivenByForce(name));
-            }
-            _ => {}
+        self.fits(load)?;
+        if !usable(load.amplitude()) {
+            return Err(LoadError::Amplitude);
         }
+        let base_moves = self.scene.excitation == Excitation::Base;
         let stiffness = S::constant(self.scene.first_stiffness());
         let amplitude = load.at(self.angular_frequency(r)).amplitude();
         let scale = if base_moves {

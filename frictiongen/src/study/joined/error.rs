@@ -1,6 +1,6 @@
 //! Errors of scenes with several contacts.
 
-use crate::study::error::UnknownMass;
+use crate::study::error::{LoadError, UnknownMass};
 use crate::study::joints::JointError;
 use crate::study::sensitivity::NoDerivative;
 use crate::{Given, OutOfDomain, Unsupported};
@@ -40,9 +40,10 @@ pub enum JoinedError {
     NoSpring,
     /// The angular frequency is not positive and finite.
     Frequency(Given),
-    /// The amplitude of the load is not positive and finite. For derivatives, also a force on a scene with base
-    /// motion, or a base motion for a scene with a force.
+    /// The amplitude of the load is not positive and finite.
     Amplitude(Given),
+    /// The load does not fit the scene. The field gives the reason.
+    Load(LoadError),
     /// The scene has `friction: stribeck`, whose speeds have units. The load therefore needs an amplitude in units.
     NoAmplitude,
     /// The frequency is an undamped resonance of the linear chain, whose response is then unbounded.
@@ -83,6 +84,7 @@ impl fmt::Display for JoinedError {
                 f,
                 "the amplitude of the load must be above 0 and finite, but it is {given}"
             ),
+            Self::Load(error) => error.fmt(f),
             Self::NoAmplitude => write!(
                 f,
                 "`friction: stribeck` has speeds in the units of the scene, so that the amplitude of the load is needed; give the frequency in Hz or rad/s, the load in N or m and the friction in N"

@@ -15,8 +15,8 @@ use crate::study::parameter::Slope;
 use crate::study::sensitivity::{NoDerivative, OperatingPoint};
 use crate::study::system::System;
 use crate::study::units::angular_frequency;
-use crate::{Given, OutOfDomain, Regime};
-use frictiongen_model::scene::{Excitation, Scene};
+use crate::{OutOfDomain, Regime};
+use frictiongen_model::scene::Scene;
 
 /// First step of the parameter in a central difference, divided by the value of the parameter.
 const STEP: f64 = 1e-3;
@@ -141,9 +141,7 @@ fn prepare(setting: &JoinedPoint) -> Result<Prepared, JoinedError> {
             load,
         } => {
             let omega = angular_frequency(hertz);
-            if load.is_base_motion() != (setting.scene.excitation == Excitation::Base) {
-                return Err(JoinedError::Amplitude(Given::of(load.amplitude())));
-            }
+            system.fits(load).map_err(JoinedError::Load)?;
             (joined.under(omega, load.at(omega).amplitude())?, friction)
         }
     };

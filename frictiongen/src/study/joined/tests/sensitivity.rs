@@ -5,7 +5,7 @@ use super::{FRAME, system};
 use crate::study::joined::{JoinedError, JoinedParameter, JoinedSensitivities};
 use crate::study::parameter::{Parameter, Slope};
 use crate::study::sensitivity::{NoDerivative, OperatingPoint, Quantity};
-use crate::study::units::Load;
+use crate::study::units::{Load, LoadError};
 use crate::{Of, System};
 
 /// Returns the value of a parameter, and the derivatives of amplitudes and energies with respect to this parameter.
@@ -172,6 +172,29 @@ fn derivatives_are_differences_of_motions_from_rest() {
     println!("{worst:.1e} of the amplitude and of the energy");
     // The error of these differences is the square of 1e-4 times a third derivative of about 10.
     assert!(worst < 1e-6, "{worst}");
+}
+
+/// Checks that a load of the wrong kind is refused with a message about the load.
+#[test]
+fn a_load_must_be_of_the_kind_of_the_excitation() {
+    let on_base = system(FRAME);
+    let on_mass = system(&FRAME.replace("excitation: base", "excitation: upper"));
+    for (system, load, expected) in [
+        (&on_base, Load::Force(30.0), LoadError::DrivenByBase),
+        (
+            &on_mass,
+            Load::Base(1e-3),
+            LoadError::DrivenByForce("upper".to_owned()),
+        ),
+    ] {
+        let joined = system.joined().expect("answers");
+        let refused = joined.sensitivities(OperatingPoint::Physical {
+            hertz: 2.6,
+            friction: 9.0,
+            load,
+        });
+        assert_eq!(refused.err(), Some(JoinedError::Load(expected)));
+    }
 }
 
 /// Checks two laws of scale. If all forces grow by one factor, all displacements grow by this factor. If friction,
