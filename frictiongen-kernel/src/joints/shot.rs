@@ -85,7 +85,7 @@ impl<S: Float, Z: Size> Search<S, Z> {
         })
     }
 
-    /// Advances a motion to the end of a shot with the duration `span`.
+    /// Advances a motion to the end of a shot of the shooting method. A shot lasts `span`.
     fn pass(
         &self,
         motion: &mut Motion<S, Z>,

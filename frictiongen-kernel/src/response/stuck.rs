@@ -98,8 +98,8 @@ impl<T: ProvidesStuck> Stuck<T> {
     }
 
     /// Returns V/H, the complex amplitude of the contact force that keeps the contact stuck, divided by P (6.11, 6.27,
-    /// 6.33). A positive force opposes positive sliding. The absolute value is μβ*_lim, where β*_lim is the limit of
-    /// sliding.
+    /// 6.33). A positive force opposes positive sliding. The absolute value is μβ*_lim, where β*_lim is the stuck
+    /// limit.
     #[must_use]
     pub fn contact_force(&self) -> Complex<T::Scalar> {
         if let Some(force) = self.at.absorbed_force() {

@@ -151,7 +151,8 @@ impl SystemResponse<'_> {
 
     /// Returns the largest |offset| of the contact in a continuum of steady states, divided by P/k₁ (by Y for base
     /// motion). The states of a continuum differ by their offset. Returns `None` if this state does not belong to a
-    /// continuum. See [`SystemOrbit::offset_range`](frictiongen_kernel::orbit::Orbit::offset_range).
+    /// continuum, or if the bound is unknown. See
+    /// [`SystemOrbit::offset_range`](frictiongen_kernel::orbit::Orbit::offset_range).
     #[must_use]
     pub fn offset_range(&self) -> Option<f64> {
         match self {

@@ -177,8 +177,8 @@ pub struct SystemStepper<'a, S = f64> {
     pub(super) system: &'a System<S>,
     settings: &'a Settings<S>,
     stepper: KernelStepper<'a, S>,
-    /// The forces of the present input, one for each mass. A run-time system accepts a force on every mass. The excited
-    /// mass comes first.
+    /// The forces of the present input, one for each mass. If a force excites the scene, the force on the excited mass
+    /// comes first.
     forces: Vec<S>,
 }
 

@@ -49,8 +49,8 @@ pub struct System<S = f64> {
     /// True if the load acts on the mass in the contact and μ = 1. The limit of sliding β*_lim is then 1 at every
     /// frequency.
     pub(super) sliding_limit_is_one: bool,
-    /// Modal data of an undamped chain. With these data, closed forms give the limits without a search over the cycle.
-    /// `None` for a damped chain and for a chain with many modes.
+    /// Data of the modes that the contact drives, for a fast computation of the limits without a search over the
+    /// cycle. `None` if [`DrivenModes`] does not support the chain or the scalar type, for example for a damped chain.
     pub(super) driven: Option<DrivenModes<S>>,
     transient: OnceLock<Transient<S>>,
     steps: OnceLock<StepperSettings<S>>,

@@ -288,7 +288,7 @@ fn a_wrong_number_is_not_proven() {
 
 /// Checks that the error bound of a product grows with the position error of each zero. The bound includes this error
 /// divided by the distance of r from the zero, or half of this quotient for the square root of a product. The test
-/// requires only a growth that every distance in the test exceeds.
+/// requires only a 25th of the position error.
 #[test]
 fn uncertain_zeros_are_in_the_bound() {
     let (weight, mut seen) = (1e-6, 0);

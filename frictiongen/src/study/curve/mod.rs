@@ -1,8 +1,9 @@
 //! Responses over frequency in every regime, as curves. The points are close together where a curve bends.
 //!
 //! A curve consists of pieces. The code cuts the curve where the regime changes, at poles, at jumps, and at the bounds
-//! of a range without response. The code locates the cuts to rounding. Between two cuts the code adds points until
-//! straight lines are accurate enough. A picture therefore never joins points on two sides of a cut.
+//! of a range without response. Cuts at which β equals β_lim or β*_lim are exact to rounding. The other cuts are exact
+//! to a small tolerance. Between two cuts the code adds points until straight lines are accurate enough. A picture
+//! draws each piece as one line, and therefore never joins points on two sides of a cut.
 
 mod answer;
 mod pieces;

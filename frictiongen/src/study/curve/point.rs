@@ -33,7 +33,7 @@ pub struct CurvePoint {
     pub friction_work: f64,
 }
 
-/// The motion of the contact or of a mass at one point of a curve.
+/// One of the requested motions or spring forces, at one point of a curve.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Movement {
     /// Amplitude and phase of the motion: the largest |x̄|, and the lag of this maximum behind the excitation, in rad.

@@ -39,8 +39,8 @@ impl System {
     /// The load is a table of one period or a sum of harmonics. Between the samples of a table, forces change
     /// linearly, or stay constant with `input: hold`. In a table of the base's motion, velocities and accelerations
     /// change linearly, and displacements follow a cubic spline. The stepper is exact for these loads. For a sum of
-    /// harmonics, the code takes 1024 samples in a cycle of the highest order, and cubics between them. The cubics
-    /// differ from the sum by at most 4e-12 of its amplitude.
+    /// harmonics, the code takes at least 1024 samples in a cycle of the highest order, and cubics between them. The
+    /// cubics differ from the sum by at most 4e-12 of its amplitude.
     ///
     /// The search follows the motion from rest until Newton's method finds a state that repeats. Central differences
     /// give the matrix of Newton's method. The result is a steady state that the motion from rest approaches. No
