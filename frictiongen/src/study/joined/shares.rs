@@ -51,12 +51,14 @@ impl<'a> Joined<'a> {
     /// Finds the common friction and the shares with which the largest amplitude of a mass over a band of frequency
     /// ratios is smallest. The search calls `watch` before each steady state, and stops if `watch` returns false.
     ///
-    /// The search begins at the best common friction with the shares of the scene description. It changes one number
-    /// at a time, the friction or a share, by a factor. After an improvement it also tries the whole change once more.
-    /// It reduces the factor from 1.6 to 1.02. In this first pass, the search compares the largest amplitudes at 25
-    /// equally spaced frequencies of the band. In the second pass, it begins with a factor of 1.25, and includes the
-    /// peaks between these frequencies. The result is a local minimum. Another distribution far from the description
-    /// may be better.
+    /// The search begins at the best common friction with the shares of the scene description. In each round, it
+    /// multiplies or divides the friction and then each share by a factor, and keeps every change that reduces the
+    /// largest amplitude. If a round has reduced this amplitude, the search also tries all changes of the round a second
+    /// time, together. Otherwise it reduces the factor, from 1.6 down to 1.02.
+    ///
+    /// In this first pass, the search compares the largest amplitudes at 25 equally spaced frequencies of the band. In
+    /// the second pass, it begins with a factor of 1.25, and includes the peaks between these frequencies. The result
+    /// is a local minimum. Another distribution far from the description may be better.
     ///
     /// # Errors
     /// Same errors as [`optimum_watched`](Self::optimum_watched). [`JoinedError::Shares`] for an interval that does

@@ -36,9 +36,8 @@ const CLOSER: usize = 5;
 const NEARLY: f64 = 1.2;
 /// Largest number of intervals of the scan over friction that one round halves.
 const MOST_CLOSER: usize = 8;
-/// The search evaluates a friction ratio completely only if its amplitude, divided by the best amplitude so far, is at
-/// most this number. The number covers the widest tolerance of friction, in which the amplitude is at most 10 % above
-/// the best.
+/// Largest amplitude at a friction ratio that the search evaluates completely, divided by the best amplitude so far. The
+/// widest tolerance of the friction depends on all amplitudes up to 10 % above the best.
 const MARGIN: f64 = 1.2;
 
 /// The largest amplitude over the band at one friction ratio, with its slope and its peaks.

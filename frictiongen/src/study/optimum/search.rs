@@ -29,8 +29,8 @@ const STATIONARY: f64 = 1e-4;
 pub(super) const WORK_OF_ONE: usize = 300_000;
 /// Bound on the work of a search, divided by the bound on the work of its final check.
 const OF_A_CHECK: usize = 6;
-/// The search evaluates a scan point once more if its amplitude, divided by the best amplitude, is at most this
-/// number. The number covers the widest tolerance of friction, in which the amplitude is at most 10 % above the best.
+/// Largest amplitude of a scanned friction that the search evaluates a second time, divided by the best amplitude. The
+/// widest tolerance of the friction depends on all amplitudes up to 10 % above the best.
 const HIGHEST_TOLERANCE: f64 = 1.12;
 
 /// The type of a minimum of the largest amplitude as a function of friction.
