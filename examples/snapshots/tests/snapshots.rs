@@ -1,4 +1,4 @@
-//! Shows how a change of the scene, or of frictiongen, changes a user's solver: see docs/snapshots.md.
+//! Shows how a change of the scene, or of frictiongen, changes a user's solver: see docs/firmware.md.
 
 use frictiongen_codegen::{SizeLimits, parse_text, pretty};
 use snapshots::{Mount, transmissibility};
