@@ -1,8 +1,8 @@
-//! Prints times of steady states with several contacts. `scripts/joined-peers` runs this program.
+//! Prints times of steady states with several contacts. `scripts/trade joints` runs this program.
 //!
-//! * `joined_times growth [RUNS]` prints a table of times for several numbers of masses and of contacts, and how the
-//!   time grows with each of these numbers. All masses and springs are equal, and the first storeys have elastic
-//!   contacts.
+//! * `joined_times growth [RUNS]` prints a CSV table of times for several numbers of masses and of contacts. On standard
+//!   error it prints how the time grows with each of these numbers. All masses and springs are equal, and the first
+//!   storeys have elastic contacts.
 //! * `joined_times curve FILE FROM TO COUNT BETA [RUNS]` prints the time of a curve of steady states from rest. For each
 //!   frequency it prints the displacement of the last mass at a maximum of the load, and the amplitude of this mass
 //!   about its mean place.
@@ -78,12 +78,11 @@ fn growth(runs: usize) {
         }
         table.push(row);
     }
-    let head = CONTACTS.map(|contacts| format!(" contacts: {contacts} |"));
-    println!("| masses |{}", head.concat());
-    println!("|---:|{}", "---:|".repeat(CONTACTS.len()));
+    println!("masses,contacts,ms");
     for (masses, row) in MASSES.iter().zip(&table) {
-        let row: String = row.iter().map(|time| format!(" {time:.2} |")).collect();
-        println!("| {masses} |{row}");
+        for (contacts, time) in CONTACTS.iter().zip(row) {
+            println!("{masses},{contacts},{time:.2}");
+        }
     }
     let along_masses: Vec<(f64, f64)> = MASSES
         .iter()
@@ -96,8 +95,8 @@ fn growth(runs: usize) {
         .zip(&table[3])
         .map(|(contacts, time)| (*contacts as f64, *time))
         .collect();
-    println!(
-        "\nThe time grows with the power {:.2} of the number of masses (8 to 64 masses, two contacts), and with the power\n{:.2} of the number of contacts (eight masses).",
+    eprintln!(
+        "The time grows with the power {:.2} of the number of masses (8 to 64 masses, two contacts), and with the power {:.2} of the number of contacts (eight masses).",
         exponent(&along_masses),
         exponent(&along_contacts)
     );

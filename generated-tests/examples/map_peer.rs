@@ -1,4 +1,4 @@
-//! This library's part of `scripts/map-peers`: figure 3.12 of the thesis, a map over r and β of the stops in a cycle.
+//! This library's part of `scripts/trade map`: figure 3.12 of the thesis, a map over r and β of the stops in a cycle.
 //!
 //! `map_peer points` prints the points (r, β) of the map. `map_peer MU FILE STEPPER` reads the results of the plain
 //! stepper at these points, one line each. Then it prints this library's time in seconds, the number of points where

@@ -1,4 +1,4 @@
-//! This library's part of `scripts/orbit-peers`: computes one steady state, its time, and its difference from the
+//! This library's part of `scripts/trade`: computes one steady state, its time, and its difference from the
 //! same state in double-double.
 //!
 //! `orbit_peer FILE R BETA [RUNS]` prints the time in microseconds, the stops, the reversals, and two amplitudes: of

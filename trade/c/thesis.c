@@ -1,5 +1,5 @@
 /* Computes the formulas of the thesis, written by hand, for a comparison with frictiongen. Modal data are given. All
- * other formulas are as printed, with the corrections of docs/corrections.md, without which the results would be wrong.
+ * other formulas are as printed, with the corrections of docs/thesis.md, without which the results would be wrong.
  *
  * The file is compiled once for each number of masses (-DMASSES=n), so that every loop has a constant length. All modes
  * have the same zeta. Undamped scenes have their own, shorter formulas.

@@ -11,7 +11,7 @@ const FEWEST_POINTS: usize = 8;
 
 /// A function that is timed. A pass calls it at its first `points` points, and a round has `passes` passes.
 pub struct Job<'a> {
-    seconds: Box<dyn FnMut(usize, usize) -> f64 + 'a>,
+    run: Box<dyn FnMut(usize) + 'a>,
     points: usize,
     passes: usize,
     times: Vec<f64>,
@@ -28,35 +28,28 @@ pub struct Time {
 
 impl<'a> Job<'a> {
     /// Creates a job that calls `run` for at most `points` points in a pass.
-    pub fn new(points: usize, mut run: impl FnMut(usize) + 'a) -> Self {
-        Self::timed_by(points, move |count, passes| {
-            let start = Instant::now();
-            for _ in 0..passes {
-                run(count);
-            }
-            start.elapsed().as_secs_f64()
-        })
-    }
-
-    /// Creates a job that measures its own time. `seconds` takes the number of points and the number of passes, and
-    /// returns the time in s.
-    pub fn timed_by(points: usize, seconds: impl FnMut(usize, usize) -> f64 + 'a) -> Self {
+    pub fn new(points: usize, run: impl FnMut(usize) + 'a) -> Self {
         Self {
-            seconds: Box::new(seconds),
+            run: Box::new(run),
             points,
             passes: 1,
             times: Vec::new(),
         }
     }
 
+    /// Returns the time in s of the passes of a round.
     fn pass(&mut self) -> f64 {
-        (self.seconds)(self.points, self.passes)
+        let start = Instant::now();
+        for _ in 0..self.passes {
+            (self.run)(self.points);
+        }
+        start.elapsed().as_secs_f64()
     }
 
     fn fit(&mut self) {
-        (self.seconds)(self.points.min(FEWEST_POINTS), 1);
         let all = self.points;
         self.points = all.min(FEWEST_POINTS);
+        self.pass();
         let one = self.pass() / self.points as f64;
         self.points = all.min(((LONGEST / one) as usize).max(FEWEST_POINTS));
         self.passes = (SHORTEST / (one * self.points as f64)).ceil().max(1.0) as usize;

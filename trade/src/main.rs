@@ -1,30 +1,24 @@
 //! Measures speed against accuracy: every method of this library and of others, in the same run.
 //!
-//! `scripts/trade` runs this program. `trade FOLDER` writes `trade.csv`, `trade.md` and the pictures to a folder.
-//! `trade --quick FOLDER` measures less, with up to two masses, in seconds. `--before PROGRAM` names the program with
-//! the earlier searches (`before/`). `picture/` draws from `trade.csv` alone.
+//! `scripts/trade` runs this program. `trade FOLDER` writes `trade.csv` and `slow-calls.csv` to a folder. `trade --quick
+//! FOLDER` measures less, with up to two masses, in seconds. `picture/` draws from `trade.csv` alone.
 
 #[macro_use]
 mod chains;
 
-mod before;
 mod clock;
 mod measure;
 mod methods;
-mod operations;
-mod page;
 mod peers;
 mod points;
 mod scenes;
 mod tabled;
 mod tables;
 mod tails;
-mod without_search;
 
-use before::Before;
 use measure::Measure;
 use points::Extent;
-use std::path::{Path, PathBuf};
+use std::path::Path;
 
 const FULL: Extent = Extent {
     timed: 128,
@@ -51,33 +45,21 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
     if quick {
         arguments.remove(0);
     }
-    let (before, folder) = match arguments.as_slice() {
-        [folder] => (None, folder),
-        [word, program, folder] if word == "--before" => {
-            (Some(Before::start(Path::new(program))?), folder)
-        }
-        _ => return Err("trade [--quick] [--before PROGRAM] FOLDER".into()),
+    let [folder] = arguments.as_slice() else {
+        return Err("trade [--quick] FOLDER".into());
     };
-    let folder = PathBuf::from(folder);
+    let folder = Path::new(folder);
     if cfg!(not(with_c)) {
         eprintln!("SKIPPED: no C compiler; the peers in C are left out");
     }
     let extent = if quick { QUICK } else { FULL };
     let mut measure = Measure {
         extent,
-        before,
         rows: Vec::new(),
         tails: Vec::new(),
-        refused: Vec::new(),
     };
     scenes::visit(&mut measure);
-    let table = tables::csv(&measure.rows)?;
-    std::fs::write(folder.join("trade.csv"), &table)?;
-    let figures = std::fs::read_to_string(concat!(
-        env!("CARGO_MANIFEST_DIR"),
-        "/../firmware/figures.txt"
-    ))?;
-    std::fs::write(folder.join("trade.md"), page::page(&measure, &figures)?)?;
-    trade_picture::write(&table, &folder)?;
+    std::fs::write(folder.join("trade.csv"), tables::calls(&measure.rows)?)?;
+    std::fs::write(folder.join("slow-calls.csv"), tables::slow(&measure.tails)?)?;
     Ok(())
 }

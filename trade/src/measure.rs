@@ -1,15 +1,13 @@
 //! Measures every method in every scene.
 
-use crate::before::{self, Before};
 use crate::clock::{Job, Time, interleaved};
 use crate::methods::{Fill, Method, Pair, filler};
-use crate::operations::{self, Operations};
 use crate::peers::{Modal, balance, textbook};
 #[cfg(with_c)]
 use crate::peers::{by_hand, stepper};
 use crate::points::{EXTREME, Errors, Extent, Set, USUAL, asked, edges, usual};
 use crate::scenes::{Label, Orbit, Visitor};
-use crate::tabled::{self, Figures, Refused};
+use crate::tabled::{self, Figures};
 use crate::tails::{self, Tail};
 use frictiongen::kernel::Float;
 use frictiongen::kernel::number::dd::Dd;
@@ -35,8 +33,6 @@ pub enum By {
     /// Emitted scene with tables in double precision. With the number n, the accuracy of the tables is 10⁻ⁿ. The
     /// tables of the finest accuracy are built at run time.
     Table(u8),
-    /// The emitted code of an earlier commit in double precision, with the searches of that commit.
-    Before,
 }
 
 impl By {
@@ -52,7 +48,6 @@ impl By {
             Self::Stepper => "C event stepper".into(),
             Self::Table(tabled::FINEST) => format!("System's table 1e-{}", tabled::FINEST),
             Self::Table(exponent) => format!("table 1e-{exponent}"),
-            Self::Before => "emitted f64 before".into(),
         }
     }
 }
@@ -74,8 +69,6 @@ pub struct Row {
     pub usual: Errors,
     /// Relative errors against the exact value, at all points.
     pub error: Errors,
-    /// Operations of a call without those of a search. Only emitted scenes have them.
-    pub operations: Option<Operations>,
     /// Size and look-up cost of a table. Only scenes with tables have them.
     pub table: Option<Figures>,
 }
@@ -84,14 +77,10 @@ pub struct Row {
 pub struct Measure {
     /// Extent of the measurement.
     pub extent: Extent,
-    /// The program with the searches of an earlier commit. `None` if it could not be built.
-    pub before: Option<Before>,
     /// Results of the measurement, one row for each quantity, method and scene.
     pub rows: Vec<Row>,
     /// Distributions of the times of single calls.
     pub tails: Vec<Tail>,
-    /// Scenes that have no tables of the finest accuracy, with the reason.
-    pub refused: Vec<Refused>,
 }
 
 /// Points for a scene, rounded to one scalar: for the time, for the errors at usual points and at the edges of the
@@ -168,7 +157,6 @@ impl<'a, S> Entry<'a, S> {
 fn judged<S: Float>(label: Label, entry: &Entry<'_, S>, sets: &Sets<S>, time: Time) -> Row {
     let (method, exact) = (entry.method, entry.method.exact());
     let errors = |set: &Set<S>, truth| set.errors(&asked(entry.fill, method, &set.points), truth);
-    let emitted = matches!(entry.by, By::Double | By::Single);
     let stops = method == Method::Orbit;
     let first = if stops { &sets.stops } else { &sets.usual };
     let (mut rounding, usual) = (errors(first, method), errors(first, exact));
@@ -188,23 +176,7 @@ fn judged<S: Float>(label: Label, entry: &Entry<'_, S>, sets: &Sets<S>, time: Ti
         rounding,
         usual,
         error,
-        operations: emitted.then(|| operations::of(&label, method)).flatten(),
         table: entry.table,
-    }
-}
-
-/// Creates a row of results that has a time but no errors.
-fn only_timed(label: Label, by: By, method: Method, time: Time) -> Row {
-    Row {
-        label,
-        by,
-        method,
-        time,
-        rounding: Errors::default(),
-        usual: Errors::default(),
-        error: Errors::default(),
-        operations: None,
-        table: None,
     }
 }
 
@@ -268,8 +240,7 @@ impl Visitor for Measure {
             entries.push(Entry::new(By::Double, Method::Orbit, &doubles));
             entries_single.push(Entry::new(By::Single, Method::Orbit, &singles));
         }
-        let (tables, refused) = tabled::of(&label, &system);
-        self.refused.extend(refused);
+        let tables = tabled::of(&label, &system);
         entries.push(Entry::new(By::Double, Method::Contact, &doubles));
         entries.extend(tables.iter().map(|table| Entry {
             table: Some(table.figures),
@@ -284,16 +255,11 @@ impl Visitor for Measure {
 
         let mut jobs: Vec<Job<'_>> = entries.iter().map(|entry| job(entry, &wide)).collect();
         jobs.extend(entries_single.iter().map(|entry| job(entry, &narrow)));
-        if let Some(before) = &self.before {
-            let others = before.jobs(&label, &wide.timed.points);
-            jobs.extend(others.expect("the searches before answer"));
-        }
         let times = interleaved(&mut jobs, self.extent.rounds);
         drop(jobs);
         self.tails
             .push(tails::of(label, &doubles, &system, self.extent.tail));
-        let (times, others) = times.split_at(entries.len());
-        let (times_single, times_before) = others.split_at(entries_single.len());
+        let (times, times_single) = times.split_at(entries.len());
         let rows = entries
             .iter()
             .zip(times)
@@ -304,9 +270,6 @@ impl Visitor for Measure {
             .zip(times_single)
             .map(|(e, t)| judged(label, e, &narrow, *t));
         self.rows.extend(rows);
-        let rows = before::METHODS.iter().zip(times_before);
-        self.rows
-            .extend(rows.map(|(method, t)| only_timed(label, By::Before, *method, *t)));
         #[cfg(with_c)]
         {
             // The event stepper gives no amplitude except that of the contact, so its error is that of this
@@ -384,7 +347,6 @@ impl Measure {
             rounding: error.clone(),
             usual: error.clone(),
             error,
-            operations: None,
             table: None,
         });
     }

@@ -1,7 +1,6 @@
 //! The quantities that are measured. Emitted scenes and `System` compute them with the same code.
 
 use crate::scenes::Orbit;
-use crate::without_search;
 use frictiongen::kernel::{Float, Scalar};
 use frictiongen::{ContinuousMotion, FrictionSystem, LimitsAt, MotionAt, Of, Steady};
 
@@ -87,9 +86,10 @@ where
     let mass = Of::Mass(watched);
     Box::new(move |method, points, out| match method {
         Method::Limits => limits(&system, points, out, |at| at.continuous_limit()),
-        Method::WithoutSearch => {
-            each(points, out, |[r, _]| without_search::limits(&system, r));
-        }
+        Method::WithoutSearch => each(points, out, |[r, _]| {
+            let limits = system.limits_without_search(r).ok()?;
+            Some([limits.continuous, limits.sliding])
+        }),
         Method::PerMode => limits(&system, points, out, |at| at.continuous_limit_per_mode()),
         Method::Amplitude => response(&system, mass, points, out, |motion| motion.amplitude()),
         Method::Monoharmonic => {

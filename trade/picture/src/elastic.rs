@@ -1,5 +1,5 @@
 //! Draws `elastic-trade.svg`, the error against the time of a steady state with an elastic contact, from
-//! `elastic-trade.csv` alone.
+//! `elastic.csv` alone.
 
 use frictiongen_plot::{Anchor, Axis, Colour, Figure, Line, Marker, Markers, Note, Panel, Stroke};
 use std::path::Path;
@@ -140,7 +140,7 @@ mod tests {
 
     #[test]
     fn the_stored_picture_is_of_the_stored_table() {
-        let rows = rows(include_str!("../../../docs/elastic-trade.csv")).unwrap();
+        let rows = rows(include_str!("../../../docs/data/elastic.csv")).unwrap();
         assert!(
             rows.iter()
                 .all(|row| LOOKS.iter().any(|look| look.0 == row.by))

@@ -167,7 +167,7 @@ fn note(beside: &Beside, inside: &[&Pool]) -> Option<Note> {
 mod tests {
     use super::{ALL, LOOKS, figure, note, pools, shown};
 
-    const TABLE: &str = include_str!("../../../docs/trade.csv");
+    const TABLE: &str = include_str!("../../../docs/data/trade.csv");
 
     #[test]
     fn the_stored_pictures_are_of_the_stored_table() {

@@ -6,13 +6,13 @@ use crate::methods::{Fill, Method};
 use crate::scenes::Label;
 use frictiongen::System;
 use frictiongen::study::scene::Side;
-use frictiongen::study::table::{Request, TableError, Tables};
+use frictiongen::study::table::{Request, Tables};
 
 /// Range of frequency ratios r that the tables cover.
 const RANGE: (f64, f64) = (0.2, 2.5);
 /// The number n of the finest accuracy 10⁻ⁿ. Not every scene can reach it. Its tables are built at run time.
 pub const FINEST: u8 = 12;
-/// The number n of the accuracy 10⁻ⁿ that the page uses most.
+/// The number n of the accuracy 10⁻ⁿ of the tables that also contain the motion of the contact.
 pub const USUAL: u8 = 4;
 
 /// Size of a table, and number of comparisons of a look-up.
@@ -38,17 +38,6 @@ pub struct Tabled {
     pub figures: Figures,
 }
 
-/// Reason why a scene has no tables of the finest accuracy.
-#[derive(Clone, Copy, Debug)]
-pub struct Refused {
-    /// Scene without tables of the finest accuracy.
-    pub label: Label,
-    /// Frequency ratio at which the tables miss the accuracy.
-    pub at: f64,
-    /// Finest accuracy that the tables of the scene can reach, if it is known.
-    pub reached: Option<f64>,
-}
-
 fn request(exponent: u8, motion: bool) -> Request {
     Request {
         r: RANGE,
@@ -67,9 +56,9 @@ fn figures(tables: &Tables<f64>) -> Figures {
     }
 }
 
-/// Returns the tables of a scene. If the finest accuracy is refused, also returns the reason. All tables except the
-/// finest are emitted.
-pub fn of(label: &Label, system: &System) -> (Vec<Tabled>, Option<Refused>) {
+/// Returns the tables of a scene. All tables except the finest are emitted. Prints the reason if the scene has no
+/// tables of the finest accuracy.
+pub fn of(label: &Label, system: &System) -> Vec<Tabled> {
     let (limits, contact) = scenes::emitted(label.name, label.zeta > 0.0).expect("a scene");
     let figures_of = |exponent, motion| {
         let built = system.compile_for(request(exponent, motion));
@@ -92,23 +81,14 @@ pub fn of(label: &Label, system: &System) -> (Vec<Tabled>, Option<Refused>) {
     });
     // Jobs need functions that live as long as the program. The leaked system does.
     let system: &'static System = Box::leak(Box::new(system.clone()));
-    let refused = match system.compile_for(request(FINEST, false)) {
-        Ok(built) => {
-            all.push(Tabled {
-                exponent: FINEST,
-                method: Method::Limits,
-                figures: figures(built.tables()),
-                fill: scenes::both(built),
-            });
-            None
-        }
-        Err(TableError::NotMet { at, reached, .. }) => Some(Refused {
-            label: *label,
-            at,
-            reached,
+    match system.compile_for(request(FINEST, false)) {
+        Ok(built) => all.push(Tabled {
+            exponent: FINEST,
+            method: Method::Limits,
+            figures: figures(built.tables()),
+            fill: scenes::both(built),
         }),
-        // A valid request has no other error.
-        Err(_) => None,
-    };
-    (all, refused)
+        Err(error) => eprintln!("no table of 1e-{FINEST}: {error}"),
+    }
+    all
 }

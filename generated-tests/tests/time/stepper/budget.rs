@@ -1,5 +1,6 @@
 //! Tests the event budget of a step. A step with at most as many events as the budget is the exact step. Any other
-//! step creates no energy, and does not move a contact that holds. docs/step-trade.md has the errors of all steps.
+//! step creates no energy, and does not move a contact that holds. docs/data/event-budget.csv has the errors of all
+//! steps.
 
 use crate::stepper::independent::loads;
 use crate::stepper::rig::Load;
@@ -222,15 +223,14 @@ fn no_budget_creates_energy_or_moves_a_contact_that_holds() {
     }
 }
 
-/// Runs ten million steps with each budget, and writes the table of docs/step-trade.md.
+/// Runs ten million steps with each budget, and writes docs/data/event-budget.csv.
 #[test]
 #[ignore = "ten minutes; `--nocapture` shows the figures"]
 fn ten_million_steps_with_each_budget() {
     let steps = 10_000_000 / (2 * TURNS.len() * scenes().len());
     let steps = u32::try_from(steps).expect("a count") + 1;
     let mut rows = String::from(
-        "| budget | phase of a step, rad | steps with events | exceeded | error of such a step, root mean square | largest | of the run, largest |\n\
-         |---|---|---|---|---|---|---|\n",
+        "budget,phase of a step rad,steps with events %,steps that exceed %,error rms,error largest,error of the run\n",
     );
     for budget in [1, 2, 4] {
         let seen = all(budget, steps);
@@ -239,7 +239,7 @@ fn ten_million_steps_with_each_budget() {
             let share = |count: u64| 100.0 * count as f64 / seen.steps as f64;
             let mean = (seen.squares / seen.exceeded.max(1) as f64).sqrt();
             rows += &format!(
-                "| {budget} | {turn} | {:.0} % | {:.2} % | {mean:.1e} | {:.1e} | {:.1e} |\n",
+                "{budget},{turn},{:.0},{:.2},{mean:.1e},{:.1e},{:.1e}\n",
                 share(seen.eventful),
                 share(seen.exceeded),
                 seen.worst,
@@ -249,16 +249,9 @@ fn ten_million_steps_with_each_budget() {
     }
     check(0, &all(0, steps));
     println!("{rows}");
-    let page = concat!(env!("CARGO_MANIFEST_DIR"), "/../docs/step-trade.md");
-    let text = std::fs::read_to_string(page).expect("the page");
-    let (start, rest) = text.split_once(BEGIN).expect("the start of the table");
-    let (_, end) = rest.split_once(END).expect("the end of the table");
-    std::fs::write(page, format!("{start}{BEGIN}{rows}{END}{end}"))
-        .expect("a page that can be written");
+    let path = concat!(env!("CARGO_MANIFEST_DIR"), "/../docs/data/event-budget.csv");
+    std::fs::write(path, rows).expect("a table that can be written");
 }
-
-const BEGIN: &str = "<!-- budgets: begin -->\n";
-const END: &str = "<!-- budgets: end -->";
 
 /// Checks that a saved state and an image contain the budget.
 #[test]

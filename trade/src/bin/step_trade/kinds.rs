@@ -80,17 +80,16 @@ macro_rules! row {
         });
         writeln!(
             $table,
-            "| {} | {without:.0} | {one:.0} | {slowest:.0}, {events} events |",
+            "{},{without:.0},{one:.0},{slowest:.0},{events}",
             $masses
         )?;
     }};
 }
 
-/// Returns a table of the times of steps, with one row for each number of masses.
+/// Returns a CSV table of the times of steps, with one row for each number of masses.
 pub fn table() -> Result<String, std::fmt::Error> {
-    let mut table = String::from(
-        "| masses | no event, ns | one event, ns | the slowest under loads of 10⁴ F, ns |\n|---|---|---|---|\n",
-    );
+    let mut table =
+        String::from("masses,no event ns,one event ns,slowest ns,events of the slowest\n");
     row!(table, 1, Line1, Line1Input);
     row!(table, 2, Line2, Line2Input);
     row!(table, 5, Line5, Line5Input);

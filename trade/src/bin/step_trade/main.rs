@@ -1,6 +1,7 @@
 //! Compares the stepper with usual fixed-step integrators: error against the exact steady state, nanoseconds per step,
 //! and stops. A second table has the times of a step without event, of a step with one event, and of the slowest step.
-//! `step_trade [--untimed] PAGE` rewrites the tables between the marks of the page.
+//! `step_trade [--untimed] FOLDER` writes the tables `steps.csv` and `single-steps.csv` to a folder. With `--untimed` it
+//! writes only `steps.csv`, without times.
 
 mod kinds;
 mod run;
@@ -9,15 +10,12 @@ mod scenes;
 use run::{Point, Run, in_c, ours};
 use std::f64::consts::TAU;
 use std::fmt::Write;
+use std::path::Path;
 
 /// Numbers of steps in a cycle of the excitation, with which each method runs.
 const STEPS: [usize; 3] = [50, 200, 1000];
-const BEGIN: &str = "<!-- scripts/step-trade: begin -->\n";
-const END: &str = "<!-- scripts/step-trade: end -->";
-const KINDS: [&str; 2] = [
-    "<!-- scripts/step-trade, kinds: begin -->\n",
-    "<!-- scripts/step-trade, kinds: end -->",
-];
+/// Error above which a method is unstable.
+const UNSTABLE: f64 = 10.0;
 /// Methods of `peers/time_stepping.c`. Each has its name in the program and its name in the table.
 const IN_C: [(&str, &str); 4] = [
     ("moreau-half", "Moreau–Jean, θ = ½"),
@@ -150,34 +148,25 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
     if !timed {
         arguments.remove(0);
     }
-    let [page] = arguments.as_slice() else {
-        return Err("step_trade [--untimed] PAGE".into());
+    let [folder] = arguments.as_slice() else {
+        return Err("step_trade [--untimed] FOLDER".into());
     };
+    let folder = Path::new(folder);
     if cfg!(not(with_c)) {
         eprintln!("SKIPPED: no C compiler; the peers in C are left out");
     }
-    let text = std::fs::read_to_string(page)?;
-    let mut text = between(&text, [BEGIN, END], &table(timed)?)?;
+    std::fs::write(folder.join("steps.csv"), table(timed)?)?;
     if timed {
-        text = between(&text, KINDS, &kinds::table()?)?;
+        std::fs::write(folder.join("single-steps.csv"), kinds::table()?)?;
     }
-    std::fs::write(page, text)?;
     Ok(())
 }
 
-/// Returns the page with a new table between its marks `begin` and `end`.
-fn between(page: &str, [begin, end]: [&str; 2], table: &str) -> Result<String, &'static str> {
-    let (before, rest) = page.split_once(begin).ok_or("the page has no mark")?;
-    let (_, after) = rest.split_once(end).ok_or("the page has no second mark")?;
-    Ok(format!("{before}{begin}{table}{end}{after}"))
-}
-
+/// Returns a CSV table with one row for each point, method and number of steps in a cycle.
 fn table(timed: bool) -> Result<String, std::fmt::Error> {
     let runs = if timed { 7 } else { 1 };
-    let mut table = String::from(
-        "| masses | r | β | by | error at 50 steps a cycle | at 200 | at 1000 | order | ns a step at 50, 200, 1000 | stops a cycle |\n\
-         |---|---|---|---|---|---|---|---|---|---|\n",
-    );
+    let mut table =
+        String::from("masses,r,beta,by,steps a cycle,error,ns a step,stops,exact stops\n");
     for point in &POINTS {
         let (exact, line, hold) = match point.masses {
             1 => of!(point, runs, Line1, Line1Input, Hold1, Hold1Input),
@@ -187,47 +176,26 @@ fn table(timed: bool) -> Result<String, std::fmt::Error> {
         };
         let mut row = |name: &str, found: &[Option<Run>; 3]| -> std::fmt::Result {
             let Point { masses, r, beta } = point;
-            let all: Option<Vec<&Run>> = found.iter().map(Option::as_ref).collect();
-            let Some(all) = all else { return Ok(()) };
-            let errors: Vec<f64> = all
-                .iter()
-                .enumerate()
-                .map(|(which, run)| exact.error(which, run))
-                .collect();
-            let shown = errors.iter().map(|error| {
-                if *error > 10.0 {
-                    "unstable".to_owned()
+            for (which, run) in found.iter().enumerate() {
+                let Some(run) = run else { continue };
+                let (steps, error) = (STEPS[which], exact.error(which, run));
+                let time = if timed {
+                    format!("{:.0}", run.time)
                 } else {
-                    format!("{error:.1e}")
-                }
-            });
-            let order = (errors[1] / errors[2]).ln() / 5_f64.ln();
-            let times = if timed {
-                all.iter()
-                    .map(|run| format!("{:.0}", run.time))
-                    .collect::<Vec<_>>()
-                    .join(", ")
-            } else {
-                "–".to_owned()
-            };
-            let stops: Vec<String> = all
-                .iter()
-                .zip(&errors)
-                .map(|(run, error)| {
-                    if *error > 10.0 {
-                        "–".to_owned()
-                    } else {
-                        run.stops.to_string()
-                    }
-                })
-                .collect();
-            writeln!(
-                table,
-                "| {masses} | {r} | {beta} | {name} | {} | {order:.1} | {times} | {} of {} |",
-                shown.collect::<Vec<_>>().join(" | "),
-                stops.join(", "),
-                exact.stops,
-            )
+                    String::new()
+                };
+                let (error, stops) = if error > UNSTABLE {
+                    ("unstable".to_owned(), String::new())
+                } else {
+                    (format!("{error:.1e}"), run.stops.to_string())
+                };
+                writeln!(
+                    table,
+                    "{masses},{r},{beta},\"{name}\",{steps},{error},{time},{stops},{}",
+                    exact.stops
+                )?;
+            }
+            Ok(())
         };
         row("stepper, linear", &line)?;
         row("stepper, hold", &hold)?;
