@@ -2,7 +2,7 @@
 //! where that form loses accuracy.
 //!
 //! Run with `cargo bench -p generated-tests --bench stable_forms`. With `UPDATE_ACCURACY=1` the program writes the
-//! figures to `tests/tables/budgets/costs.csv`, from which `docs/accuracy.md` is made.
+//! figures to `docs/data/stable-forms.csv`.
 
 use frictiongen_kernel::number::complex::{self, Complex};
 use frictiongen_kernel::number::dd::Dd;
@@ -298,7 +298,7 @@ fn shown(error: f64) -> String {
 
 fn main() {
     let mut text = String::from(
-        "form;stable ns;printed ns;breaks at;error of the printed;error of the stable\n",
+        "form,stable ns,printed ns,breaks at,error of the printed,error of the stable\n",
     );
     for form in forms() {
         let stable = nanoseconds(form.stable, form.usual);
@@ -313,7 +313,7 @@ fn main() {
         );
         writeln!(
             text,
-            "{};{stable:.1};{printed:.1};{};{};{}",
+            "\"{}\",{stable:.1},{printed:.1},\"{}\",{},{}",
             form.name,
             form.place,
             shown(wrong),
@@ -322,7 +322,7 @@ fn main() {
         .expect("a string");
     }
     if std::env::var_os("UPDATE_ACCURACY").is_some() {
-        let path = concat!(env!("CARGO_MANIFEST_DIR"), "/tests/budgets/costs.csv");
+        let path = concat!(env!("CARGO_MANIFEST_DIR"), "/../docs/data/stable-forms.csv");
         std::fs::write(path, text).expect("the figures are written");
     }
 }

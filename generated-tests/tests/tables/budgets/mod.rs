@@ -1,17 +1,27 @@
 //! Measures the largest error of every numeric function of the kernel, and compares it with an allowed error, the
 //! budget.
 //!
-//! `table.csv` has the budgets, and the largest errors with their arguments. `docs/accuracy.md` shows them. `f64`
-//! measures `f32`, double-double measures `f64`, and big numbers ([`big`]) measure double-double. Big numbers share
-//! nothing with the kernel and evaluate the formulas as they are printed.
+//! `docs/data/accuracy.csv` has the budgets, and the largest errors with their arguments. `f64` measures `f32`,
+//! double-double measures `f64`, and big numbers ([`big`]) measure double-double. Big numbers share nothing with the
+//! kernel and evaluate the formulas as they are printed.
+//!
+//! With ε = 2⁻²³ for `f32`, 2⁻⁵² for `f64` and 2⁻¹⁰⁴ for double-double, the units of an error of the result f are:
+//!
+//! * `ulp`: ε times the largest power of two that is not above |f|.
+//! * `norm`: ε times the length of f, where all results of the function together are a vector.
+//! * `mixed`: ε·(|f| + Σ|a·∂f/∂a|), with the sum over the arguments a. An error of at most 1 is that of a relative
+//!   change of ε in each argument and in the result.
+//! * `size`: ε·(|f| + Σ|a·∂f/∂a| + A). A is the size of a larger number to which the code adds f ([`modes`]).
+//!
+//! A damping function or a reversal's term is multiplied by |x² − 1| + 2ζx, with x = √λ/r of the mode. This factor
+//! removes the common pole.
 //!
 //! The long form evaluates every `f32` of each domain and draws ten million `f64`:
 //!
 //! ```sh
 //! cargo test --release -p generated-tests --test tables budgets:: -- --ignored --nocapture
-//! UPDATE_ACCURACY=1 cargo test --release -p generated-tests --test tables budgets:: -- --ignored   # writes table.csv
+//! UPDATE_ACCURACY=1 cargo test --release -p generated-tests --test tables budgets:: -- --ignored   # writes accuracy.csv
 //! BUDGETS_ONLY='basis+(Dd)' …                                              # only these functions
-//! UPDATE_ACCURACY=1 cargo test -p generated-tests --test tables page                     # writes the page
 //! ```
 
 mod big;
@@ -21,7 +31,6 @@ mod draw;
 mod elementary;
 mod measure;
 mod modes;
-mod page;
 mod public;
 mod table;
 

@@ -1,14 +1,11 @@
-//! Reads and writes the budgets in `table.csv`.
+//! Reads and writes the budgets in `docs/data/accuracy.csv`.
 
 use crate::budgets::cases::Case;
 use crate::budgets::measure::Arguments;
 use frictiongen_kernel::number::dd::Dd;
 use std::fmt::Write;
 
-pub const PATH: &str = concat!(
-    env!("CARGO_MANIFEST_DIR"),
-    "/tests/tables/budgets/table.csv"
-);
+pub const PATH: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/../docs/data/accuracy.csv");
 const HEAD: &str = "function,result,scalar,unit,budget,worst,x,y,z,domain";
 
 /// A row of the table: one result of one function with one scalar type.
@@ -70,7 +67,7 @@ pub fn read() -> Vec<Row> {
                 budget: budget.parse().expect("a budget"),
                 worst: worst.parse().expect("an error"),
                 place: [x, y, z].map(argument),
-                domain: domain.into(),
+                domain: domain.trim_matches('"').into(),
             }
         })
         .collect()
@@ -92,7 +89,7 @@ pub fn write(rows: &[Row]) {
         let function = row.function.replace(',', ";");
         writeln!(
             text,
-            "{function},{result},{scalar},{unit},{budget},{worst},{x},{y},{z},{domain}"
+            "{function},{result},{scalar},{unit},{budget},{worst},{x},{y},{z},\"{domain}\""
         )
         .expect("a string");
     }
