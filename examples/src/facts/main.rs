@@ -1,7 +1,7 @@
-//! Prints the numbers of the thesis and the computed ones as Markdown. `cargo run --release --example facts`
+//! Prints the numbers of the thesis and the computed ones as CSV. `cargo run --release --example facts`
 
-use frictiongen_examples::facts::{page::page, rows};
+use frictiongen_examples::facts::{rows, table::table};
 
 fn main() {
-    print!("{}", page(&rows()));
+    print!("{}", table(&rows()));
 }

@@ -9,9 +9,9 @@ pub mod chapter3;
 pub mod chapter4;
 pub mod chapter7;
 pub mod moving;
-pub mod page;
 pub mod row;
 pub mod stops;
+pub mod table;
 pub mod walls;
 
 use row::Row;

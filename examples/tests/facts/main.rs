@@ -1,15 +1,15 @@
-//! Tests the table of printed numbers. Every row is present, its numbers and its verdict are the expected ones, and
-//! `docs/facts.md` is the output of the program.
+//! Tests the table of printed numbers. Every row is present, and its numbers and its verdict are the expected ones.
+//! `docs/data/thesis.csv` is the output of the program, and `docs/thesis.md` quotes it.
 //!
 //! ```text
-//! UPDATE_FACTS=1 cargo test -p frictiongen-examples --test facts page   # writes docs/facts.md
+//! UPDATE_FACTS=1 cargo test -p frictiongen-examples --test facts table   # writes docs/data/thesis.csv
 //! ```
 
-use frictiongen_examples::facts::page::page;
 use frictiongen_examples::facts::row::{
     Row, Verdict, claim, formula, formula_at, number, printed_number,
 };
 use frictiongen_examples::facts::rows;
+use frictiongen_examples::facts::table::table;
 use std::sync::LazyLock;
 
 mod beside;
@@ -20,7 +20,8 @@ use expected::{Expected, ROWS};
 
 static COMPUTED: LazyLock<Vec<Row>> = LazyLock::new(rows);
 
-const PAGE: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/../docs/facts.md");
+const TABLE: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/../docs/data/thesis.csv");
+const PAGE: &str = include_str!("../../../docs/thesis.md");
 
 /// Asserts that `got` differs from `want` by at most `tolerance`.
 #[track_caller]
@@ -91,15 +92,35 @@ fn a_wrong_number_does_not_agree() {
 }
 
 #[test]
-fn page_is_what_the_program_prints() {
-    let page = page(&COMPUTED);
+fn table_is_what_the_program_prints() {
+    let table = table(&COMPUTED);
     if std::env::var_os("UPDATE_FACTS").is_some() {
-        std::fs::write(PAGE, &page).expect("the page is written");
+        std::fs::write(TABLE, &table).expect("the table is written");
     }
-    let stored = std::fs::read_to_string(PAGE).expect("docs/facts.md");
+    let stored = std::fs::read_to_string(TABLE).expect("docs/data/thesis.csv");
     assert!(
-        stored == page,
-        "docs/facts.md differs from what the program prints: \
-         UPDATE_FACTS=1 cargo test -p frictiongen-examples --test facts page"
+        stored == table,
+        "docs/data/thesis.csv differs from what the program prints: \
+         UPDATE_FACTS=1 cargo test -p frictiongen-examples --test facts table"
     );
+}
+
+/// Checks that docs/thesis.md has each printed number that differs, with the computed number of the table.
+#[test]
+fn page_has_the_numbers_that_differ() {
+    let rows = COMPUTED.iter().flat_map(|row| {
+        let wrong = row.entries.iter().filter(|entry| !entry.agrees);
+        wrong.map(|entry| (row.id, &*entry.printed, &*entry.computed))
+    });
+    let stated = PAGE.lines().filter(|line| line.starts_with("| F"));
+    let stated = stated.map(|line| {
+        let mut cells = line.split('|').map(str::trim).skip(1);
+        let (id, _, printed) = (cells.next(), cells.next(), cells.next());
+        (
+            id.expect(line),
+            printed.expect(line),
+            cells.next().expect(line),
+        )
+    });
+    assert_eq!(stated.collect::<Vec<_>>(), rows.collect::<Vec<_>>());
 }

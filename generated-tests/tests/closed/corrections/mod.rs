@@ -1,4 +1,4 @@
-//! Tests that some printed forms of the thesis are wrong. Each row of `docs/corrections.md` has one test.
+//! Tests that some printed forms of the thesis are wrong. Each correction on `docs/thesis.md` has one test.
 //!
 //! Each test evaluates the printed form and shows that it violates the governing equations. Then the test shows that
 //! the right form satisfies these equations. `plain` and `integration` solve these equations for the tests, and share
