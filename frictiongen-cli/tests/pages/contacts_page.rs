@@ -1,4 +1,4 @@
-//! Tests the numbers of docs/stick-slip.md by running the commands of the page.
+//! Tests the steady states of docs/contacts.md, and of its tables in docs/data, by running `frictiongen orbit`.
 
 #![allow(
     clippy::expect_used,
@@ -13,19 +13,26 @@ use crate::common::{cells, output};
 const ROOT: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/..");
 
 fn page() -> String {
-    let text = std::fs::read_to_string(format!("{ROOT}/docs/stick-slip.md"));
+    let text = std::fs::read_to_string(format!("{ROOT}/docs/contacts.md"));
     text.expect("the page")
 }
 
+/// Returns the lines of a table in docs/data without its head.
+fn table(name: &str) -> Vec<String> {
+    let text = std::fs::read_to_string(format!("{ROOT}/docs/data/{name}.csv"));
+    let text = text.expect("the table");
+    text.lines().skip(1).map(str::to_owned).collect()
+}
+
 /// Returns the only point of `frictiongen orbit`, as a function from names of columns to values.
-fn point(file: &str, r: &str, beta: &str) -> impl Fn(&str) -> String + use<> {
-    let file = format!("{ROOT}/{file}");
+fn point(scene: &str, r: &str, beta: &str) -> impl Fn(&str) -> String + use<> {
+    let file = format!("{ROOT}/frictiongen-cli/scenes/{scene}.friction");
     let csv = output("", &["orbit", &file, "--r", r, "--beta", beta, "--csv"]);
     let lines: Vec<Vec<String>> = cells(&csv)
         .iter()
         .map(|line| line.iter().map(|cell| (*cell).to_owned()).collect())
         .collect();
-    assert_eq!(lines.len(), 2, "{file}, r = {r}, β = {beta}: one point");
+    assert_eq!(lines.len(), 2, "{scene}, r = {r}, β = {beta}: one point");
     move |name| {
         let place = lines[0].iter().position(|cell| cell == name);
         lines[1][place.unwrap_or_else(|| panic!("no column {name}"))].clone()
@@ -47,32 +54,38 @@ fn row(line: &str) -> Vec<&str> {
 #[test]
 fn cases() {
     let page = page();
-    let mut command: Option<Vec<&str>> = None;
     let mut seen = 0;
-    for line in page.lines() {
-        if line.starts_with("frictiongen orbit ") {
-            command = Some(line.split(' ').collect());
-        }
-        if !line.starts_with("| frictiongen |") {
-            continue;
-        }
-        // Each table of the page belongs to the command above it.
-        let command = command.take().expect("a command above the table");
-        let [_, _, file, "--r", r, "--beta", beta] = command.as_slice() else {
-            panic!("{command:?}");
-        };
-        let value = point(file, r, beta);
-        let cells = row(line);
-        let [_, "", stops, reversals, stuck, amplitude, state, multiplier] = cells.as_slice()
+    for line in table("stick-slip") {
+        let cells: Vec<&str> = line.split(',').collect();
+        let [
+            scene,
+            r,
+            beta,
+            by,
+            _,
+            stops,
+            reversals,
+            stuck,
+            amplitude,
+            state,
+            multiplier,
+        ] = cells.as_slice()
         else {
             panic!("{line}");
         };
-        same(stops, &value("stops"), line);
-        same(reversals, &value("reversals"), line);
-        same(stuck, &value("stuck_fraction"), line);
-        same(amplitude, &value("contact.amplitude"), line);
+        let cell = format!("| {amplitude} |");
+        let on_page = page.lines().filter(|row| row.contains(&cell)).count();
+        assert_eq!(on_page, 1, "{line}");
+        if *by != "frictiongen" {
+            continue;
+        }
+        let value = point(scene, r, beta);
+        same(stops, &value("stops"), &line);
+        same(reversals, &value("reversals"), &line);
+        same(stuck, &value("stuck_fraction"), &line);
+        same(amplitude, &value("contact.amplitude"), &line);
         assert_eq!(*state, value("state"), "{line}");
-        same(multiplier, &value("largest_multiplier"), line);
+        same(multiplier, &value("largest_multiplier"), &line);
         seen += 1;
     }
     assert_eq!(seen, 5);
@@ -80,27 +93,24 @@ fn cases() {
 
 #[test]
 fn multipliers_of_the_thesis_examples() {
-    let page = page();
-    let mut seen = 0;
-    for line in page.lines().filter(|line| line.starts_with("| [")) {
-        let cells = row(line);
+    let table = table("multipliers");
+    assert_eq!(table.len(), 30);
+    for line in table {
+        let cells: Vec<&str> = line.split(',').collect();
         let [scene, _, r, beta, stops, multiplier, cycles] = cells.as_slice() else {
             panic!("{line}");
         };
-        let (_, link) = scene.split_once("(../").expect("a link");
-        let value = point(link.trim_end_matches(')'), r, beta);
+        let value = point(scene, r, beta);
         assert_eq!(value("regime"), "stick-slip", "{line}");
         assert_eq!(value("state"), "stable", "{line}");
-        same(stops, &value("stops"), line);
-        same(multiplier, &value("largest_multiplier"), line);
+        same(stops, &value("stops"), &line);
+        same(multiplier, &value("largest_multiplier"), &line);
         // The number of cycles is ln 10/−ln m, rounded to two digits. m is the largest multiplier.
         let largest: f64 = value("largest_multiplier").parse().unwrap();
         let tenth = std::f64::consts::LN_10 / -largest.ln();
         let printed: f64 = cycles.parse().unwrap();
         assert!((printed / tenth - 1.0).abs() < 0.05, "{line}: {tenth}");
-        seen += 1;
     }
-    assert_eq!(seen, 30);
 }
 
 /// Checks the table of coexisting states, which may be in any order.
