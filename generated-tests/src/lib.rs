@@ -14,15 +14,10 @@ pub fn larger(a: f64, b: f64) -> f64 {
     if a.is_nan() || a > b { a } else { b }
 }
 
-/// Compiles the Rust examples of `docs/desk.md`.
+/// Compiles the Rust examples of `docs/guide.md`.
 #[cfg(doctest)]
-#[doc = include_str!("../../docs/desk.md")]
-pub struct DeskPage;
-
-/// Compiles the Rust examples of `docs/measure.md`.
-#[cfg(doctest)]
-#[doc = include_str!("../../docs/measure.md")]
-pub struct MeasurePage;
+#[doc = include_str!("../../docs/guide.md")]
+pub struct GuidePage;
 
 /// Compiles the Rust examples of `docs/stepper.md`.
 #[cfg(doctest)]
@@ -33,8 +28,3 @@ pub struct StepperPage;
 #[cfg(doctest)]
 #[doc = include_str!("../../docs/start.md")]
 pub struct StartPage;
-
-/// Compiles the Rust examples of `docs/features.md`.
-#[cfg(doctest)]
-#[doc = include_str!("../../docs/features.md")]
-pub struct FeaturesPage;

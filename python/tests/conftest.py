@@ -16,7 +16,7 @@ matplotlib.use("Agg")
 
 ROOT = Path(__file__).resolve().parents[2]
 SCENES = ROOT / "frictiongen-cli" / "scenes"
-#: The recordings of docs/measure.md.
+#: The recordings of docs/guide.md.
 PAGES = ROOT / "docs" / "measure"
 
 

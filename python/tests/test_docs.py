@@ -30,16 +30,16 @@ def test_start(folder):
     assert (folder / "curve.png").stat().st_size > 1000
 
 
-def test_desk(folder):
+def test_guide(folder):
     """Checks that pandas reads the files that the commands above the code write."""
     pytest.importorskip("pandas")
     program = os.environ.get("FRICTIONGEN")
     if program is None:
         pytest.skip("FRICTIONGEN does not say where the command is; scripts/python sets it")
     (folder / "frame.friction").write_text((SCENES / "frame.friction").read_text(encoding="utf-8"), encoding="utf-8")
-    text = (DOCS / "desk.md").read_text(encoding="utf-8")
+    text = (DOCS / "guide.md").read_text(encoding="utf-8")
     commands = re.findall(r"^frictiongen (.* -o curve\.(?:csv|json))$", text, re.MULTILINE)
     assert len(commands) == 2
     for command in commands:
         subprocess.run([program, *command.split()], check=True)
-    run("desk.md")
+    run("guide.md")

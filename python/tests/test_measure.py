@@ -1,4 +1,4 @@
-"""Tests results of measurements against the commands of docs/measure.md, and against the true values from which
+"""Tests results of measurements against the commands of docs/guide.md, and against the true values from which
 recordings were made."""
 
 import math

@@ -1,4 +1,4 @@
-//! Simulates the recordings of the page `docs/measure.md`.
+//! Simulates the recordings of the page `docs/guide.md`.
 
 use frictiongen::measure::{Channel, Recording, Unit};
 use frictiongen_examples::rig::{NATURAL, Noise, STOREYS, Y, decay, one_storey, recording};

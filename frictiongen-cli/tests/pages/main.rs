@@ -3,10 +3,8 @@
 
 #[path = "../cli/common/mod.rs"]
 mod common;
-mod desk_page;
+mod contacts_page;
 mod example_scenes;
-mod features_page;
 mod fuzz;
-mod measure_page;
+mod guide_page;
 mod start_page;
-mod stick_slip_page;
