@@ -1,6 +1,5 @@
 //! Manages the figures that a program writes: their folder and the progress of the work.
 
-use crate::gallery::{self, Entry};
 use std::error::Error;
 use std::io::{IsTerminal as _, Write as _};
 use std::path::{Path, PathBuf};
@@ -11,8 +10,6 @@ pub struct Album {
     folder: PathBuf,
     total: usize,
     done: usize,
-    chapter: Option<(u32, String)>,
-    entries: Vec<Entry>,
 }
 
 impl Album {
@@ -30,27 +27,9 @@ impl Album {
             folder,
             total,
             done: 0,
-            chapter: None,
-            entries: Vec::new(),
         };
         album.show();
         Ok(album)
-    }
-
-    /// Creates an album of `total` figures of a chapter. [`close`](Self::close) then also writes the chapter's page of
-    /// the gallery.
-    ///
-    /// # Errors
-    /// Fails if the folder cannot be created.
-    pub fn of_chapter(number: u32, title: &str, total: usize) -> Result<Self, Box<dyn Error>> {
-        let mut album = Self::open(total)?;
-        album.chapter = Some((number, title.to_owned()));
-        Ok(album)
-    }
-
-    /// Adds a figure to the gallery.
-    pub fn enter(&mut self, entry: Entry) {
-        self.entries.push(entry);
     }
 
     /// Writes a picture to the file `figure-<name>.png`.
@@ -87,15 +66,11 @@ impl Album {
         Ok(())
     }
 
-    /// Ends the album. If it is the album of a chapter, this also writes the chapter's page of the gallery.
+    /// Ends the album.
     ///
     /// # Errors
-    /// Fails if the number of figures is not the announced one, or if the chapter's page cannot be written.
+    /// Fails if the number of figures is not the announced one.
     pub fn close(self) -> Result<(), Box<dyn Error>> {
-        if let Some((number, title)) = &self.chapter {
-            let page = gallery::page(*number, title, &self.entries);
-            std::fs::write(self.folder.join(format!("chapter-{number}.md")), page)?;
-        }
         if self.done == self.total {
             println!("{} figures in {}", self.done, self.folder.display());
             Ok(())

@@ -34,7 +34,7 @@ fn two() -> System {
 }
 
 fn main() -> Result<(), Box<dyn Error>> {
-    let mut album = Album::of_chapter(2, "One mass against a fixed wall", 10)?;
+    let mut album = Album::open(10)?;
     for figure in [
         laws()?,
         loaded(),

@@ -54,7 +54,7 @@ fn drawn(system: &System) -> Sketch {
 }
 
 fn main() -> Result<(), Box<dyn Error>> {
-    let mut album = Album::of_chapter(5, "Theory of chains", 6)?;
+    let mut album = Album::open(6)?;
     let [any, two, base] = systems();
     save(&any, &mut album)?;
     save(&maxima()?, &mut album)?;

@@ -26,7 +26,7 @@ fn drawn(system: &System) -> Sketch {
 }
 
 fn main() -> Result<(), Box<dyn Error>> {
-    let mut album = Album::of_chapter(3, "One mass, the wall on the moving base", 13)?;
+    let mut album = Album::open(13)?;
     for figure in [
         amplitudes::relative,
         regimes::constraint,

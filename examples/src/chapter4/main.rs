@@ -36,7 +36,7 @@ fn on_wall(system: &System) -> bool {
 }
 
 fn main() -> Result<(), Box<dyn Error>> {
-    let mut album = Album::of_chapter(4, "The one-storey rig", 12)?;
+    let mut album = Album::open(12)?;
     for figure in [
         prepared::frictionless,
         prepared::free_decay,

@@ -50,7 +50,7 @@ fn main() -> Result<(), Box<dyn Error>> {
         rigs::joined,
         rigs::relative,
     ];
-    let mut album = Album::of_chapter(6, "Chains of masses", figures.len())?;
+    let mut album = Album::open(figures.len())?;
     for figure in figures {
         save(&figure()?, &mut album)?;
     }

@@ -24,7 +24,7 @@ fn main() -> Result<(), Box<dyn Error>> {
         peaks::over_friction,
         times::slow,
     ];
-    let mut album = Album::of_chapter(7, "Friction and modal damping", figures.len())?;
+    let mut album = Album::open(figures.len())?;
     for figure in figures {
         save(&figure()?, &mut album)?;
     }

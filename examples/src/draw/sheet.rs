@@ -1,7 +1,6 @@
 //! Saves a figure as a picture file and a data file.
 
 use crate::album::Album;
-use crate::gallery::Entry;
 use frictiongen_plot::{Cells, Colour, Figure, Label, Layer, Line, Panel, Point, Raster, Stroke};
 use std::error::Error;
 use std::fmt::Write as _;
@@ -11,11 +10,6 @@ use std::fmt::Write as _;
 /// # Errors
 /// Fails if a file cannot be written.
 pub fn save(figure: &Figure, album: &mut Album) -> Result<(), Box<dyn Error>> {
-    album.enter(Entry {
-        number: figure.number.clone(),
-        title: figure.title.clone(),
-        caption: figure.caption.clone(),
-    });
     #[cfg(feature = "png")]
     album.picture(&figure.number, &figure.png(2.0)?)?;
     if figure.panels.is_empty() {
