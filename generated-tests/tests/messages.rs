@@ -2,8 +2,7 @@
 //! suggests, for each way to give a description.
 //!
 //! A case is a file in `messages/` with its cause in a sentence, a faulty description, the messages for it, and the
-//! corrected description. The cases generate `../refused/tests/messages/*.rs`, which the compiler reads, and
-//! `docs/messages.md`. After a change:
+//! corrected description. The cases generate `../refused/tests/messages/*.rs`, which the compiler reads. After a change:
 //!
 //! ```sh
 //! UPDATE_DOCS=1 cargo test -p generated-tests --test messages
@@ -12,8 +11,6 @@
 
 #[path = "messages/harness/case.rs"]
 mod case;
-#[path = "messages/harness/page.rs"]
-mod page;
 #[path = "messages/harness/rust.rs"]
 mod rust;
 #[path = "messages/harness/sources.rs"]
@@ -225,12 +222,6 @@ fn every_message_has_a_case() {
     );
 }
 
-/// Checks that `docs/messages.md` shows the present cases.
-#[test]
-fn the_page_is_up_to_date() {
-    page::write_or_check(&cases());
-}
-
 /// Checks that no case occurs twice.
 #[test]
 fn no_case_twice() {
@@ -279,7 +270,6 @@ fn groups(cases: &[Case]) -> impl Iterator<Item = (&'static Group, Vec<&Case>)> 
 /// A group of related cases.
 struct Group {
     digit: char,
-    title: &'static str,
     /// Files that the compiler reads, each with the number of its first case.
     files: &'static [(&'static str, &'static str)],
 }
@@ -303,37 +293,30 @@ impl Group {
 const GROUPS: [Group; 8] = [
     Group {
         digit: '1',
-        title: "Characters and brackets",
         files: &[("text", "101")],
     },
     Group {
         digit: '2',
-        title: "Around the fields",
         files: &[("around", "201")],
     },
     Group {
         digit: '3',
-        title: "Fields",
         files: &[("fields", "301")],
     },
     Group {
         digit: '4',
-        title: "Masses, springs, contact, excitation",
         files: &[("picture", "401")],
     },
     Group {
         digit: '5',
-        title: "Damping, what to provide, how exact",
         files: &[("settings", "501"), ("settings_in_time", "525")],
     },
     Group {
         digit: '6',
-        title: "Numbers",
         files: &[("numbers", "601")],
     },
     Group {
         digit: '7',
-        title: "Scenes that make no physical sense",
         files: &[
             ("scenes", "701"),
             ("scenes_provided", "730"),
@@ -343,7 +326,6 @@ const GROUPS: [Group; 8] = [
     },
     Group {
         digit: '8',
-        title: "Files",
         files: &[("files", "801")],
     },
 ];

@@ -1,4 +1,4 @@
-//! Tests that the compiler reports an unsatisfiable request at its token. `docs/messages.md` has all other messages.
+//! Tests that the compiler reports an unsatisfiable request at its token. `tests/messages` has all other messages.
 
 use super::scenes::scene;
 use frictiongen_codegen::{SizeLimits, parse_text};
