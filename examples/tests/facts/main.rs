@@ -110,7 +110,7 @@ fn table_is_what_the_program_prints() {
 fn page_has_the_numbers_that_differ() {
     let rows = COMPUTED.iter().flat_map(|row| {
         let wrong = row.entries.iter().filter(|entry| !entry.agrees);
-        wrong.map(|entry| (row.id, &*entry.printed, &*entry.computed))
+        wrong.map(move |entry| (row.id, &*entry.printed, &*entry.computed))
     });
     let stated = PAGE.lines().filter(|line| line.starts_with("| F"));
     let stated = stated.map(|line| {
