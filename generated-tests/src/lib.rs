@@ -19,10 +19,10 @@ pub fn larger(a: f64, b: f64) -> f64 {
 #[doc = include_str!("../../docs/guide.md")]
 pub struct GuidePage;
 
-/// Compiles the Rust examples of `docs/stepper.md`.
+/// Compiles the Rust examples of `docs/firmware.md`.
 #[cfg(doctest)]
-#[doc = include_str!("../../docs/stepper.md")]
-pub struct StepperPage;
+#[doc = include_str!("../../docs/firmware.md")]
+pub struct FirmwarePage;
 
 /// Compiles the Rust examples of `docs/start.md`.
 #[cfg(doctest)]

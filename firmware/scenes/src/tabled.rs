@@ -46,7 +46,7 @@ pub mod stuck {
     scenes!(stuck);
 }
 
-/// Typical scenes of `docs/tables.md`: equal masses and springs, limits only.
+/// Typical scenes of `docs/firmware.md`: equal masses and springs, limits only.
 pub mod typical {
     frictiongen::friction_system! {
         /// One damped mass on a wall.

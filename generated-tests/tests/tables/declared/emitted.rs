@@ -399,7 +399,7 @@ fn regimes() {
     assert_eq!(Damped::at(1.0).unwrap().regime(1e6), Ok(Regime::Stuck));
 }
 
-/// Checks that for β > 0.98 β_lim the error grows as 1/(1 − (β/β_lim)²), as `docs/tables.md` states.
+/// Checks that for β > 0.98 β_lim the error grows as 1/(1 − (β/β_lim)²), as `docs/firmware.md` states.
 #[test]
 fn close_to_the_limit() {
     let system: System = (DAMPED.split("accuracy").next().unwrap().to_owned() + "}")
