@@ -202,7 +202,7 @@ impl SolverBounds {
             p.note {
                 "An evaluation computes the sum over all modes once. At higher frequencies searches need fewer evaluations. A step is a twentieth of \
                  the period of the highest resonance. In the project, docs/firmware.md has the instructions, flash and stack of a few scenes on a \
-                 microcontroller, and docs/accuracy.md has the error budget of every function."
+                 microcontroller, and docs/data/accuracy.csv has the error budget of every function."
             }
         }
     }

@@ -1,6 +1,5 @@
 //! Draws `docs/trade.svg`, the error against the time of each method, from `trade.csv` alone.
 
-pub mod elastic;
 mod pools;
 mod questions;
 

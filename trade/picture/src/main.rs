@@ -1,5 +1,5 @@
 //! `trade-picture DATA FOLDER` draws `trade.csv` of the folder DATA as `trade.svg`, and for telephones as
-//! `trade-narrow.svg`, and `elastic.csv` as `elastic-trade.svg`. A table that is not in DATA is left out.
+//! `trade-narrow.svg`.
 
 use std::path::Path;
 
@@ -8,12 +8,6 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
     let [data, folder] = arguments.as_slice() else {
         return Err("trade-picture DATA FOLDER".into());
     };
-    let (data, folder) = (Path::new(data), Path::new(folder));
-    if let Ok(table) = std::fs::read_to_string(data.join("trade.csv")) {
-        trade_picture::write(&table, folder)?;
-    }
-    if let Ok(table) = std::fs::read_to_string(data.join("elastic.csv")) {
-        trade_picture::elastic::write(&table, folder)?;
-    }
-    Ok(())
+    let table = std::fs::read_to_string(Path::new(data).join("trade.csv"))?;
+    trade_picture::write(&table, Path::new(folder))
 }
