@@ -11,7 +11,7 @@ use crate::number::scalar::Float;
 ///
 /// The first row of `moments` and the row `turn` are stored as three shears, so that rounded weights create no energy.
 /// First y increases by before·u, then u by turn·y + loss·u, then y by after·u. The `state` of the first moment is
-/// [before, after], and the `state` of `turn` is [turn, loss]. See docs/decisions/0001-passive-step.md.
+/// [before, after], and the `state` of `turn` is [turn, loss]. See docs/decisions/engine.md.
 #[derive(Clone, Copy, Debug)]
 pub struct Row<S, const D: usize> {
     /// Weights of the displacement y and of the scaled velocity u at the start of the sub-interval.

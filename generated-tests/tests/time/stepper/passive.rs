@@ -2,7 +2,7 @@
 //! steps as a device takes in a day.
 //!
 //! The tables turn a mode by a product of shears. This product conserves a quadratic form however the tables are
-//! rounded. Only the rounding of the state changes the energy (docs/decisions/0001-passive-step.md).
+//! rounded. Only the rounding of the state changes the energy (docs/decisions/engine.md).
 
 use frictiongen::{StepLoad, Stepping, System, friction_system};
 use frictiongen_kernel::{Float, Plain, Scalar};
