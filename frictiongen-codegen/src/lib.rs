@@ -27,9 +27,9 @@ mod tokens;
 mod units;
 
 pub use diagnostics::{Errors, MacroErrors, Partial};
-pub use emit::{PASSES_FROM, emit, emit_in_passes, traces};
 #[cfg(feature = "pretty")]
 pub use emit::{StepFacts, step_facts};
+pub use emit::{emit, traces};
 pub use expand::expand;
 pub use frictiongen_syntax::{Diagnostic, Diagnostics, warnings};
 pub use lower::{Description, ProofAt, SceneTables, SizeLimits, parse_text, parse_tokens};

@@ -16,6 +16,10 @@ use proc_macro2::{Ident, TokenStream, TokenTree};
 /// With fewer modes, each mass has its own straight-line code.
 const SUMS_FROM: usize = 3;
 
+/// From this number of modes on, the emitted code for one frequency ratio loops over an array of modes. For fewer
+/// modes it is straight-line code, which is faster but grows with the number of modes.
+const PASSES_FROM: usize = 17;
+
 /// Data of a scene from which the generator emits the items of the scene.
 pub(super) struct Emission<'a> {
     pub description: &'a Description,
@@ -29,8 +33,6 @@ pub(super) struct Emission<'a> {
     pub scalar: TokenStream,
     pub names: TypeNames,
     pub facade: &'a TokenStream,
-    /// From this number of modes on, the emitted code for one frequency ratio loops over the array of modes.
-    pub passes_from: usize,
 }
 
 /// Groups of methods that the scene's `provide` lists.
@@ -53,7 +55,7 @@ impl Wanted<'_> {
 }
 
 impl<'a> Emission<'a> {
-    pub fn of(description: &'a Description, passes_from: usize) -> Self {
+    pub fn of(description: &'a Description) -> Self {
         let scene = &description.scene;
         let modal = Modal::of(scene);
         let precision = scene.precision;
@@ -68,7 +70,6 @@ impl<'a> Emission<'a> {
             scalar,
             names: TypeNames::of(&description.name),
             facade: &description.facade,
-            passes_from,
         }
     }
 
@@ -129,12 +130,12 @@ impl<'a> Emission<'a> {
     /// Returns true if the emitted code for one frequency ratio loops over the array of modes. If false, this code is
     /// straight-line code.
     pub fn in_passes(&self) -> bool {
-        self.modes() >= self.passes_from
+        self.modes() >= PASSES_FROM
     }
 
     /// Returns true if the emitted code calls the kernel's functions that add up the motion of a mass from all modes.
     pub fn in_sums(&self) -> bool {
-        self.modes() >= SUMS_FROM.min(self.passes_from)
+        self.modes() >= SUMS_FROM
     }
 
     /// Returns true if the scene declares an accuracy and has tables.

@@ -48,26 +48,14 @@ pub(crate) use {
     about::motion_in_contact, checksum::about as about_numbers, fingerprint::fingerprint,
 };
 
-/// From this number of modes on, the emitted code for one frequency ratio loops over an array of modes. For fewer
-/// modes it is straight-line code, which is faster but grows with the number of modes. `scripts/passes-trial` measures
-/// both forms of code.
-pub const PASSES_FROM: usize = 17;
-
 /// Returns the emitted code of a description.
 #[must_use]
 pub fn emit(description: &Description) -> TokenStream {
-    emit_in_passes(description, PASSES_FROM)
-}
-
-/// Returns the emitted code of a description, with `passes_from` in place of [`PASSES_FROM`]. `scripts/passes-trial`
-/// calls this function to find the number of modes from which loops are faster.
-#[must_use]
-pub fn emit_in_passes(description: &Description, passes_from: usize) -> TokenStream {
     if description.scene.is_joined() {
         let (types, items) = joints::emit(description);
         return in_block(&types, &items);
     }
-    let mut emission = Emission::of(description, passes_from);
+    let mut emission = Emission::of(description);
     let own = groups(&emission);
     let clashes = emission.names.clash();
     let mut aliases = TokenStream::new();

@@ -1,6 +1,5 @@
 //! Facts about the emitted stepper of a scene: the cost of a step, and the numbers of its tables.
 
-use super::PASSES_FROM;
 use super::emission::Emission;
 use super::step_cost;
 use super::step_table::{self, Sizes};
@@ -33,7 +32,7 @@ pub fn step_facts(description: &Description) -> Option<StepFacts> {
     if scene.is_joined() || !scene.provides(&Provide::Stepper) {
         return None;
     }
-    let emission = Emission::of(description, PASSES_FROM);
+    let emission = Emission::of(description);
     let steps = StepperSettings::of(scene, &emission.modal, std::iter::empty(), |value| value);
     let transient = Transient::<Dd>::of(scene, &emission.modal, |value| value);
     let exact = steps.scene(transient.contact_dynamics());

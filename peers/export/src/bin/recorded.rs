@@ -1,6 +1,6 @@
 //! Runs a stepper under random inputs, and prints inputs and results as CSV, with the names of an FMU's variables.
 //!
-//! Arguments: the scene (`shaken`, `pushed` or `held`), and the number of steps. `scripts/fmu` repeats the run.
+//! Arguments: the scene (`shaken`, `pushed` or `held`), and the number of steps. `scripts/export` repeats the run.
 
 frictiongen::friction_system!("shaken.friction");
 frictiongen::friction_system!("pushed.friction");
