@@ -173,7 +173,7 @@ fn specialised_away() {
 /// user's code. Variables of a single mode, such as `mode_1_…`, need no protection.
 #[test]
 fn local_names_are_shielded() {
-    let shielded = include_str!("../../frictiongen-kernel/src/emitted/locals.rs");
+    let shielded = include_str!("../../crates/kernel/src/emitted/locals.rs");
     let shielded: Vec<&str> = shielded.split_whitespace().collect();
     for (name, text) in SCENES {
         let source = pretty(&parse_text(text, &SizeLimits::MACRO).expect("a valid scene"))

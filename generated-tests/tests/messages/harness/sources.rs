@@ -106,9 +106,9 @@ pub fn texts() -> Vec<Text> {
     let root = Path::new(env!("CARGO_MANIFEST_DIR")).join("..");
     let mut texts: Vec<Text> = Vec::new();
     for folder in [
-        "frictiongen-syntax/src",
-        "frictiongen-codegen/src",
-        "frictiongen-model/src/validate",
+        "crates/syntax/src",
+        "crates/codegen/src",
+        "crates/model/src/validate",
     ] {
         let mut files = Vec::new();
         sources(&root.join(folder), &mut files);
@@ -137,7 +137,7 @@ fn is_message(file: &str, text: &str) -> bool {
         && pieces(text)
             .iter()
             .any(|piece| piece.contains(char::is_alphabetic));
-    let outputs = ["/emit/", "/standalone/", "frictiongen-syntax/src/write.rs"];
+    let outputs = ["/emit/", "/standalone/", "crates/syntax/src/write.rs"];
     let documents = outputs.iter().any(|output| file.contains(output));
     words && !documents && !NEVER_TOLD.iter().any(|(never, _)| text.starts_with(never))
 }

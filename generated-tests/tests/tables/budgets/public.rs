@@ -6,7 +6,7 @@ use std::collections::{BTreeMap, BTreeSet};
 use std::path::Path;
 use syn::{ImplItem, Item, TraitItem, Type, Visibility};
 
-const KERNEL: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/../frictiongen-kernel/src");
+const KERNEL: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/../crates/kernel/src");
 
 /// Functions that compute no numbers of their own. Each list comes with the reason.
 const NO_NUMBERS: [(&str, &[&str]); 4] = [
