@@ -2,7 +2,7 @@
 """Coefficients and reference values of the kernel's scalar functions (needs mpmath).
 
     coefficients.py constants                                     Rust constants, with the errors
-    coefficients.py reference > tests/data/scalar_reference.csv   the table of tests/scalar
+    coefficients.py reference > tests/data/scalar_reference.csv   the table of tests/kernel/scalar
 
 Both outputs are the same on every run: nothing here depends on the clock or on the platform.
 """

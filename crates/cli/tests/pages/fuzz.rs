@@ -1,5 +1,5 @@
 //! Tests random command lines and files. Each input must give a result or a reason, never a panic. The long form is
-//! `scripts/nightly fuzz`.
+//! `.ci/nightly fuzz`.
 #![allow(clippy::expect_used, reason = "a test may fail")]
 
 use frictiongen_cli::{Ended, run};

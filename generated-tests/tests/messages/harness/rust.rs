@@ -1,72 +1,59 @@
-//! Writes the cases as Rust: a file for each part of a group, and a module for each case.
+//! Gives faulty descriptions to the compiler, in a crate of its own that depends on `frictiongen` alone.
 
 use super::case::Case;
-use super::{groups, write_or_compare};
 use std::fmt::Write;
-use std::path::{Path, PathBuf};
+use std::path::Path;
+use std::process::Command;
 
-fn folder() -> PathBuf {
-    Path::new(env!("CARGO_MANIFEST_DIR")).join("refused/tests/messages")
+/// Returns what the compiler prints about `source`, which it refuses.
+pub fn output(crate_name: &str, source: &str) -> String {
+    let root = Path::new(env!("CARGO_MANIFEST_DIR")).join("..");
+    let folder = Path::new(env!("CARGO_TARGET_TMPDIR")).join("refused");
+    let own = folder.join(crate_name);
+    let manifest = format!(
+        "[package]\nname = {crate_name:?}\nversion = \"0.0.0\"\nedition = \"2024\"\n\n[dependencies]\n\
+         frictiongen = {{ path = {:?}, default-features = false }}\n\n[workspace]\n",
+        root.join("frictiongen").display().to_string(),
+    );
+    std::fs::create_dir_all(own.join("src")).expect("a folder");
+    std::fs::write(own.join("Cargo.toml"), manifest).expect("a manifest");
+    std::fs::write(own.join("src/main.rs"), source).expect("a source file");
+    // The project's lock file, so that nothing has to be downloaded.
+    std::fs::copy(root.join("Cargo.lock"), own.join("Cargo.lock")).expect("a lock file");
+    let output = Command::new(env!("CARGO"))
+        .args(["check", "--offline", "--quiet", "--color", "never"])
+        .current_dir(&own)
+        .env("CARGO_TARGET_DIR", folder.join("target"))
+        .env_remove("RUSTFLAGS")
+        .output()
+        .expect("cargo runs");
+    assert!(
+        !output.status.success(),
+        "the compiler accepts {crate_name}"
+    );
+    String::from_utf8_lossy(&output.stderr).into_owned()
 }
 
-/// A Rust file: its path, its text, and its cases with their lines.
-type RustFile<'a> = (PathBuf, String, Vec<(usize, &'a Case)>);
-
-/// Returns the files that the compiler reads, each with the line number of each case's macro call.
-fn files(cases: &[Case]) -> Vec<RustFile<'_>> {
-    let mut files = Vec::new();
-    let parts = groups(cases).flat_map(|(group, cases)| group.of_files(&cases));
-    for (file, cases) in parts {
-        let mut text = String::from(
-            "// From the cases in generated-tests/tests/messages; see generated-tests/tests/messages.rs.\n#![allow(uncommon_codepoints)]\n",
-        );
-        let mut calls = Vec::new();
-        for case in cases {
-            if case.door.takes_tokens() {
-                let module = case.name.replace('-', "_");
-                let _ = write!(text, "\nmod case_{module} {{\n");
-                calls.push((text.lines().count() + 1, case));
-                let _ = write!(
-                    text,
-                    "frictiongen::friction_system! {{\n{}}}\n}}\n",
-                    case.faulty
-                );
-            }
-        }
-        if !calls.is_empty() {
-            text.push_str("\nfn main() {}\n");
-            files.push((folder().join(format!("{file}.rs")), text, calls));
-        }
-    }
-    files
-}
-
-/// Writes the files if that is requested, and otherwise fails if they are out of date.
-pub fn write_or_check(cases: &[Case]) {
-    for (path, text, _) in files(cases) {
-        write_or_compare(&path, &text);
-    }
-}
-
-/// Compares the recorded output of the compiler with the cases.
+/// Checks that the compiler reports the messages of each case at the right tokens, and nothing else.
 pub fn check_places(cases: &[Case]) {
-    for (path, _, calls) in files(cases) {
-        let mut expected: Vec<_> = calls
-            .iter()
-            .flat_map(|(call, case)| expected(*call, case))
-            .collect();
-        let output = path.with_extension("stderr");
-        let output = std::fs::read_to_string(&output)
-            .unwrap_or_else(|error| panic!("{}: {error}", output.display()));
-        let mut found = found(&output);
-        expected.sort();
-        found.sort();
-        assert_eq!(found, expected, "{}", path.display());
+    let mut source = String::from("#![allow(uncommon_codepoints)]\n");
+    let mut expected = Vec::new();
+    for case in cases.iter().filter(|case| case.door.takes_tokens()) {
+        let module = case.name.replace('-', "_");
+        let _ = write!(source, "\nmod case_{module} {{\n");
+        expected.extend(messages(source.lines().count() + 1, case));
+        let call = &case.faulty;
+        let _ = write!(source, "frictiongen::friction_system! {{\n{call}}}\n}}\n");
     }
+    source.push_str("\nfn main() {}\n");
+    let mut found = found(&output("faulty-descriptions", &source));
+    expected.sort();
+    found.sort();
+    assert_eq!(found, expected);
 }
 
 /// Returns line, column and text of each message that the compiler should print for a case.
-fn expected(call: usize, case: &Case) -> Vec<(usize, usize, String)> {
+fn messages(call: usize, case: &Case) -> Vec<(usize, usize, String)> {
     let told = case.told_by_rustc.as_ref().unwrap_or(&case.told);
     told.iter()
         .map(|told| {
@@ -106,4 +93,26 @@ fn found(output: &str) -> Vec<(usize, usize, String)> {
         }
     }
     found
+}
+
+/// Checks that a call of a method that the scene does not provide gives one error, which names the item to add to
+/// `provide`.
+pub fn check_missing_methods() {
+    let told = output("missing-methods", include_str!("missing_methods.rs"));
+    for (item, count) in [
+        ("motion", 1),
+        ("orbit", 2),
+        ("simulation", 2),
+        ("stepper", 2),
+        ("limits", 1),
+        ("self_check", 1),
+    ] {
+        let label = format!("add `{item}` to the scene's `provide: [...]`");
+        assert_eq!(told.matches(&label).count(), count, "{item}");
+    }
+    for name in ["AddStuckToProvide", "AddMassToMotion"] {
+        assert!(told.contains(name), "{name}");
+    }
+    let errors = told.lines().filter(|line| line.starts_with("error["));
+    assert_eq!(errors.count(), 11, "{told}");
 }

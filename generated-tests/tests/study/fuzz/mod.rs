@@ -1,6 +1,6 @@
 //! Fuzzing with texts and numbers that are mutated from the corpus in `generated-tests/fuzzing/corpus`. A text must give a scene, or
 //! errors with positions. Functions of numbers must return numbers, without NaN or a panic. These tests take some
-//! seconds. The long form is `scripts/nightly fuzz`.
+//! seconds. The long form is `.ci/nightly fuzz`.
 
 mod emitted;
 mod found;
