@@ -151,6 +151,7 @@ fn two_equal_peaks() {
 /// Checks the frame in a band that ends just below its second resonance. At the best friction the largest amplitude
 /// must not be above that at neighbouring friction ratios, where steady states with stops appear and disappear.
 #[test]
+#[ignore = "a sweep, ten seconds or more: .ci/nightly"]
 fn where_steady_states_jump() {
     let (system, request) = asked(FRAME, "lower", 0.33, 1.3);
     let (optimum, seconds) = optimum(&system, &request);

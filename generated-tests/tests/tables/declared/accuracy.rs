@@ -303,11 +303,14 @@ fn random_scenes(scene: fn(&mut Random) -> String, budgets: &[f64], count: usize
 }
 
 #[test]
+#[ignore = "a sweep, ten seconds or more: .ci/nightly"]
 fn of_chains() {
     chains::<f64>(&[1e-2, 1e-4, 1e-6, 1e-9], 2, 50);
 }
 
 #[test]
+#[ignore = "a sweep, ten seconds or more: .ci/nightly"]
+#[ignore = "a sweep, ten seconds or more: .ci/nightly"]
 fn of_chains_in_single_precision() {
     chains::<f32>(&[1e-2, 1e-3, 1e-4, 1e-5], 2, 50);
 }

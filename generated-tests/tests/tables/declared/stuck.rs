@@ -275,6 +275,7 @@ fn random_scenes<S: Float>(scalar: &str, count: usize, points: usize, accuracy: 
 }
 
 #[test]
+#[ignore = "a sweep, ten seconds or more: .ci/nightly"]
 fn of_random_scenes() {
     random_scenes::<f64>("f64", 40, 30, 1e-4, 1);
     random_scenes::<f64>("f64", 40, 30, 1e-9, 1);
