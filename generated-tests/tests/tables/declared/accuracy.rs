@@ -310,7 +310,6 @@ fn of_chains() {
 
 #[test]
 #[ignore = "a sweep, ten seconds or more: .ci/nightly"]
-#[ignore = "a sweep, ten seconds or more: .ci/nightly"]
 fn of_chains_in_single_precision() {
     chains::<f32>(&[1e-2, 1e-3, 1e-4, 1e-5], 2, 50);
 }
