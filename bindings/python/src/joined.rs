@@ -16,7 +16,7 @@ use pyo3::types::PyDict;
 use rayon::prelude::*;
 
 /// Returns the indices of the masses with the given names. Without names, returns the indices of all masses.
-fn masses(system: &System, given: Option<&Bound<'_, PyAny>>) -> PyResult<Vec<usize>> {
+pub fn masses(system: &System, given: Option<&Bound<'_, PyAny>>) -> PyResult<Vec<usize>> {
     let asked = names("of", given)?;
     if asked.is_empty() {
         return Ok((0..system.scene().masses.len()).collect());

@@ -143,6 +143,15 @@ impl Frequencies {
         })
     }
 
+    /// Stands for the missing frequency of a free vibration, whose times are in s.
+    pub fn none() -> Self {
+        Self {
+            given: vec![1.0],
+            unit: Unit::Hertz,
+            quantity: GridQuantity::HertzInTime,
+        }
+    }
+
     /// Parses a range a:b or a:step:b as a grid. A range without a step has 200 equally spaced frequencies.
     pub fn spread(arguments: &FrequencyArguments) -> Result<Self, Failure> {
         let (text, unit) = given(arguments)?;

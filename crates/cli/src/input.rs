@@ -2,8 +2,9 @@
 
 use crate::args::FileArgument;
 use crate::failure::{Failure, reason};
+use frictiongen::System;
 use frictiongen::study::scene::FrictionLaw;
-use frictiongen_codegen::{Description, SizeLimits, parse_text};
+use frictiongen_codegen::{Description, Diagnostics, SizeLimits, parse_text};
 
 use std::fs::File;
 use std::io::{self, Read};
@@ -72,6 +73,12 @@ impl FileArgument {
         Ok(description)
     }
 
+    /// Reads the system of a scene that may have several contacts and dashpots, and may lack an excitation.
+    pub fn maybe_unloaded(&self) -> Result<System, Failure> {
+        let system = self.text()?.parse();
+        system.map_err(|diagnostics| self.told(diagnostics))
+    }
+
     /// Returns the scene description unchanged. Fails if it has the field `contacts` or the field `dampers`.
     pub fn single(&self, description: Description) -> Result<Description, Failure> {
         if !description.scene.is_joined() {
@@ -84,11 +91,14 @@ impl FileArgument {
     }
 
     fn parsed(&self, text: &str, limits: &SizeLimits) -> Result<Description, Failure> {
-        parse_text(text, limits).map_err(|diagnostics| {
-            let name = self.name();
-            let lines = diagnostics.list.into_iter();
-            Failure::Lines(lines.map(|line| format!("{name}:{line}")).collect())
-        })
+        parse_text(text, limits).map_err(|diagnostics| self.told(diagnostics))
+    }
+
+    /// Returns the errors of a description with the name of its file.
+    fn told(&self, diagnostics: Diagnostics) -> Failure {
+        let name = self.name();
+        let lines = diagnostics.list.into_iter();
+        Failure::Lines(lines.map(|line| format!("{name}:{line}")).collect())
     }
 
     /// Fails if the contact of the scene description is elastic.

@@ -31,7 +31,7 @@ impl<'a> JsonWriter<'a> {
         if let Some(hertz) = &summary.hertz {
             writeln!(out, "\"natural_frequencies_Hz\": {},", list(hertz))?;
         }
-        if let Some(scale) = summary.measure.scale() {
+        if let (Some(scale), Some(_)) = (summary.measure.scale(), summary.measure.load()) {
             let load = object([
                 ("force_N", scale.force().into()),
                 ("length_m", scale.length().into()),

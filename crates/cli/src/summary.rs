@@ -41,7 +41,7 @@ impl Summary {
             scene: scene.name.clone(),
             natural_frequencies,
             resonances: system.resonances().to_vec(),
-            description: description(scene),
+            description: description(scene, !measure.is_free()),
             base_motion: scene.excitation == Excitation::Base,
             hertz,
             measure,
@@ -72,12 +72,14 @@ impl Summary {
         if let Some(hertz) = &self.hertz {
             writeln!(out, "natural frequencies (Hz)     {}", row(hertz))?;
         }
-        writeln!(out, "resonances r                 {ratios}")?;
-        writeln!(
-            out,
-            "groups                       r = omega sqrt(m1/k1), beta = {}",
-            self.friction_ratio()
-        )?;
+        if !self.measure.is_free() {
+            writeln!(out, "resonances r                 {ratios}")?;
+            writeln!(
+                out,
+                "groups                       r = omega sqrt(m1/k1), beta = {}",
+                self.friction_ratio()
+            )?;
+        }
         if let Some(load) = measure::description(&self.measure, computed) {
             writeln!(out, "load                         {load}")?;
         }
@@ -102,8 +104,20 @@ pub fn row(values: &[f64]) -> String {
     cells.join("  ")
 }
 
+/// Describes the excitation of a scene in a few words.
+fn excitation(scene: &Scene, loaded: bool) -> String {
+    match scene.excitation {
+        _ if !loaded => "no load".to_owned(),
+        Excitation::Base => "base motion".to_owned(),
+        Excitation::Force(index) => {
+            let mass = scene.masses.get(index).map_or("?", |mass| &mass.name);
+            format!("force on {mass}")
+        }
+    }
+}
+
 /// Describes a scene with several contacts or dashpots in a few words.
-fn joints(scene: &Scene, masses: &str) -> String {
+fn joints(scene: &Scene, masses: &str, loaded: bool) -> String {
     let ends = |from, to| format!("{} - {}", scene.node_name(from), scene.node_name(to));
     let contacts = scene.named_contacts().into_iter().map(|contact| {
         let stiffness = contact.law.stiffness.map_or_else(String::new, |stiffness| {
@@ -122,35 +136,22 @@ fn joints(scene: &Scene, masses: &str) -> String {
         let ends = ends(damper.from, damper.to);
         format!("dashpot {ends} of {:?}", damper.coefficient)
     });
-    let load = match scene.excitation {
-        Excitation::Base => "base motion".to_owned(),
-        Excitation::Force(index) => {
-            let mass = scene.masses.get(index).map_or("?", |mass| &mass.name);
-            format!("force on {mass}")
-        }
-    };
-    let parts = contacts.chain(dampers).chain([load]);
+    let parts = contacts.chain(dampers).chain([excitation(scene, loaded)]);
     format!("{masses}, {}", parts.collect::<Vec<_>>().join(", "))
 }
 
 /// Describes a scene in a few words.
-fn description(scene: &Scene) -> String {
+fn description(scene: &Scene, loaded: bool) -> String {
     let masses = match scene.masses.len() {
         1 => "1 mass".to_owned(),
         count => format!("{count} masses"),
     };
     if scene.is_joined() {
-        return joints(scene, &masses);
+        return joints(scene, &masses, loaded);
     }
     let from = scene.node_name(scene.contact.from);
     let to = scene.node_name(scene.contact.to);
-    let excitation = match scene.excitation {
-        Excitation::Base => "base motion".to_owned(),
-        Excitation::Force(index) => {
-            let mass = scene.masses.get(index).map_or("?", |mass| &mass.name);
-            format!("force on {mass}")
-        }
-    };
+    let excitation = excitation(scene, loaded);
     let damping = match &scene.damping {
         Damping::None => "undamped",
         Damping::Uniform(_) | Damping::Modal(_) => "modal damping",

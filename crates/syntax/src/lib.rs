@@ -43,9 +43,24 @@ pub use write::written;
 /// # Errors
 /// Returns all errors of the text, with line and column.
 pub fn read_scene(text: &str) -> Result<Scene, Diagnostics> {
+    read(text, |_| {}).map(|(scene, ())| scene)
+}
+
+/// Reads a scene as [`read_scene`] does, from a text that may lack the field `excitation`. Returns false if the text
+/// lacks the field. The excitation of the scene is then a force on a mass of its first contact.
+///
+/// # Errors
+/// Returns all errors of the text, with line and column.
+pub fn read_with_or_without_load(text: &str) -> Result<(Scene, bool), Diagnostics> {
+    read(text, Syntax::fill_excitation)
+}
+
+fn read<T>(text: &str, change: impl Fn(&mut Syntax) -> T) -> Result<(Scene, T), Diagnostics> {
     let mut problems = Problems::default();
-    let scene = parse_text(text, &mut problems)
-        .and_then(|syntax| Some(syntax.lower(MOST_MASSES, &mut problems)?.scene));
+    let scene = parse_text(text, &mut problems).and_then(|mut syntax| {
+        let changed = change(&mut syntax);
+        Some((syntax.lower(MOST_MASSES, &mut problems)?.scene, changed))
+    });
     match scene {
         Some(scene) if problems.is_empty() => Ok(scene),
         _ => Err(problems.into_diagnostics()),

@@ -57,8 +57,8 @@ pub fn run(joined: &Joined<'_>, record: &[Sample], forces: &[f64]) -> Result<Run
     for sample in record {
         step.advance(JoinedInput {
             base: [sample.displacement, sample.velocity],
-            forces: &[],
             frictions: &frictions,
+            ..JoinedInput::default()
         })?;
         let mut below = sample.displacement;
         for (drift, [floor, _]) in found.drifts.iter_mut().zip(step.masses()) {

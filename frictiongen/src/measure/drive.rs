@@ -2,14 +2,27 @@
 
 use super::{Channel, Dimension, MeasureError, Recording};
 use crate::System;
-use crate::study::SystemInput;
-use crate::study::scene::Excitation;
+use crate::study::scene::{Excitation, StepInput};
+use crate::study::stepper::SystemStepper;
+use crate::study::{StudyError, SystemInput};
+
+/// Largest difference between the velocities of the base in two steps that counts as rounding of the recorded
+/// displacements, as a multiple of the rounding unit.
+const ROUNDINGS: f64 = 4.0;
 
 /// The inputs of a stepper at every sample of a recording: base motion or forces, and the friction force.
 ///
-/// The base motion is a recorded displacement, velocity or acceleration. Between samples, the code joins displacements
-/// by a cubic spline, and velocities or accelerations by straight lines. The base starts at rest, and displacements are
-/// relative to the first sample. Straight lines also join samples of forces and of a recorded friction force.
+/// The base motion is a recorded displacement, velocity or acceleration.
+/// Between samples the base moves in straight lines through displacements, in parabolas under velocities, or in cubics
+/// under accelerations. The velocity or the acceleration of these two is a straight line. A step of the base therefore
+/// moves nothing before it. Straight lines also join samples of forces and of a recorded friction force.
+///
+/// The motion starts at the first sample, with all masses at rest relative to the base. The displacement of the base is
+/// relative to this sample. The base has the first recorded velocity there, or the velocity 0 if displacements or
+/// accelerations are recorded.
+///
+/// With `input: hold` in the scene description, each sample of a force acts until the next sample. The base then moves in
+/// straight lines between its displacements at the samples.
 ///
 /// ```
 /// use frictiongen::System;
@@ -22,8 +35,7 @@ use crate::study::scene::Excitation;
 /// let text = "time_s,force_N\n0,0\n0.01,3\n0.02,5\n0.03,5\n";
 /// let recording = Recording::inputs_from_csv(text, &CsvRequest::default())?;
 /// let inputs = Inputs::of(&recording, &block, Some(1.5))?;
-/// let mut step = block.stepper(inputs.dt())?;
-/// step.begin(inputs.at(0))?;
+/// let mut step = inputs.stepper(&block)?;
 /// for sample in 1..inputs.len() {
 ///     step.advance(inputs.at(sample))?;
 /// }
@@ -34,12 +46,23 @@ use crate::study::scene::Excitation;
 pub struct Inputs<'r> {
     dt: f64,
     len: usize,
-    base: Option<Vec<[f64; 2]>>,
+    /// True if each sample of a force acts until the next sample (`input: hold`).
+    holds: bool,
+    base: Option<Vec<BaseStep>>,
     /// The recorded force on the excited mass, or `None` if it was not recorded.
     force: Option<SiChannel<'r>>,
     /// The recorded forces on other masses, each with the name of the mass.
     others: Vec<(&'r str, SiChannel<'r>)>,
     friction: DriveFriction<'r>,
+}
+
+/// Motion of the base in the step that ends at a sample.
+#[derive(Clone, Copy, Debug, Default)]
+struct BaseStep {
+    /// Velocity at the start of the step in m/s, if the velocity jumps there.
+    start: Option<f64>,
+    /// Displacement in m and velocity in m/s at the end of the step.
+    end: [f64; 2],
 }
 
 /// A channel of a recording, with the factor that converts its samples to SI units.
@@ -90,6 +113,7 @@ impl<'r> Inputs<'r> {
         let mut inputs = Self {
             dt,
             len: recording.len(),
+            holds: scene.stepping.input == StepInput::Hold,
             base: None,
             force: None,
             others: Vec::new(),
@@ -146,59 +170,105 @@ impl<'r> Inputs<'r> {
         self.len == 0
     }
 
-    /// Returns the stepper's input at a sample, counted from 0.
+    /// Returns the displacements and velocities of all masses at the first sample, in m and m/s. The masses are at rest
+    /// relative to the base.
+    #[doc(hidden)]
+    #[must_use]
+    pub fn initial_state(&self, system: &System) -> (Vec<f64>, Vec<f64>) {
+        let masses = system.scene().masses.len();
+        let [place, velocity] = self.base_step(0).end;
+        (vec![place; masses], vec![velocity; masses])
+    }
+
+    /// Returns a stepper of the scene at the first sample.
+    ///
+    /// # Errors
+    /// Same errors as [`System::stepper`] and [`SystemStepper::begin`].
+    pub fn stepper<'s>(&self, system: &'s System) -> Result<SystemStepper<'s>, StudyError> {
+        let (displacements, velocities) = self.initial_state(system);
+        let mut stepper = system.stepper_from(self.dt, (&displacements, &velocities))?;
+        stepper.begin(self.at(0))?;
+        Ok(stepper)
+    }
+
+    /// Returns the input of the step that ends at a sample. Samples count from 0, and sample 0 is the start of the first
+    /// step.
     pub fn at(&self, sample: usize) -> SystemInput<'r> {
+        let DriveSample {
+            base: [place, velocity],
+            start_velocity,
+            force,
+            others,
+            friction,
+            ..
+        } = self.sample(sample);
         let mut input = match &self.base {
-            Some(base) => {
-                let [place, velocity] = base.get(sample).copied().unwrap_or_default();
-                SystemInput::base(place, velocity)
-            }
-            None => SystemInput::force(self.force.map_or(0.0, |track| track.at(sample))),
+            Some(_) => SystemInput::base(place, velocity),
+            None => SystemInput::force(force),
         };
-        for (name, track) in &self.others {
-            input = input.on(name, track.at(sample));
+        if let Some(velocity) = start_velocity {
+            input = input.starting_at(velocity);
         }
-        input.friction(self.friction_at(sample))
+        for (name, force) in others {
+            input = input.on(name, force);
+        }
+        input.friction(friction)
     }
 
-    fn friction_at(&self, sample: usize) -> f64 {
-        match self.friction {
-            DriveFriction::Constant(force) => force,
-            DriveFriction::Recorded(track) => track.at(sample),
-        }
-    }
-}
-
-/// Input of a scene with several contacts at one sample. Each mass has the name of its channel in the recording.
-#[doc(hidden)]
-#[derive(Clone, Debug)]
-pub struct DriveSample<'r> {
-    /// Displacement of the base in m, and its velocity in m/s, at the sample.
-    pub base: [f64; 2],
-    /// Force on the excited mass at the sample, in N.
-    pub force: f64,
-    /// Forces on other masses at the sample, in N. Each force has the name of its mass.
-    pub others: Vec<(&'r str, f64)>,
-    /// Kinetic friction force, in N. The force of each contact is this force times the contact's share.
-    pub friction: f64,
-}
-
-impl<'r> Inputs<'r> {
-    /// Returns the input at a sample, counted from 0, for a scene with several contacts.
+    /// Returns the input of the step that ends at a sample, for a scene with several contacts.
     #[doc(hidden)]
     #[must_use]
     pub fn sample(&self, sample: usize) -> DriveSample<'r> {
-        let base = self.base.as_ref().and_then(|base| base.get(sample));
+        let step = self.base_step(sample);
+        // With zero-order hold, the sample at the start of the step acts during the whole step.
+        let acting = sample.saturating_sub(usize::from(self.holds));
+        let (base, start_velocity, end) = if self.holds {
+            let [from, _] = self.base_step(acting).end;
+            let [to, _] = step.end;
+            let velocity = (to - from) / self.dt;
+            ([from, velocity], None, [to, velocity])
+        } else {
+            (step.end, step.start, step.end)
+        };
         let others = self.others.iter();
         DriveSample {
-            base: base.copied().unwrap_or_default(),
-            force: self.force.map_or(0.0, |track| track.at(sample)),
+            base,
+            start_velocity,
+            end,
+            force: self.force.map_or(0.0, |track| track.at(acting)),
             others: others
-                .map(|(name, track)| (*name, track.at(sample)))
+                .map(|(name, track)| (*name, track.at(acting)))
                 .collect(),
-            friction: self.friction_at(sample),
+            friction: match self.friction {
+                DriveFriction::Constant(force) => force,
+                DriveFriction::Recorded(track) => track.at(acting),
+            },
         }
     }
+
+    fn base_step(&self, sample: usize) -> BaseStep {
+        let base = self.base.as_ref().and_then(|base| base.get(sample));
+        base.copied().unwrap_or_default()
+    }
+}
+
+/// Input of the step that ends at one sample. Each mass has the name of its channel in the recording.
+#[doc(hidden)]
+#[derive(Clone, Debug)]
+pub struct DriveSample<'r> {
+    /// Displacement of the base in m and its velocity in m/s, at the end of the step, or at its start with zero-order
+    /// hold.
+    pub base: [f64; 2],
+    /// Velocity of the base at the start of the step in m/s, if the velocity jumps there.
+    pub start_velocity: Option<f64>,
+    /// Displacement of the base in m and its velocity in m/s, at the end of the step.
+    pub end: [f64; 2],
+    /// Force on the excited mass, in N.
+    pub force: f64,
+    /// Forces on other masses, in N. Each force has the name of its mass.
+    pub others: Vec<(&'r str, f64)>,
+    /// Kinetic friction force, in N. The force of each contact is this force times the contact's share.
+    pub friction: f64,
 }
 
 fn force(channel: &Channel) -> Result<SiChannel<'_>, MeasureError> {
@@ -218,121 +288,73 @@ fn wrong(channel: &Channel) -> MeasureError {
     }
 }
 
-/// Returns displacement and velocity of the base, in m and m/s, at every sample.
-fn base(channel: &Channel, dt: f64) -> Result<Vec<[f64; 2]>, MeasureError> {
+/// Returns the motion of the base in every step, in m and m/s. The step of the first sample has no length.
+fn base(channel: &Channel, dt: f64) -> Result<Vec<BaseStep>, MeasureError> {
     let scale = channel.unit.scale();
-    let values = channel.samples.iter().map(|value| value * scale);
-    Ok(match channel.unit.dimension() {
-        Dimension::Displacement => {
-            let first = channel.samples.first().map_or(0.0, |value| value * scale);
-            let places: Vec<f64> = values.map(|value| value - first).collect();
-            let slopes = spline_slopes(&places);
-            let both = places.iter().zip(slopes);
-            both.map(|(place, slope)| [*place, slope / dt]).collect()
-        }
+    let samples = channel.samples.iter().map(|value| value * scale);
+    let first = samples.clone().next().unwrap_or(0.0);
+    let pairs = samples.clone().zip(samples.skip(1));
+    let mut step = BaseStep::default();
+    let mut steps = vec![step];
+    match channel.unit.dimension() {
+        Dimension::Displacement => steps.extend(pairs.map(|(from, to)| {
+            let ([_, before], velocity) = (step.end, (to - from) / dt);
+            let rounding = ROUNDINGS * f64::EPSILON * (from.abs() + to.abs()) / dt;
+            step.start = (rounding < (velocity - before).abs()).then_some(velocity);
+            step.end = [to - first, velocity];
+            step
+        })),
         Dimension::Velocity => {
-            let mut place = 0.0;
-            let mut last = None;
-            values
-                .map(|velocity| {
-                    place += 0.5 * dt * last.map_or(0.0, |last: f64| last + velocity);
-                    last = Some(velocity);
-                    [place, velocity]
-                })
-                .collect()
+            step.end = [0.0, first];
+            steps = vec![step];
+            steps.extend(pairs.map(|(from, to)| {
+                let [place, _] = step.end;
+                step.end = [place + 0.5 * dt * (from + to), to];
+                step
+            }));
         }
-        Dimension::Acceleration => {
-            let (mut place, mut velocity) = (0.0, 0.0);
-            let mut last: Option<f64> = None;
-            values
-                .map(|acceleration| {
-                    if let Some(last) = last {
-                        place += dt * velocity + dt * dt / 6.0 * (2.0 * last + acceleration);
-                        velocity += 0.5 * dt * (last + acceleration);
-                    }
-                    last = Some(acceleration);
-                    [place, velocity]
-                })
-                .collect()
-        }
+        Dimension::Acceleration => steps.extend(pairs.map(|(from, to)| {
+            let [place, velocity] = step.end;
+            let rise = dt * velocity + dt * dt / 6.0 * (2.0 * from + to);
+            step.end = [place + rise, velocity + 0.5 * dt * (from + to)];
+            step
+        })),
         _ => return Err(wrong(channel)),
-    })
+    }
+    Ok(steps)
 }
 
-/// Returns the acceleration of the base, in m/s², at the start and at the end of every step from one sample to the
-/// next. The acceleration changes linearly within a step.
-pub(super) fn accelerations(channel: &Channel, dt: f64) -> Result<Vec<[f64; 2]>, MeasureError> {
+/// Acceleration of the base in the step from one sample to the next.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct BaseAcceleration {
+    /// Jump of the velocity at the start of the step, in m/s.
+    pub jump: f64,
+    /// Acceleration at the start and at the end of the step, in m/s². It changes linearly within the step.
+    pub ends: [f64; 2],
+}
+
+/// Returns the acceleration of the base in every step from one sample to the next.
+pub(super) fn accelerations(
+    channel: &Channel,
+    dt: f64,
+) -> Result<Vec<BaseAcceleration>, MeasureError> {
     let scale = channel.unit.scale();
-    let pairs = channel.samples.windows(2);
-    let pairs = pairs.filter_map(|pair| Some([pair.first()? * scale, pair.get(1)? * scale]));
-    Ok(match channel.unit.dimension() {
-        Dimension::Acceleration => pairs.collect(),
-        Dimension::Velocity => pairs.map(|[a, b]| [(b - a) / dt; 2]).collect(),
-        Dimension::Displacement => {
-            let motion = base(channel, dt)?;
-            let steps = motion.windows(2).filter_map(|pair| {
-                let [[x, v], [y, w]] = pair else { return None };
-                let chord = 3.0 * (y - x) / dt;
-                let acceleration = 2.0 / dt;
-                Some([
-                    acceleration * (chord - 2.0 * v - w),
-                    acceleration * (v + 2.0 * w - chord),
-                ])
-            });
-            steps.collect()
-        }
-        _ => return Err(wrong(channel)),
-    })
-}
-
-/// Returns the slopes, per sample step, of the cubic spline through `values`. The spline begins with slope 0 and ends
-/// with curvature 0.
-fn spline_slopes(values: &[f64]) -> Vec<f64> {
-    // The slopes s_i at the samples y_i satisfy s₀ = 0, s_{i−1} + 4s_i + s_{i+1} = 3(y_{i+1} − y_{i−1}) and s_{n−1} +
-    // 2s_n = 3(y_n − y_{n−1}).
-    let last = values.len().saturating_sub(1);
-    let value = |index: usize| values.get(index).copied().unwrap_or(0.0);
-    let mut factors = vec![0.0];
-    let mut slopes = vec![0.0];
-    for index in 1..=last {
-        let (diagonal, right) = if index == last {
-            (2.0, 3.0 * (value(index) - value(index - 1)))
-        } else {
-            (4.0, 3.0 * (value(index + 1) - value(index - 1)))
+    let dimension = channel.unit.dimension();
+    let steps = base(channel, dt)?;
+    let steps = steps.windows(2).zip(channel.samples.windows(2));
+    let steps = steps.filter_map(|(steps, samples)| {
+        let ([last, step], [from, to]) = (steps, samples) else {
+            return None;
         };
-        let before = slopes.last().copied().unwrap_or(0.0);
-        let factor = factors.last().copied().unwrap_or(0.0);
-        let pivot = diagonal - factor;
-        slopes.push((right - before) / pivot);
-        factors.push(1.0 / pivot);
-    }
-    for index in (1..last).rev() {
-        let next = slopes.get(index + 1).copied().unwrap_or(0.0);
-        if let (Some(slope), Some(factor)) = (slopes.get_mut(index), factors.get(index)) {
-            *slope -= factor * next;
-        }
-    }
-    slopes.truncate(values.len());
-    slopes
-}
-
-#[cfg(test)]
-mod tests {
-    use super::spline_slopes;
-
-    #[test]
-    fn a_spline_keeps_what_it_can() {
-        // The cubic y = s²(3n − s) has slope 0 at s = 0 and curvature 0 at s = n. The spline has the same end
-        // conditions, so that it must reproduce this cubic.
-        let n = 20_u32;
-        let value = |s: f64| s * s * (3.0 * f64::from(n) - s);
-        let slope = |s: f64| 6.0 * f64::from(n) * s - 3.0 * s * s;
-        let values: Vec<f64> = (0..=n).map(|s| value(f64::from(s))).collect();
-        for (s, found) in (0..=n).zip(spline_slopes(&values)) {
-            // The tolerance covers the rounding of values up to 16,000.
-            assert!((found - slope(f64::from(s))).abs() < 1e-11, "{s}: {found}");
-        }
-        assert_eq!(spline_slopes(&[1.0]), [0.0]);
-        assert_eq!(spline_slopes(&[]), [0.0_f64; 0]);
-    }
+        let [_, before] = last.end;
+        Some(BaseAcceleration {
+            jump: step.start.map_or(0.0, |velocity| velocity - before),
+            ends: match dimension {
+                Dimension::Acceleration => [from * scale, to * scale],
+                Dimension::Velocity => [(to - from) * scale / dt; 2],
+                _ => [0.0; 2],
+            },
+        })
+    });
+    Ok(steps.collect())
 }

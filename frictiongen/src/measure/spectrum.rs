@@ -1,6 +1,6 @@
 //! Response spectra: the largest displacement of damped oscillators whose base follows a recorded motion.
 
-use super::drive::accelerations;
+use super::drive::{BaseAcceleration, accelerations};
 use super::{MeasureError, Recording};
 
 /// Name of the recording's channel with the motion of the base.
@@ -130,9 +130,8 @@ impl Oscillator {
         }
     }
 
-    /// Returns the largest |u| of the oscillator, in m. In each time step of length `dt`, the acceleration of the base
-    /// changes linearly between the two numbers of the step in `steps`.
-    fn peak(&self, steps: &[[f64; 2]], dt: f64) -> f64 {
+    /// Returns the largest |u| of the oscillator, in m, under the acceleration of the base in time steps of length `dt`.
+    fn peak(&self, steps: &[BaseAcceleration], dt: f64) -> f64 {
         let parts = (STEPS * self.omega * dt / std::f64::consts::TAU)
             .ceil()
             .max(1.0);
@@ -140,7 +139,13 @@ impl Oscillator {
         let step = self.step(h);
         let mut state = [0.0; 2];
         let mut peak = 0.0_f64;
-        for [from, to] in steps {
+        for BaseAcceleration {
+            jump,
+            ends: [from, to],
+        } in steps
+        {
+            let [u, v] = state;
+            state = [u, v - jump];
             let slope = (to - from) / dt;
             let mut a = *from;
             for _ in 0..parts as usize {

@@ -412,8 +412,13 @@ impl SystemSimulation<'_> {
         if system.simplest(of) == Of::Contact {
             return Some(self.relative());
         }
-        let (sine, cosine) = self.phase().sin_cos();
-        let [displacement, velocity] = system.terms(of).sum([cosine, -sine], |mass| {
+        let base = if self.is_free {
+            [0.0; 2]
+        } else {
+            let (sine, cosine) = self.phase().sin_cos();
+            [cosine, -sine]
+        };
+        let [displacement, velocity] = system.terms(of).sum(base, |mass| {
             let moment = self.run().mass(mass);
             Some([moment.displacement(), moment.velocity()])
         })?;

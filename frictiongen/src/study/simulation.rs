@@ -13,6 +13,8 @@ use frictiongen_kernel::{Float, Plain};
 pub struct SystemSimulation<'a, S = f64> {
     pub(super) system: &'a System<S>,
     run: KernelSimulation<'a, S>,
+    /// True if no load acts. A moving base is then at rest.
+    pub(super) is_free: bool,
 }
 
 /// The kernel's simulation in time, with its data in vectors, for any friction law.
@@ -151,6 +153,7 @@ impl<S: Plain> System<S> {
     /// Returns the friction law with non-dimensional sliding speeds. These speeds depend on r and on the amplitude of
     /// the load.
     fn lines(&self, r: S, amplitude: S) -> Result<Lines<'_, S>, OutOfDomain> {
+        self.loaded()?;
         if S::constant(0.0) < amplitude && amplitude.is_finite() {
             Ok(self.steps().lines(r, amplitude))
         } else {
@@ -170,7 +173,31 @@ impl<S: Plain> System<S> {
         }
         let dynamics = self.dynamics_in_time()?;
         let run = Simulation::along(dynamics, r, beta, lines, state, self.parts())?;
-        Ok(SystemSimulation { system: self, run })
+        Ok(SystemSimulation {
+            system: self,
+            run,
+            is_free: false,
+        })
+    }
+
+    /// Starts a free vibration at the unit of time √(m₁/k₁). Displacements have a unit of length, β that of F/k₁, and the
+    /// velocities of `state` are derivatives with respect to the time in this unit. `speed` is the unit of velocity, in
+    /// the scene's units.
+    pub(super) fn simulation_without_load(
+        &self,
+        beta: S,
+        speed: S,
+        state: (&[S], &[S]),
+    ) -> Result<SystemSimulation<'_, S>, OutOfDomain> {
+        self.check_state(state)?;
+        let (one, dynamics) = (S::constant(1.0), self.dynamics_in_time()?);
+        let lines = Lines::under(&self.steps().law, one, one, speed);
+        let run = Simulation::free(dynamics, (one, beta), lines, state, self.parts())?;
+        Ok(SystemSimulation {
+            system: self,
+            run,
+            is_free: true,
+        })
     }
 
     pub(super) fn check_state(&self, (x, v): (&[S], &[S])) -> Result<(), OutOfDomain> {

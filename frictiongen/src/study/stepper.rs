@@ -196,6 +196,12 @@ pub struct SystemStepper<'a, S = f64> {
 #[must_use = "an input acts in a step of a stepper"]
 pub struct SystemInput<'n, S = f64> {
     excitation: ExcitationLoad<S>,
+    /// Velocity of the base at the start of the step. Without it, the step starts at the velocity of the last input.
+    #[cfg_attr(
+        feature = "serde",
+        serde(default, skip_serializing_if = "Option::is_none")
+    )]
+    start_velocity: Option<S>,
     #[cfg_attr(feature = "serde", serde(borrow))]
     more: Vec<(&'n str, S)>,
     friction: S,
@@ -223,6 +229,7 @@ impl<'n, S: Float> SystemInput<'n, S> {
     fn new(excitation: ExcitationLoad<S>) -> Self {
         Self {
             excitation,
+            start_velocity: None,
             more: Vec::new(),
             friction: S::constant(0.0),
         }
@@ -237,9 +244,17 @@ impl<'n, S: Float> SystemInput<'n, S> {
                 ExcitationLoad::Force(force) => ExcitationLoad::Force(number(force)),
                 ExcitationLoad::Base(base) => ExcitationLoad::Base(base.map(&number)),
             },
+            start_velocity: self.start_velocity.map(&number),
             more: more.map(|(mass, force)| (mass, number(force))).collect(),
             friction: number(self.friction),
         }
+    }
+
+    /// Sets the velocity of the base at the start of the step, for a velocity that jumps there. By default the step
+    /// starts at the velocity of the last input. `begin` and `input: hold` ignore this velocity.
+    pub fn starting_at(mut self, velocity: S) -> Self {
+        self.start_velocity = Some(velocity);
+        self
     }
 
     /// Adds a force on the mass called `mass`. Forces on the same mass add up.
@@ -324,6 +339,7 @@ impl<S: Plain> System<S> {
         dt: S,
         state: Option<(&[S], &[S])>,
     ) -> Result<SystemStepper<'_, S>, OutOfDomain> {
+        self.loaded()?;
         SystemStepper::new((self, self.steps()), self.dynamics_in_time()?, dt, state)
     }
 }
@@ -380,10 +396,14 @@ impl<'a, S: Float> SystemStepper<'a, S> {
     /// # Errors
     /// [`OutOfDomain`] for a number that is NaN or infinite, and for friction below zero. [`OutOfDomain`] also for a
     /// force if the base is excited, and for a base motion if a mass is excited. [`UnknownMass`] for an unknown name.
-    /// After an error the stepper is unchanged.
+    /// After an error the stepper is unchanged, except for a velocity of the base that the input sets by
+    /// [`starting_at`](SystemInput::starting_at).
     pub fn advance(&mut self, input: SystemInput<'_, S>) -> Result<Stepped<S>, StudyError> {
         let (base, friction) = self.lay(&input)?;
         let forces = &self.forces;
+        if let Some(velocity) = input.start_velocity {
+            self.stepper.set_base_velocity(velocity)?;
+        }
         Ok(self.stepper.advance(Sample {
             base,
             forces,

@@ -15,7 +15,7 @@ use frictiongen_model::scene::{FrictionLaw, Scene};
 use frictiongen_model::stepping::StepperSettings;
 use frictiongen_model::transient::Transient;
 use frictiongen_model::validate::validate;
-use frictiongen_syntax::{Diagnostics, read_scene};
+use frictiongen_syntax::{Diagnostics, read_with_or_without_load};
 use std::sync::OnceLock;
 
 /// A scene at run time, with its modal data. All solvers start from this type.
@@ -40,6 +40,8 @@ use std::sync::OnceLock;
 #[derive(Clone, Debug)]
 pub struct System<S = f64> {
     pub(super) scene: Scene,
+    /// False if the description has no field `excitation`. Only a free vibration is then possible.
+    is_loaded: bool,
     pub(super) modal: Modal,
     pub(super) reduced: Reduced<S>,
     resonances: Vec<S>,
@@ -63,7 +65,11 @@ impl<S: Float> std::str::FromStr for System<S> {
     type Err = Diagnostics;
 
     fn from_str(text: &str) -> Result<Self, Diagnostics> {
-        Ok(Self::from_scene(read_scene(text)?))
+        let (scene, is_loaded) = read_with_or_without_load(text)?;
+        Ok(Self {
+            is_loaded,
+            ..Self::from_scene(scene)
+        })
     }
 }
 
@@ -126,6 +132,7 @@ impl<S: Float> System<S> {
             !S::CARRIES && in_phase && chain.sliding_limit_is_one(&reduced.modes);
         Self {
             scene,
+            is_loaded: true,
             modal,
             driven: DrivenModes::of(&reduced.chain, &reduced.modes),
             reduced,
@@ -206,7 +213,13 @@ impl<S: Float> System<S> {
     /// ```
     #[must_use]
     pub fn description(&self) -> String {
-        frictiongen_syntax::written(&self.scene)
+        let text = frictiongen_syntax::written(&self.scene);
+        if self.is_loaded {
+            return text;
+        }
+        let lines = text.split_inclusive('\n');
+        let lines = lines.filter(|line| !line.trim_start().starts_with("excitation:"));
+        lines.collect()
     }
 
     /// Returns the scene of this system, as text or code describes it.
@@ -342,6 +355,14 @@ impl<S: Float> System<S> {
         (ends.continuous_at_infinity, ends.sliding_at_infinity)
     }
 
+    /// Fails if the description has no field `excitation`.
+    pub(super) fn loaded(&self) -> Result<(), Unsupported> {
+        match self.is_loaded {
+            true => Ok(()),
+            false => Err(Unsupported::NoExcitation),
+        }
+    }
+
     /// Fails if the scene has several contacts or dashpots.
     pub(crate) fn single(&self) -> Result<(), Unsupported> {
         if self.scene.is_joined() {
@@ -360,10 +381,12 @@ impl<S: Float> System<S> {
         }
     }
 
-    /// Fails if the kinetic friction force depends on the speed, or if the scene has several contacts or dashpots. The
-    /// closed forms and the motion from event to event require one contact with a constant kinetic friction force.
+    /// Fails if the kinetic friction force depends on the speed, if the scene has several contacts or dashpots, or if it
+    /// has no excitation. The closed forms and the motion from event to event require one contact with a constant kinetic
+    /// friction force, and a load.
     pub(super) fn constant_force(&self) -> Result<(), OutOfDomain> {
         self.single()?;
+        self.loaded()?;
         match self.scene.friction {
             FrictionLaw::Coulomb => Ok(()),
             FrictionLaw::Stribeck(_) => Err(Unsupported::FrictionLaw.into()),

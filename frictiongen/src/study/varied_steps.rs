@@ -166,12 +166,18 @@ impl Varied {
 
 #[cfg(feature = "measure")]
 impl RoundedSteps {
-    /// Returns a stepper with time steps of `dt` seconds, as [`Varied::stepper`] does. Returns `None` for a scene
-    /// without a stepper.
-    pub(crate) fn stepper(&self, dt: f64) -> Option<SystemStepper<'_, Dual<f64>>> {
+    /// Returns a stepper with time steps of `dt` seconds, as [`Varied::stepper`] does, from the displacements and
+    /// velocities of all masses. Returns `None` for a scene without a stepper.
+    pub(crate) fn stepper(
+        &self,
+        dt: f64,
+        (x, v): (Vec<f64>, Vec<f64>),
+    ) -> Option<SystemStepper<'_, Dual<f64>>> {
         let dynamics = self.transient.contact_dynamics();
         let data = (&self.system, &self.settings);
-        SystemStepper::new(data, dynamics, Dual::fixed(dt), None).ok()
+        let [x, v] =
+            [x, v].map(|values| -> Vec<_> { values.into_iter().map(Dual::fixed).collect() });
+        SystemStepper::new(data, dynamics, Dual::fixed(dt), Some((&x, &v))).ok()
     }
 }
 

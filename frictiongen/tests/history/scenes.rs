@@ -27,6 +27,11 @@ pub const FRAME: &str = "struct Frame {
     masses: { lower: 1, upper: 1.1 }, springs: { base - lower: 1, lower - upper: 1.2 },
     contact: upper - wall, excitation: base, damping: rayleigh(0.03, 0.05), stiction: 1.2 }";
 
+/// Two masses on a moving base, with an elastic contact.
+pub const ELASTIC: &str = "struct Elastic {
+    masses: { a: 1, b: 0.7 }, springs: { base - a: 1, a - b: 2 }, contact: b - base, stiffness: 1.5,
+    excitation: base, damping: rayleigh(0.05, 0.04), stiction: 1.3 }";
+
 /// Scenes of each contact, with points (r, β) in each regime.
 pub const SCENES: [(&str, &[(f64, f64)]); 5] = [
     (BLOCK, &[(0.3, 0.4), (0.5, 0.6), (1.4, 0.3)]),

@@ -1,13 +1,13 @@
 //! Late in a run the motion is the steady state, in its displacements, velocities, forces and events.
 
-use crate::scenes::{BETWEEN, DAMPED, FRAME, SHAKEN, all, system};
+use crate::scenes::{BETWEEN, DAMPED, ELASTIC, FRAME, SHAKEN, all, system};
 use frictiongen::kernel::simulation::Event;
 use frictiongen::study::{history::HistoryRequest, response::SystemResponse};
 use frictiongen::{Of, Regime};
 
 #[test]
 fn a_late_run_is_the_steady_state() {
-    let scenes: [(&str, &[(f64, f64)]); 4] = [
+    let scenes: [(&str, &[(f64, f64)]); 5] = [
         (
             DAMPED,
             &[(0.3, 0.4), (0.3, 0.01), (0.8, 0.2), (2.0, 0.1), (0.5, 2.0)],
@@ -21,6 +21,7 @@ fn a_late_run_is_the_steady_state() {
             &[(0.4, 0.3), (0.9, 0.1), (1.6, 0.2), (0.5, 0.01), (0.7, 5.0)],
         ),
         (FRAME, &[(0.3, 0.4), (0.5, 0.5), (0.9, 0.1), (0.7, 9.0)]),
+        (ELASTIC, &[(0.4, 0.05), (0.6, 0.3), (1.1, 0.4)]),
     ];
     let (mut worst, mut compared, mut events) = (0.0_f64, 0, 0);
     let mut regimes = [0; 3];

@@ -130,7 +130,7 @@ def simulate(
     friction: _Friction,
     load: _Load,
     of: Any | None,
-    extent: tuple[Any | None, Any | None, Any | None, tuple[Any, Any] | None, bool],
+    extent: tuple[Any | None, Any | None, Any | None, tuple[Any, Any] | None, bool, Any | None],
 ) -> tuple[_Columns, _Columns]: ...
 def step(
     system: System,

@@ -44,7 +44,13 @@ pub fn drive<'py>(
         dt: inputs.dt(),
         samples: inputs.len(),
         parts,
-        start: RunStart::of(start.as_ref())?,
+        start: match start {
+            None => {
+                let (displacements, velocities) = inputs.initial_state(of_system);
+                RunStart::Moving(displacements, velocities)
+            }
+            given => RunStart::of(given.as_ref())?,
+        },
         stiction: stiction.map(|mu| one("stiction", &mu)).transpose()?,
         budget: budget.map(|events| event_budget(&events)).transpose()?,
     };

@@ -133,13 +133,25 @@ pub struct TimeArguments {
     /// Number of cycles of the excitation to compute before the first printed cycle [default: 0]
     #[arg(long, value_name = "N", allow_hyphen_values = true)]
     pub skip: Option<String>,
-    /// Number of samples in each cycle of the excitation, an even number [default: 200]
+    /// Number of samples in each cycle of the excitation, an even number [default: 200]; with --until, number of samples
+    /// in all [default: 1000]
     #[arg(long, value_name = "N", allow_hyphen_values = true)]
     pub samples: Option<String>,
-    /// Initial displacements and velocities of all masses, x1,...;v1,... in m and m/s under a load, otherwise
-    /// non-dimensional [default: rest]
+    /// Initial displacements and velocities of all masses, x1,...;v1,... in m and m/s under a load and with --until,
+    /// otherwise non-dimensional [default: rest]
     #[arg(long, value_name = "STATE", allow_hyphen_values = true)]
     pub from: Option<String>,
+    /// Print the free vibration from the state --from until this time in s, without a load, in N and m. The description
+    /// needs no `excitation`
+    #[arg(
+        long,
+        value_name = "S",
+        allow_hyphen_values = true,
+        requires = "from",
+        group = "FrequencyArguments",
+        conflicts_with_all = ["beta", "force", "base", "unbalance", "cycles", "skip", "steady", "spectrum"]
+    )]
+    pub until: Option<String>,
     /// Print one period of the steady state instead of a run from the initial state
     #[arg(long, conflicts_with_all = ["cycles", "skip", "from"])]
     pub steady: bool,

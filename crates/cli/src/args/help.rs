@@ -153,6 +153,10 @@ Initial state:
   --from \"x1,x2;v1,v2\"  displacements, then velocities of all masses in the order of the description,
                         at a maximum of the excitation; with --force or --base, in m and m/s [default: rest]
 
+Free vibrations:
+  --from \"x1,x2;v1,v2\" --until S --friction F  the motion from this state, in m and m/s, during S seconds without
+                        a load. A moving base is at rest. The output has times in s, m, m/s and N
+
 Steady states:
   --steady works in any regime. If the chain is undamped or has several steady states, the output is the
   state that motion from rest reaches. Motion from rest also determines the position of a stuck

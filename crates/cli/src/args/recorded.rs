@@ -155,15 +155,17 @@ Recording:
     time_s,base_m_s2
   The column `base` is the motion of the base: displacement, velocity or acceleration. The column `force` is
   the force on the excited mass. A column with the name of a mass is a force on that mass. The column
-  `friction` is the friction force, if it changes. The command interpolates displacements by a cubic spline,
-  and velocities, accelerations and forces by straight lines.
+  `friction` is the friction force, if it changes. Straight lines join the samples of each column, also of
+  displacements: a step of the base takes one sample interval, and nothing moves before it. Under velocities
+  the base moves in parabolas, under accelerations in cubics.
   --channel base=EW:m_s2  the column EW is the acceleration of the base
   A file may also contain only numbers, separated by blanks, tabs or semicolons. Decimal commas are allowed.
   If there are several columns, the first is the time in s, unless --rate gives the samples per second:
   --channel base=2:g          time in s and acceleration in g
   --rate 100 --channel base=1:m_s2   one column
   A PEER AT2 record (a header with NPTS and DT, then accelerations in g) needs no option.
-  The chain starts from rest. Displacements of the base are relative to the first sample.
+  At the first sample all masses are at rest relative to the base, and displacements are 0. The base has the
+  first recorded velocity there; with displacements or accelerations its velocity is 0.
 
 Quantities:
   displacement, velocity  motion of a mass, or relative motion of the contact. If the base moves, the motion of

@@ -92,6 +92,26 @@ impl Question<'_> {
     }
 }
 
+/// Writes the free vibration of a scene with several contacts. `of` has the names of the masses in the output.
+pub fn free(
+    system: &System,
+    time: &OfTime<'_>,
+    (of, frictions): (&[String], Frictions),
+    (form, out): (OutputFormat, &mut dyn Write),
+) -> Result<(), Failure> {
+    let joined = system.joined().map_err(Failure::new)?;
+    let masses = asked::masses(system, "--of", of)?;
+    let question = Question {
+        system,
+        joined: &joined,
+        frequencies: Frequencies::none(),
+        frictions,
+        measure: Measure::si(system),
+        masses: masses.into_iter().map(|mass| mass.index).collect(),
+    };
+    time::write(&question, time, form, out)
+}
+
 impl<'a> Asked<'a> {
     /// Collects the options of a command for a scene with several contacts.
     pub fn of(

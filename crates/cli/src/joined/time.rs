@@ -19,6 +19,8 @@ pub struct OfTime<'a> {
     pub asked: Length,
     /// Initial state of the motion, as the text of the option `--from`.
     pub from: Option<&'a str>,
+    /// End of a free vibration in s. `None` for a motion under a load.
+    pub until: Option<f64>,
     /// True if the output contains the events instead of samples.
     pub events: bool,
 }
@@ -32,33 +34,41 @@ impl Asked<'_> {
         form: OutputFormat,
         out: &mut dyn Write,
     ) -> Result<(), Failure> {
-        self.question(scene, |question| {
-            let draws = form.is_picture();
-            let (history, frequency) = history(question, time, draws)?;
-            let omega = frequency.omega;
-            #[cfg(feature = "pictures")]
-            if draws {
-                let caption = caption(question, time, frequency)?;
-                let motion = (&history, frequency);
-                return super::draw::motion(question, motion, &caption, (form, out));
-            }
-            let (history, summary) = (&history, question.summary());
-            if time.events {
-                let report = EventsReport {
-                    question,
-                    history,
-                    omega,
-                };
-                return output::write(&report, &summary, form, out);
-            }
-            let report = SamplesReport {
-                question,
-                history,
-                omega,
-            };
-            output::write(&report, &summary, form, out)
-        })
+        self.question(scene, |question| write(question, time, form, out))
     }
+}
+
+/// Writes a motion over time: its samples, its events or a picture.
+pub(super) fn write(
+    question: &Question<'_>,
+    time: &OfTime<'_>,
+    form: OutputFormat,
+    out: &mut dyn Write,
+) -> Result<(), Failure> {
+    let draws = form.is_picture();
+    let (history, frequency) = history(question, time, draws)?;
+    let omega = frequency.omega;
+    #[cfg(feature = "pictures")]
+    if draws {
+        let caption = caption(question, time, frequency)?;
+        let motion = (&history, frequency);
+        return super::draw::motion(question, motion, &caption, (form, out));
+    }
+    let (history, summary) = (&history, question.summary());
+    if time.events {
+        let report = EventsReport {
+            question,
+            history,
+            omega,
+        };
+        return output::write(&report, &summary, form, out);
+    }
+    let report = SamplesReport {
+        question,
+        history,
+        omega,
+    };
+    output::write(&report, &summary, form, out)
 }
 
 /// Returns the caption of a figure over time: frequency, friction, and the kind of motion (run or steady state).
@@ -78,6 +88,9 @@ fn caption(
         Some(_) => format!("F = {} N", short(question.measure.force(friction.beta))),
         None => format!("β = {}", short(friction.beta)),
     };
+    if time.until.is_some() {
+        return Ok(format!("{friction}; free vibration"));
+    }
     let kind = match (time.asked.steady, time.from) {
         (true, _) => "steady state, one period",
         (_, Some(_)) => "motion from a state",
@@ -92,8 +105,19 @@ fn history(
     time: &OfTime<'_>,
     draws: bool,
 ) -> Result<(JoinedHistory, Frequency), Failure> {
-    let frequency = question.frequencies.only(question.system)?;
+    let mut frequency = question.frequencies.only(question.system)?;
     let friction = question.frictions.only()?;
+    if let Some(until) = time.until {
+        // The history has times in s in place of phases.
+        frequency.omega = 1.0;
+        let from = time.from.unwrap_or_default();
+        let (x, v) = state(from, question.system, question.measure.scale(), 1.0)?;
+        let run = question.joined;
+        let run = run.simulation_without_load(friction.force(), (&x, &v));
+        let mut run = run.map_err(Failure::new)?;
+        let history = run.until(until, time.asked.samples, draws);
+        return Ok((history.map_err(Failure::new)?, frequency));
+    }
     let friction = friction.at(&question.measure, frequency).beta;
     let at = question.table().at(frequency).map_err(Failure::new)?;
     let asked = &time.asked;

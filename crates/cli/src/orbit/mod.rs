@@ -53,6 +53,7 @@ pub fn run(arguments: &OrbitArguments, out: &mut dyn Write) -> Result<(), Failur
                 let period = joined::OfTime {
                     asked: time::asked::TimeRequest::PERIOD,
                     from: None,
+                    until: None,
                     events: false,
                 };
                 return asked.time(description.scene, &period, form, out);

@@ -4,11 +4,12 @@ use crate::asked::MovingPart;
 use crate::failure::Failure;
 use crate::number::computed;
 use crate::output::{ResultTable, Visitor};
-use frictiongen::System;
 use frictiongen::answer::Work;
 use frictiongen::measure::Inputs;
 use frictiongen::measure::columns::{Driven, DrivenRow};
+use frictiongen::study::StudyError;
 use frictiongen::study::columns::Column;
+use frictiongen::{Error, OutOfDomain, System};
 use serde_json::{Value as Json, json};
 
 /// Motion of a scene under a recorded input, with the options for the output.
@@ -30,13 +31,15 @@ impl<'s> DrivenReport<'s> {
         parts: Vec<MovingPart>,
     ) -> Result<Self, Failure> {
         let turned = system.contact_is_reversed();
-        let mut step = system.stepper(inputs.dt()).map_err(|_| {
-            Failure::new(format_args!(
-                "the samples are {} s apart: too far for the fastest mode of the scene",
-                computed(inputs.dt())
-            ))
+        let mut step = inputs.stepper(system).map_err(|error| match error {
+            StudyError::Solver(Error::OutOfDomain(OutOfDomain::Step(_))) => {
+                Failure::new(format_args!(
+                    "the samples are {} s apart: too far for the fastest mode of the scene",
+                    computed(inputs.dt())
+                ))
+            }
+            error => Failure::new(error),
         })?;
-        step.begin(inputs.at(0)).map_err(Failure::new)?;
         let mut motion = Driven::new(&parts);
         motion.push(&step, &parts, turned, 0);
         for sample in 1..inputs.len() {

@@ -102,7 +102,11 @@ impl<'s> DriveRequest<'s> {
 
     /// Computes the motion under the recorded input, sample by sample.
     fn motion(&self, inputs: &Inputs<'_>) -> Result<JoinedDriven, Failure> {
-        let mut step = self.joined.stepper(inputs.dt()).map_err(|_| {
+        let (displacements, velocities) = inputs.initial_state(self.system);
+        let step = self
+            .joined
+            .stepper_from(inputs.dt(), (&displacements, &velocities));
+        let mut step = step.map_err(|_| {
             Failure::new(format_args!(
                 "the samples are {} s apart: too far for the fastest mode of the scene",
                 computed(inputs.dt())
@@ -129,6 +133,7 @@ impl<'s> DriveRequest<'s> {
                 .collect();
             let now = JoinedInput {
                 base: input.base,
+                start_velocity: input.start_velocity,
                 forces: &forces,
                 frictions: &frictions,
             };
@@ -139,7 +144,7 @@ impl<'s> DriveRequest<'s> {
             let events = events.map_err(|error| {
                 Failure::new(format_args!("sample {sample} of the recording: {error}"))
             })?;
-            motion.push(&step, asked, input.base, events);
+            motion.push(&step, asked, input.end, events);
         }
         Ok(motion)
     }

@@ -46,7 +46,12 @@ impl TimeRequest {
         let asked = Self {
             cycles: number("--cycles", &arguments.cycles, 1, 10)?,
             skip: number("--skip", &arguments.skip, 0, 0)?,
-            samples: number("--samples", &arguments.samples, 2, 200)?,
+            samples: number(
+                "--samples",
+                &arguments.samples,
+                2,
+                if arguments.until.is_some() { 1000 } else { 200 },
+            )?,
             steady: arguments.steady,
             spectrum: arguments.spectrum,
         };

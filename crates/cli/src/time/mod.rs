@@ -11,20 +11,19 @@ mod spectrum;
 use crate::args::TimeArguments;
 #[cfg(feature = "pictures")]
 use crate::asked::MovingPart;
-use crate::asked::{parts, without_rates};
-use crate::destination::Destination;
-#[cfg(feature = "pictures")]
-use crate::destination::OutputFormat;
+use crate::asked::{number_that, parts, without_rates};
+use crate::destination::{Destination, OutputFormat};
 use crate::failure::Failure;
 use crate::frequency::Frequencies;
 use crate::friction::Frictions;
 use crate::joined;
-use crate::measure;
+use crate::measure::{self, Measure};
 use crate::output;
 use crate::summary::Summary;
 use asked::{TimeRequest, start};
 use course::RunSettings;
 use frictiongen::System;
+use frictiongen::study::columns::{Frequency, FrequencyUnit};
 use frictiongen::study::scene::FrictionLaw;
 use frictiongen_codegen::SizeLimits;
 use motion::RunMotion;
@@ -35,7 +34,7 @@ use std::io::Write;
 /// Draws one period of a steady state of a scene with a single contact.
 #[cfg(feature = "pictures")]
 pub fn draw_period(
-    (system, measure): (&System, measure::Measure),
+    (system, measure): (&System, Measure),
     (frequencies, frictions): (&Frequencies, &Frictions),
     parts: Vec<MovingPart>,
     (form, out): (OutputFormat, &mut dyn Write),
@@ -61,8 +60,11 @@ pub fn run(arguments: &TimeArguments, out: &mut dyn Write) -> Result<(), Failure
         &arguments.format,
         !arguments.events,
     )?;
-    let form = destination.form;
     let asked = TimeRequest::parse(arguments)?;
+    if let Some(until) = &arguments.until {
+        return free(arguments, (until, &asked), &destination, out);
+    }
+    let form = destination.form;
     let frequencies = Frequencies::parse(&arguments.point.frequency, true)?;
     let frictions = Frictions::parse(&arguments.point.friction, Some(&frequencies))?;
     let file = &arguments.point.file;
@@ -73,6 +75,7 @@ pub fn run(arguments: &TimeArguments, out: &mut dyn Write) -> Result<(), Failure
         let of_time = joined::OfTime {
             asked,
             from: arguments.from.as_deref(),
+            until: None,
             events: arguments.events,
         };
         return destination.write(out, |out| {
@@ -108,22 +111,76 @@ pub fn run(arguments: &TimeArguments, out: &mut dyn Write) -> Result<(), Failure
     let from = arguments.from.as_deref();
     let from = from.map(|text| start(text, &system, &course)).transpose()?;
     let motion = RunMotion::of(course, &asked, from)?;
-    let write = |out: &mut dyn Write| {
-        #[cfg(feature = "pictures")]
-        if form.is_picture() {
-            return draw::draw(&system, &motion, arguments.spectrum, form, out);
-        }
-        if arguments.events {
-            output::write(&EventsReport { motion: &motion }, &summary, form, out)
-        } else if arguments.spectrum {
-            let report = SpectrumReport {
-                motion: &motion,
-                spectra: &spectra(&motion),
-            };
-            output::write(&report, &summary, form, out)
-        } else {
-            output::write(&SamplesReport { motion: &motion }, &summary, form, out)
-        }
+    destination.write(out, |out| write(&motion, arguments, (form, &summary), out))
+}
+
+/// Writes a motion over time: its samples, its events, its spectrum or a picture.
+fn write(
+    motion: &RunMotion<'_>,
+    arguments: &TimeArguments,
+    (form, summary): (OutputFormat, &Summary),
+    out: &mut dyn Write,
+) -> Result<(), Failure> {
+    #[cfg(feature = "pictures")]
+    if form.is_picture() {
+        let system = motion.course.system;
+        return draw::draw(system, motion, arguments.spectrum, form, out);
+    }
+    if arguments.events {
+        output::write(&EventsReport { motion }, summary, form, out)
+    } else if arguments.spectrum {
+        let report = SpectrumReport {
+            motion,
+            spectra: &spectra(motion),
+        };
+        output::write(&report, summary, form, out)
+    } else {
+        output::write(&SamplesReport { motion }, summary, form, out)
+    }
+}
+
+/// Writes the free vibration from the state --from.
+fn free(
+    arguments: &TimeArguments,
+    (until, asked): (&str, &TimeRequest),
+    destination: &Destination,
+    out: &mut dyn Write,
+) -> Result<(), Failure> {
+    let form = destination.form;
+    let until = number_that("--until", until, |time| 0.0 < time, "a time in s above 0")?;
+    let frictions = Frictions::parse(&arguments.point.friction, None)?;
+    let system = arguments.point.file.maybe_unloaded()?;
+    let measure = Measure::si(&system);
+    let frictions = frictions.under(&measure)?;
+    let friction = frictions.only()?;
+    let from = arguments.from.as_deref();
+    if system.scene().is_joined() {
+        let of_time = joined::OfTime {
+            asked: *asked,
+            from,
+            until: Some(until),
+            events: arguments.events,
+        };
+        return destination.write(out, |out| {
+            joined::free(&system, &of_time, (&arguments.of, frictions), (form, out))
+        });
+    }
+    let parts = parts(&system, &arguments.of)?;
+    without_rates(&parts)?;
+    let mut frequency = Frequency::at(&system, 1.0);
+    // The history has times in s in place of phases.
+    frequency.omega = 1.0;
+    let summary = Summary::of(&system, true, measure);
+    let course = RunSettings {
+        system: &system,
+        unit: FrequencyUnit::Hertz,
+        frequency,
+        friction,
+        measure,
+        parts,
+        in_seconds: true,
     };
-    destination.write(out, write)
+    let from = start(from.unwrap_or_default(), &system, &course)?;
+    let motion = RunMotion::free(course, (from, until), asked.samples)?;
+    destination.write(out, |out| write(&motion, arguments, (form, &summary), out))
 }

@@ -6,7 +6,7 @@ use crate::asked::MOST_HARMONICS;
 use crate::failure::Failure;
 use crate::number::{Cell, Lossless as _, computed};
 use frictiongen::study::{
-    history::{History, HistoryError, HistoryRequest, Spectrum},
+    history::{FreeRequest, History, HistoryError, HistoryRequest, Spectrum},
     words,
 };
 use frictiongen::{NoOrbit, Of};
@@ -74,6 +74,30 @@ impl<'a> RunMotion<'a> {
         })
     }
 
+    /// Computes the free vibration from a state, with its friction, in SI units.
+    pub fn free(
+        course: RunSettings<'a>,
+        (from, until): (InitialState, f64),
+        samples: u32,
+    ) -> Result<Self, Failure> {
+        let request = FreeRequest {
+            of: course.parts.iter().map(|part| part.of).collect(),
+            from,
+            until,
+            samples,
+        };
+        let history = course
+            .system
+            .free_vibration(course.friction.force(), &request);
+        Ok(Self {
+            history: history.map_err(told)?,
+            course,
+            exact: Vec::new(),
+            kind: "free vibration",
+            regime: None,
+        })
+    }
+
     /// Returns the frequency and the friction of the motion, each as a name and a value.
     fn point(&self) -> impl Iterator<Item = (String, Cell<'static>)> {
         let (course, setting) = (&self.course, self.course.table().setting);
@@ -89,6 +113,14 @@ impl<'a> RunMotion<'a> {
     /// Returns the JSON fields that describe the whole motion, not one of its samples.
     pub fn head(&self) -> Vec<(String, Json)> {
         let history = &self.history;
+        if self.course.measure.is_free() {
+            return vec![
+                ("friction_N".to_owned(), json!(self.course.friction.force())),
+                ("motion".to_owned(), json!(self.kind)),
+                ("until_s".to_owned(), json!(history.cycle)),
+                ("samples".to_owned(), json!(history.samples)),
+            ];
+        }
         let point = self.point();
         let point = point.map(|(name, value)| (name, value.json()));
         let mut head: Vec<(String, Json)> = point.collect();
@@ -105,6 +137,17 @@ impl<'a> RunMotion<'a> {
     /// Returns the lines before the printed table of the motion.
     pub fn preamble(&self) -> Vec<(&'static str, String)> {
         let history = &self.history;
+        if self.course.measure.is_free() {
+            let friction = computed(self.course.friction.force());
+            let (until, samples) = (computed(history.cycle), history.samples);
+            return vec![
+                ("at", format!("friction_N = {friction}")),
+                (
+                    "motion",
+                    format!("{}, {until} s, {samples} samples", self.kind),
+                ),
+            ];
+        }
         let number = |value: &Cell<'_>| match value {
             Cell::Number(value) | Cell::Within { value, .. } => computed(*value),
             other => other.exact().into_owned(),

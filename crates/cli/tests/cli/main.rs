@@ -8,6 +8,7 @@ mod curve_refused;
 mod diff;
 mod diff_steppers;
 mod drive;
+mod drive_between;
 mod drive_joined;
 mod elastic;
 mod expand;

@@ -288,6 +288,125 @@ fn from_a_state() {
     }
 }
 
+/// Returns the turning points of an undamped block with Coulomb friction in free vibration, each with its instant. The
+/// block vibrates about −F/k while it moves forward and about F/k while it moves backward. Its last turning point is
+/// where the friction holds it.
+fn turns([mass, spring, friction]: [f64; 3], [x, v]: [f64; 2]) -> Vec<(f64, f64)> {
+    let omega = (spring / mass).sqrt();
+    let (centre, mut side) = (friction / spring, v.signum());
+    let about = x + side * centre;
+    let mut turns = vec![(
+        (side * v / omega).atan2(side * about) / omega,
+        side * (about.hypot(v / omega) - centre),
+    )];
+    while let Some((time, place)) = turns.last().copied() {
+        if place.abs() <= centre {
+            break;
+        }
+        side = -side;
+        turns.push((time + PI / omega, -place - 2.0 * side * centre));
+    }
+    turns
+}
+
+/// Free vibrations follow the closed form, with both solvers, with and without an excitation in the description, and
+/// under a load that is too small to matter.
+#[test]
+fn free_vibrations_lose_four_times_the_friction_over_the_stiffness_in_a_cycle() {
+    let mut compared = 0;
+    // The first one is the friction oscillator of Siconos, which comes to rest at 15 − √205.
+    for (block, state) in [
+        ([1.0, 1.0, 1.0], [12.0, 6.0]),
+        ([1.0, 0.3, 0.5], [1.0, 2.0]),
+        ([2e-3, 4e5, 3e-7], [-1e-11, 0.5e-6]),
+        ([5e3, 2e6, 7e4], [0.9, -1.0]),
+    ] {
+        let [mass, spring, friction] = block;
+        let expected = turns(block, state);
+        let until = expected.last().unwrap().0 * 1.01;
+        let contact = ["contact: block - wall", "contacts: { pads: block - wall }"];
+        let excited = ["", ", excitation: block", ", excitation: base"];
+        for (contact, excited) in contact.iter().flat_map(|c| excited.map(|e| (c, e))) {
+            let scene = format!(
+                "struct B {{ masses: {{ block: {mass} }}, springs: {{ base - block: {spring} }}, {contact}{excited} }}"
+            );
+            let [x, v] = state;
+            let line = format!("time - --from {x};{v} --friction {friction} --csv");
+            let free = format!("{line} --until {until}");
+            let mut runs = vec![(free.clone(), until)];
+            if excited == ", excitation: block" && friction == 0.5 {
+                // One cycle of the load is 10 s.
+                for force in ["1e-12", "1e-160", "1e-250"] {
+                    runs.push((format!("{line} --hz 0.1 --cycles 1 --force {force}"), 10.0));
+                }
+            }
+            for (line, end) in runs {
+                let events = output(&scene, &words(&format!("{line} --events")));
+                let found = column(&events, "time_s").into_iter();
+                let found = found.zip(column(&events, "block.displacement_m"));
+                let found: Vec<(f64, f64)> = found.collect();
+                assert_eq!(found.len(), expected.len(), "{line}: {events}");
+                for ((time, place), (at, there)) in found.iter().zip(&expected) {
+                    // The load of 1e-12 N moves the block by about its share of the friction.
+                    let size = expected[0].1.abs();
+                    assert!((time - at).abs() < 1e-11 * until, "{line}: {time} for {at}");
+                    assert!(
+                        (place - there).abs() < 1e-11 * size,
+                        "{line}: {place} for {there}"
+                    );
+                    compared += 1;
+                }
+                assert_eq!(texts(&events, "event").last(), Some(&"stop"), "{line}");
+                let samples = output(&scene, &words(&line));
+                assert_eq!(column(&samples, "time_s").last(), Some(&end));
+                let last = *column(&samples, "block.displacement_m").last().unwrap();
+                let (_, rest) = expected.last().unwrap();
+                assert!(
+                    (last - rest).abs() < 1e-11 * expected[0].1.abs(),
+                    "{line}: {last}"
+                );
+                assert_eq!(column(&samples, "block.velocity_m_s").last(), Some(&0.0));
+            }
+            assert!(!output(&scene, &words(&free)).contains("tau"));
+        }
+    }
+    println!("{compared} events");
+}
+
+/// A damped frame with a rigid or elastic contact, with two independent solvers.
+#[test]
+fn free_vibrations_of_a_frame() {
+    let head = "struct F { masses: { lower: 3.27, upper: 3.25 },
+        springs: { base - lower: 1190, lower - upper: 1323 }, damping: modal(0.01)";
+    for (one, many) in [
+        (
+            "contact: upper - wall, stiction: 1.2",
+            "pads: upper - wall { stiction: 1.2 }",
+        ),
+        (
+            "contact: lower - upper, stiffness: 4e3, provide: [orbit]",
+            "pads: lower - upper { stiffness: 4e3 }",
+        ),
+    ] {
+        let line = "time - --from 0.01,0.004;0.1,-0.2 --until 3 --friction 2 --samples 300 --csv";
+        let one = output(&format!("{head}, {one} }}"), &words(line));
+        let many = output(&format!("{head}, contacts: {{ {many} }} }}"), &words(line));
+        for name in ["lower.displacement_m", "upper.velocity_m_s"] {
+            for (one, many) in column(&one, name).into_iter().zip(column(&many, name)) {
+                // The displacements are about 0.01 m, and the velocities 0.2 m/s.
+                assert!((one - many).abs() < 1e-12, "{name}: {one} {many}");
+            }
+        }
+        let sticks = texts(&one, "contact.state")
+            .into_iter()
+            .map(|state| state == "stuck");
+        let others = texts(&many, "pads.sticks")
+            .into_iter()
+            .map(|text| text == "true");
+        assert!(sticks.eq(others));
+    }
+}
+
 /// Checks that a file has the content of standard output, and that no other file remains next to it.
 #[test]
 fn files_are_whole() {

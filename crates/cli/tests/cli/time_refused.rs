@@ -51,6 +51,14 @@ fn what_cannot_be_asked() {
             "--skip `10000001`: a whole number from 0 to 10000000 is needed",
         ),
         (
+            "--from 1,2;1,2 --until 0 --friction 1",
+            "--until `0`: a time in s above 0 is needed",
+        ),
+        (
+            "--from 1;1 --until 1 --friction 1",
+            "--from `1;1`: the number of displacements is 1, but the number of masses is 2",
+        ),
+        (
             "--r 0.5 --beta 1 --from 1,2",
             "--from `1,2`: write x1,...;v1,...: the displacements of all masses, a semicolon, their velocities",
         ),

@@ -144,6 +144,8 @@ pub enum Unsupported {
     ElasticContact,
     /// The method does not support a scene with several contacts or dashpots.
     SeveralContacts,
+    /// The method needs a load, but the scene has no excitation.
+    NoExcitation,
 }
 
 impl Given {
@@ -219,6 +221,9 @@ impl fmt::Display for Unsupported {
             }
             Self::SeveralContacts => {
                 "this answer needs a single contact without dashpots, but this scene has `contacts` or `dampers`; ask for its steady state (`joined`, then `orbit`), its stuck state (`stuck`) or its motion in time (`simulation`)"
+            }
+            Self::NoExcitation => {
+                "this answer needs a load, but the description has no `excitation`; add the name of a mass or `base`, as in `excitation: base`"
             }
             Self::ElasticContact => {
                 "this answer needs a rigid contact, but this scene has `stiffness`; ask for its steady state (`orbit`), its stuck state (`stuck`, `sliding_limit`) or its motion in time (`simulation`)"

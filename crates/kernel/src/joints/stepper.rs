@@ -65,7 +65,21 @@ impl<S: Float, Z: Size> Stepper<S, Z> {
     ///
     /// [`OutOfDomain::Step`] if the step is not positive and finite, or if its product with an upper bound on the
     /// fastest angular frequency exceeds [`MAX_STEP`].
-    pub fn new(mut model: Model<S, Z>, dt: S, holds: bool) -> Result<Self, OutOfDomain> {
+    pub fn new(model: Model<S, Z>, dt: S, holds: bool) -> Result<Self, OutOfDomain> {
+        Self::from_state(model, (dt, holds), &[], &[])
+    }
+
+    /// Starts a stepper as [`new`](Self::new) does, from the displacements `x` and the velocities `v` of the masses.
+    ///
+    /// # Errors
+    ///
+    /// The errors of [`new`](Self::new).
+    pub fn from_state(
+        mut model: Model<S, Z>,
+        (dt, holds): (S, bool),
+        x: &[S],
+        v: &[S],
+    ) -> Result<Self, OutOfDomain> {
         model.base = Curve::zero();
         for contact in model.contacts.as_mut() {
             contact.level = Wave::zero();
@@ -80,7 +94,7 @@ impl<S: Float, Z: Size> Stepper<S, Z> {
         }
         let forces = model.size.loads(S::constant(0.0));
         Ok(Self {
-            motion: Motion::new(model, &[], &[]).map_err(OutOfDomain::Motion)?,
+            motion: Motion::new(model, x, v).map_err(OutOfDomain::Motion)?,
             dt,
             holds,
             forces,
@@ -152,6 +166,27 @@ impl<S: Float, Z: Size> Stepper<S, Z> {
         followed.map_err(OutOfDomain::Motion)?;
         self.keep(motion, base, forces);
         Ok(count.events)
+    }
+
+    /// Changes the velocity of the base at the present instant. If `holds` is false, the next step starts at this
+    /// velocity. The displacement of the base and the motion of the masses do not jump.
+    ///
+    /// # Errors
+    ///
+    /// [`OutOfDomain`] if the velocity is not finite, or [`OutOfDomain::Motion`] if the solver cannot decide which
+    /// contacts stick. The stepper is then unchanged.
+    pub fn set_base_velocity(&mut self, velocity: S) -> Result<(), OutOfDomain> {
+        let [place, before] = self.base;
+        let base = [place, velocity];
+        check(base, &[], &[])?;
+        if velocity != before {
+            let mut motion = self.motion.clone();
+            motion.rewind();
+            let jolted = motion.jolt_base(Curve::straight(base));
+            jolted.map_err(OutOfDomain::Motion)?;
+            (self.motion, self.base) = (motion, base);
+        }
+        Ok(())
     }
 
     /// Stores the motion and the input at the end of a step.

@@ -144,6 +144,14 @@ impl<S: Float> Part<S> {
         };
     }
 
+    /// Multiplies the present displacement and velocity by `factor`, and the load by `load`.
+    pub(crate) fn scale(&mut self, factor: S, load: S) {
+        (self.y, self.u) = (self.y * factor, self.u * factor);
+        self.steady = complex::scale(self.steady, load);
+        self.direct = complex::scale(self.direct, load);
+        self.near = self.near && !load.is_zero();
+    }
+
     /// Returns the coefficients of the free motion after the time τ = πt, with t in half-turns.
     #[inline]
     pub(crate) fn turn(&self, t: S, tau: S) -> Turn<S> {

@@ -130,6 +130,18 @@ impl<'a, S: Float, K: ContactChain<S>> MotionSetting<'a, S, K> {
         }
     }
 
+    /// Multiplies the load by `load`, and the friction and the state of the oscillators by `factor`. All equations of
+    /// the motion are linear in these three.
+    pub(crate) fn scale(&mut self, parts: &mut [Part<S>], factor: S, load: S) {
+        self.beta = self.beta * factor;
+        self.base = self.base * load;
+        self.load = self.load * load;
+        self.quadrature = self.quadrature * load;
+        for part in parts {
+            part.scale(factor, load);
+        }
+    }
+
     /// Splits `parts` into two slices: the oscillators of the chain's modes, and the oscillators of the modes of the
     /// chain with its contact stuck.
     pub(crate) fn split<'p>(

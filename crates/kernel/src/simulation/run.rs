@@ -55,6 +55,9 @@ pub struct Simulation<'a, S, P, L = Constant, K = Chain<S>> {
     setting: MotionSetting<'a, S, K>,
     parts: P,
     level: L,
+    /// Unit of the numbers in `setting` and `parts`, a power of two. Only so large a motion that its square would overflow
+    /// has another unit than 1.
+    unit: S,
     /// State of the contact at the start of the current segment.
     contact_state: ContactState<S>,
     /// Phase of the excitation at the start of the current segment (`start`), and at the present instant (`now`).
@@ -73,6 +76,10 @@ pub type FixedSimulation<S, const PARTS: usize, K = Chain<S>> =
 /// A simulation in an emitted solver whose kinetic friction depends on the speed. Its data are in arrays.
 pub type FixedLinesSimulation<S, const PARTS: usize> =
     Simulation<'static, S, [Part<S>; PARTS], Lines<'static, S>>;
+
+/// Size from which on the simulation divides all displacements and forces by powers of this number, 2³². The searches
+/// for events multiply derivatives of the motion with each other.
+const LARGE: f64 = 4_294_967_296.0;
 
 /// Largest number of pieces of motion that one call follows if the kinetic friction depends on the speed. A piece ends
 /// at an event, or when the speed reaches the next straight line of the friction law. A piece also ends where the power
@@ -101,7 +108,8 @@ impl<'a, S: Float, P: AsMut<[Part<S>]> + AsRef<[Part<S>]>, K: ContactChain<S>>
     where
         S: Plain,
     {
-        Self::under(dynamics, (r, beta, Constant), state, parts)
+        let start = (S::constant(1.0), state);
+        Self::under(dynamics, (r, beta, Constant), start, parts)
     }
 }
 
@@ -128,35 +136,72 @@ impl<'a, S: Float, P: AsMut<[Part<S>]> + AsRef<[Part<S>]>, K: ContactChain<S>>
         S: Plain,
     {
         // The speeds of the law depend on r. The code checks r first, so that the error gives the true cause.
-        let mut run = Self::under(dynamics, (r, beta, lines), state, parts)?;
-        lines.check()?;
-        run.setting.check_lines(run.parts.as_ref(), &lines)?;
+        let run = Self::under(dynamics, (r, beta, lines), (S::constant(1.0), state), parts)?;
+        run.on_lines()
+    }
+
+    /// Creates a free vibration: a motion from a given state without a load. `r` sets the unit of time: τ = ωt, where ω
+    /// is the angular frequency at the frequency ratio r. β and the state have a common unit of force.
+    ///
+    /// # Errors
+    /// The errors of [`along`](Self::along).
+    pub fn free(
+        dynamics: Dynamics<'a, S, K>,
+        (r, beta): (S, S),
+        lines: Lines<'a, S>,
+        state: (&[S], &[S]),
+        parts: P,
+    ) -> Result<Self, OutOfDomain> {
+        let start = (S::constant(0.0), Some(state));
+        Self::under(dynamics, (r, beta, lines), start, parts)?.on_lines()
+    }
+
+    /// Selects the line of the friction law on which the motion starts.
+    fn on_lines(mut self) -> Result<Self, OutOfDomain> {
+        self.level.check()?;
+        self.setting.check_lines(self.parts.as_ref(), &self.level)?;
         let at = phase(S::constant(0.0));
-        let (velocity, _) = run.setting.relative_velocity(run.parts.as_ref(), at);
-        run.level.start(velocity.abs());
-        Ok(run)
+        let (velocity, _) = self.setting.relative_velocity(self.parts.as_ref(), at);
+        self.level.start(velocity.abs());
+        Ok(self)
     }
 }
 
 impl<'a, S: Float, P: AsMut<[Part<S>]> + AsRef<[Part<S>]>, L: KineticLaw<'a, S>, K: ContactChain<S>>
     Simulation<'a, S, P, L, K>
 {
+    /// Creates a simulation from a state, or from rest. `load` multiplies the load: it is 1, or 0 without a load.
     fn under(
         dynamics: Dynamics<'a, S, K>,
-        (r, beta, level): (S, S, L),
-        state: Option<(&[S], &[S])>,
+        (r, beta, mut level): (S, S, L),
+        (load, state): (S, Option<(&[S], &[S])>),
         mut parts: P,
     ) -> Result<Self, OutOfDomain> {
-        let setting = MotionSetting::new(dynamics, r, beta, parts.as_mut())?;
+        let (one, large) = (S::constant(1.0), S::constant(LARGE));
+        let mut setting = MotionSetting::new(dynamics, r, beta, parts.as_mut())?;
+        let mut size = beta;
         if let Some((displacements, velocities)) = state {
             setting.check_state((displacements, velocities))?;
             setting.load_state(displacements, velocities, parts.as_mut());
+            let numbers = displacements.iter().chain(velocities);
+            size = numbers.fold(size, |size, number| size.max(number.abs()));
+        }
+        let mut unit = one;
+        while large < size / unit {
+            unit = unit * large;
+        }
+        if one < unit || !(load - one).is_zero() {
+            setting.scale(parts.as_mut(), one / unit, load / unit);
+            if let Some(lines) = level.lines_mut() {
+                lines.scale(one / unit);
+            }
         }
         let contact_state = setting.contact_state(parts.as_ref(), S::constant(0.0));
         Ok(Self {
             setting,
             parts,
             level,
+            unit,
             contact_state,
             start: Clock::start(),
             now: Clock::start(),
@@ -189,8 +234,8 @@ impl<'a, S: Float, P: AsMut<[Part<S>]> + AsRef<[Part<S>]>, L: KineticLaw<'a, S>,
     pub fn mass(&self, index: usize) -> Moment<S> {
         let shape = self.setting.dynamics.shape(index);
         Moment {
-            displacement: self.sum(shape, |part| part.y),
-            velocity: self.sum(shape, |part| part.x * part.u),
+            displacement: self.unit * self.sum(shape, |part| part.y),
+            velocity: self.unit * self.sum(shape, |part| part.x * part.u),
         }
     }
 
@@ -203,16 +248,17 @@ impl<'a, S: Float, P: AsMut<[Part<S>]> + AsRef<[Part<S>]>, L: KineticLaw<'a, S>,
         } else {
             self.setting.relative_velocity(self.parts.as_ref(), at).0
         };
-        (self.setting.relative(self.parts.as_ref(), at), velocity)
+        let displacement = self.setting.relative(self.parts.as_ref(), at);
+        (self.unit * displacement, self.unit * velocity)
     }
 
     /// Returns the present contact force, divided by P. While the contact slides, the force is the kinetic friction.
     /// While the contact sticks, the force keeps the contact at rest. A positive force opposes positive sliding.
     #[must_use]
     pub fn friction(&self) -> S {
-        let at = phase(self.now.t);
-        self.setting
-            .contact_force(&self.level, self.parts.as_ref(), &self.contact_state, at)
+        let (at, parts) = (phase(self.now.t), self.parts.as_ref());
+        let setting = &self.setting;
+        self.unit * setting.contact_force(&self.level, parts, &self.contact_state, at)
     }
 
     fn sum(&self, shape: &[S], of: impl Fn(&Part<S>) -> S) -> S {

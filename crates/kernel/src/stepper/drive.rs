@@ -27,29 +27,14 @@ impl<S: Float> Sample<'_, S> {
         scene: &StepScene<'_, S, K>,
         stiction: S,
     ) -> Result<(), OutOfDomain> {
-        let (_, limit) = S::inverse_ratio_range();
-        let most = limit * scene.units.stiffness;
-        let energy = limit * limit * scene.units.stiffness;
-        let sound = |value: S| {
-            let size = value.abs();
-            // The work of an input in a step is a few times the square of the input divided by k₁. This work must stay
-            // finite, too. The comparison is strict, because infinity is not less than infinity.
-            size <= most && size * size < energy
-        };
+        let sound = |value: S| is_sound(scene, value);
         if self.forces.len() != scene.forces.len() {
             return Err(OutOfDomain::Forces);
         }
         if let Some(force) = self.forces.iter().find(|force| !sound(**force)) {
             return Err(OutOfDomain::Force(Given::of(*force)));
         }
-        let [place, velocity] = self.base;
-        let (stiffness, rate) = (scene.units.stiffness, scene.units.rate);
-        if scene.on_base && !sound(place * stiffness) {
-            return Err(OutOfDomain::BaseMotion(Given::of(place)));
-        }
-        if scene.on_base && !sound(velocity / rate * stiffness) {
-            return Err(OutOfDomain::BaseMotion(Given::of(velocity)));
-        }
+        check_base(scene, self.base)?;
         let friction = self.friction;
         let law = scene.dynamics.chain.law_with(friction, stiction);
         if !(S::constant(0.0) <= friction && sound(friction) && sound(law.grip())) {
@@ -57,6 +42,32 @@ impl<S: Float> Sample<'_, S> {
         }
         Ok(())
     }
+}
+
+/// Returns true if the square of a force, divided by k₁, stays far from the largest number.
+fn is_sound<S: Float, K: ContactChain<S>>(scene: &StepScene<'_, S, K>, force: S) -> bool {
+    let (_, limit) = S::inverse_ratio_range();
+    let most = limit * scene.units.stiffness;
+    let energy = limit * limit * scene.units.stiffness;
+    let size = force.abs();
+    // The work of an input in a step is a few times the square of the input divided by k₁. This work must stay finite,
+    // too. The comparison is strict, because infinity is not less than infinity.
+    size <= most && size * size < energy
+}
+
+/// Returns an error if the displacement or the velocity of a moving base is outside the permitted range.
+pub(super) fn check_base<S: Float, K: ContactChain<S>>(
+    scene: &StepScene<'_, S, K>,
+    [place, velocity]: [S; 2],
+) -> Result<(), OutOfDomain> {
+    let (stiffness, rate) = (scene.units.stiffness, scene.units.rate);
+    if scene.on_base && !is_sound(scene, place * stiffness) {
+        return Err(OutOfDomain::BaseMotion(Given::of(place)));
+    }
+    if scene.on_base && !is_sound(scene, velocity / rate * stiffness) {
+        return Err(OutOfDomain::BaseMotion(Given::of(velocity)));
+    }
+    Ok(())
 }
 
 /// A sub-interval of a step: its start and its length as fractions of the step.

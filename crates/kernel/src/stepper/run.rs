@@ -1,7 +1,7 @@
 //! Advances a stepper from sample to sample.
 
 use super::Input;
-use super::drive::{Sample, SubInterval, base_motion, derived};
+use super::drive::{Sample, SubInterval, base_motion, check_base, derived};
 use super::interval::StepInterval;
 use super::law::StepContact;
 use super::scene::StepScene;
@@ -264,9 +264,27 @@ impl<'a, S: Float, const D: usize, T: StepTables<S, D>, V: Store<S, D>, K: StepC
         }
     }
 
-    /// Applies the jump of the base at the start of a step with zero-order hold. The mass that rubs on the base does
-    /// not jump with the base. If the velocity of the base jumps, the next sub-interval determines the state of the
-    /// contact anew.
+    /// Changes the velocity of the base at the present instant. With linear input, the next step starts at this
+    /// velocity. The displacement of the base and the motion of the masses do not jump. A base that moves in straight
+    /// lines between samples needs this call before each step. With zero-order hold the call has no effect, because
+    /// each sample sets the velocity.
+    ///
+    /// # Errors
+    /// [`OutOfDomain::BaseMotion`] for NaN, infinity and a velocity whose square overflows, and
+    /// [`OutOfDomain::BaseAtRest`] if the scene's base does not move. The stepper then keeps its state.
+    pub fn set_base_velocity(&mut self, velocity: S) -> Result<(), OutOfDomain> {
+        if !self.scene.on_base {
+            return Err(OutOfDomain::BaseAtRest);
+        }
+        let [place, _] = self.status.base;
+        check_base(&self.scene, [place, velocity])?;
+        self.jump_base([place, velocity]);
+        self.status.base = [place, velocity];
+        Ok(())
+    }
+
+    /// Applies the jump of the base at the start of a step. The mass that rubs on the base does not jump with the base.
+    /// If the velocity of the base jumps, the next sub-interval determines the state of the contact anew.
     fn jump_base(&mut self, [place, velocity]: [S; 2]) {
         if !self.scene.rubs_on_base() || self.status.unknown {
             return;

@@ -66,6 +66,7 @@ pub const RESERVED: &[&str] = &[
     "restore",
     "restore_image",
     "save",
+    "set_base_velocity",
     "set_event_budget",
     "set_stiction",
     "step",

@@ -207,6 +207,24 @@ impl Syntax {
         self.fields.facade.given()
     }
 
+    /// Returns true if the description has the field `excitation`. Otherwise sets it to a mass of the first contact.
+    pub(crate) fn fill_excitation(&mut self) -> bool {
+        let fields = &mut self.fields;
+        if !fields.excitation.is_missing() {
+            return true;
+        }
+        let contacts = fields.contacts.given();
+        let joint = contacts.and_then(|contacts| contacts.list.entries.first());
+        let joint = joint.map(|joint| [&joint.from, &joint.to]);
+        let contact = fields.contact.given().map(|entry| [&entry.from, &entry.to]);
+        let mut sides = contact.or(joint).into_iter().flatten();
+        let mass = sides.find(|side| !["base", "wall"].contains(&side.text.as_str()));
+        if let Some(mass) = mass.cloned() {
+            fields.excitation = Slot::Given(mass);
+        }
+        false
+    }
+
     /// Returns the names of the masses that the parser could read, in the order of the text.
     pub fn mass_names(&self) -> impl Iterator<Item = &Name> {
         let masses = self.fields.masses.given();

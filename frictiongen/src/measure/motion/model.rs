@@ -115,7 +115,7 @@ impl<'p> MotionProblem<'p> {
     }
 
     /// Returns the number of measured values that the fit compares. The first sample has no information, because the
-    /// motion starts from rest.
+    /// motion starts at rest relative to the base.
     pub(super) fn data(&self) -> usize {
         self.motions.len() * self.inputs.len().saturating_sub(1)
     }
@@ -169,7 +169,8 @@ impl<'p> MotionProblem<'p> {
     pub(super) fn residuals(&self, parameters: &[f64]) -> Option<DVector<f64>> {
         let system = self.system_at(parameters)?;
         let (friction, _) = self.divided(parameters)?;
-        let mut stepper = system.stepper(self.inputs.dt()).ok()?;
+        let (x, v) = self.inputs.initial_state(&system);
+        let mut stepper = system.stepper_from(self.inputs.dt(), (&x, &v)).ok()?;
         let computed = self.follow(&mut stepper, |value| value, friction)?;
         self.add(|count| count.plain += 1);
         let measured = (1..self.inputs.len()).flat_map(|sample| {
@@ -255,7 +256,8 @@ impl<'p> MotionProblem<'p> {
         let mut column = DVector::<f64>::zeros(self.data());
         for varied in &varied {
             let steps = varied.rounded_steps()?;
-            let mut stepper = steps.stepper(self.inputs.dt())?;
+            let state = self.inputs.initial_state(&system);
+            let mut stepper = steps.stepper(self.inputs.dt(), state)?;
             let computed = self.follow(&mut stepper, Dual::fixed, friction)?;
             self.add(|count| count.exact += 1);
             if stepper.grazed() {

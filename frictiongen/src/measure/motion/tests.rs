@@ -57,8 +57,7 @@ fn recorded(system: &System, samples: usize, noise: f64, seed: u64) -> Recording
     let base: Vec<f64> = (0..samples).map(place).collect();
     let only_base = Recording::inputs(1.0 / DT, vec![channel("base", "m", base.clone())]).unwrap();
     let inputs = crate::measure::Inputs::of(&only_base, system, Some(FRICTION)).unwrap();
-    let mut stepper = system.stepper(DT).unwrap();
-    stepper.begin(inputs.at(0)).unwrap();
+    let mut stepper = inputs.stepper(system).unwrap();
     let (mut upper, mut lower, mut events) = (vec![0.0], vec![0.0], 0);
     for sample in 1..samples {
         events += stepper.advance(inputs.at(sample)).unwrap().events;
@@ -231,8 +230,7 @@ fn a_motion_that_grazes_an_event() {
         let only = vec![channel("base", "m", base.clone())];
         let only = Recording::inputs(1.0 / DT, only).unwrap();
         let inputs = crate::measure::Inputs::of(&only, &system, Some(friction)).unwrap();
-        let mut stepper = system.stepper(DT).unwrap();
-        stepper.begin(inputs.at(0)).unwrap();
+        let mut stepper = inputs.stepper(&system).unwrap();
         let mut values = vec![0.0];
         for sample in 1..inputs.len() {
             stepper.advance(inputs.at(sample)).unwrap();

@@ -19,7 +19,7 @@ pub struct SampleRow<'h> {
     pub history: &'h History,
     /// Index of the sample, counted from 0.
     pub index: usize,
-    /// Angular frequency ω of the excitation, in rad/s.
+    /// Angular frequency ω of the excitation, in rad/s. 1 for a free vibration, whose history is in s.
     pub omega: f64,
 }
 
@@ -57,7 +57,7 @@ pub struct HistoryTable<'a> {
 
 /// A row of a table that belongs to one instant.
 trait Timed: TableRow {
-    /// Returns the instant of the row as phase τ = ωt.
+    /// Returns the instant of the row as phase τ = ωt, or in s for a free vibration.
     fn tau(&self) -> f64;
 }
 
@@ -161,7 +161,10 @@ impl<'a> HistoryTable<'a> {
                 Some(seconds(row.tau(), row.omega()))
             });
         }
-        columns.number("tau", |row: &R| Some(row.tau()));
+        // The phase of a load has no meaning without a load.
+        if !self.setting.measure.is_free() {
+            columns.number("tau", |row: &R| Some(row.tau()));
+        }
     }
 
     /// Returns the columns of the table of samples.

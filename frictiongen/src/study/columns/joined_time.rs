@@ -66,7 +66,10 @@ impl<'a> JoinedTable<'a> {
                 Some(tau(row)? / row.omega)
             });
         }
-        columns.number("tau", tau);
+        // The phase of a load has no meaning without a load.
+        if !self.setting.measure.is_free() {
+            columns.number("tau", tau);
+        }
         for (index, name) in self.joined.contact_names().iter().enumerate() {
             columns.begin_part(name);
             let sign = self.sign(index);
@@ -125,7 +128,10 @@ impl<'a> JoinedTable<'a> {
                 Some(tau(row)? / row.omega)
             });
         }
-        columns.number("tau", tau);
+        // The phase of a load has no meaning without a load.
+        if !self.setting.measure.is_free() {
+            columns.number("tau", tau);
+        }
         columns.word("contact", "contact", |row: &JoinedEventRow<'h>| {
             Some(row.history.events.get(row.index)?.name.as_str())
         });
@@ -136,6 +142,15 @@ impl<'a> JoinedTable<'a> {
                 Event::Reversal => "reversal",
             })
         });
+        let masses = self.joined.scene().masses.iter().enumerate();
+        for (index, mass) in masses.filter(|(index, _)| self.masses.contains(index)) {
+            columns.begin_part(&mass.name);
+            let head = Head::of("displacement", PhysicalQuantity::Length);
+            columns.number(head, move |row| {
+                let event = row.history.events.get(row.index)?;
+                event.displacements.get(index).copied()
+            });
+        }
         columns.done()
     }
 }

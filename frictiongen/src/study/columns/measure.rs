@@ -115,6 +115,12 @@ impl Measure {
         self.load
     }
 
+    /// Returns true for results in SI units without a load: those of a free vibration.
+    #[must_use]
+    pub fn is_free(&self) -> bool {
+        self.scale.is_some() && self.load.is_none()
+    }
+
     /// Returns true if the excitation is base motion.
     #[must_use]
     pub fn is_base_motion(&self) -> bool {

@@ -1,9 +1,9 @@
 //! Motions over time: displacements, velocities and the friction force at evenly spaced instants, and every event
 //! (stop, break-away, reversal) of the contact.
 //!
-//! Samples are values of the closed form, and events are exact. A history is one of three motions: a run from rest, a
-//! run from a given state, or one period of a steady state. A plot of displacement against velocity is the phase
-//! portrait.
+//! Samples are values of the closed form, and events are exact. A history is one of four motions: a run from rest, a
+//! run from a given state, a free vibration, or one period of a steady state. A plot of displacement against velocity is
+//! the phase portrait.
 
 mod run;
 mod spectrum;
@@ -54,6 +54,32 @@ impl HistoryRequest {
             skip: 0,
             cycles: 10,
             samples: 200,
+        }
+    }
+}
+
+/// A request for a free vibration: the requested motions, the initial state and the samples.
+#[derive(Clone, Debug, PartialEq)]
+pub struct FreeRequest {
+    /// The motions that the history contains.
+    pub of: Vec<Of>,
+    /// The displacement in m and the velocity in m/s of every mass at the start.
+    pub from: (Vec<f64>, Vec<f64>),
+    /// The time from the start to the last sample, in s.
+    pub until: f64,
+    /// Number of intervals between two samples, an even number.
+    pub samples: u32,
+}
+
+impl FreeRequest {
+    /// Requests the free vibration from a state, in m and m/s, until a time in s, with 1000 intervals between samples.
+    #[must_use]
+    pub fn new(of: &[Of], from: (Vec<f64>, Vec<f64>), until: f64) -> Self {
+        Self {
+            of: of.to_vec(),
+            from,
+            until,
+            samples: 1000,
         }
     }
 }
@@ -120,8 +146,13 @@ impl From<OutOfDomain> for HistoryError {
 /// A motion over time, at evenly spaced instants.
 ///
 /// The first and the last sample are at maxima of the excitation. A whole number of cycles lies between them.
+///
+/// A free vibration has no excitation. Its history is one cycle, with times in s in place of τ, displacements in m,
+/// velocities in m/s and forces in N.
 #[derive(Clone, Debug, PartialEq)]
 pub struct History {
+    /// Length of a cycle: 2π, or the length of a free vibration in s.
+    pub cycle: f64,
     /// Number of cycles of the excitation before the first sample. It is 0 for a steady state.
     pub skipped: u64,
     /// Number of cycles of the excitation with samples. For a steady state it is the period.
@@ -170,6 +201,7 @@ impl History {
     fn new(skipped: u64, cycles: u32, samples: u32, of: &[Of]) -> Self {
         let room = cycles as usize * samples as usize + 1;
         Self {
+            cycle: TAU,
             skipped,
             cycles,
             samples,
@@ -204,7 +236,7 @@ impl History {
         self.contact.is_empty()
     }
 
-    /// Returns τ = ωt of a sample, from the start of the run.
+    /// Returns τ = ωt of a sample, or the time in s for a free vibration, from the start of the run.
     #[must_use]
     pub fn tau(&self, index: usize) -> f64 {
         let samples = u64::from(self.samples.max(1));
@@ -212,7 +244,7 @@ impl History {
         let cycles = self.skipped.saturating_add(index / samples);
         // The phase within the cycle is computed separately from the whole cycles. Rounding of this phase is then the
         // same in every cycle.
-        TAU * (cycles as f64) + phase(index % samples, samples)
+        self.cycle * (cycles as f64) + self.cycle * ((index % samples) as f64) / (samples as f64)
     }
 
     /// Returns the samples of the motion `of`. Returns `None` if the request does not include this motion.

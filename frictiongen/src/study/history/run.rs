@@ -1,10 +1,12 @@
-//! A run in time from rest or from a given state, with a sample at every requested instant.
+//! A run in time from rest or from a given state, with a sample at every requested instant. A free vibration is a run
+//! without a load.
 
 use super::{
-    History, HistoryError, HistoryEvent, HistoryRequest, MOST_EVENTS, MOST_SAMPLES, check,
+    FreeRequest, History, HistoryError, HistoryEvent, HistoryRequest, MOST_EVENTS, MOST_SAMPLES,
+    check,
 };
-use crate::Of;
 use crate::study::{System, simulation::SystemSimulation};
+use crate::{Given, Of, OutOfDomain};
 use frictiongen_kernel::simulation::Event;
 use std::f64::consts::TAU;
 
@@ -70,42 +72,161 @@ impl System {
         let mut follower = Follower {
             run,
             of: &request.of,
+            units: RunUnits::GROUPS,
         };
         for cycle in 0..request.skip {
-            follower.pass(cycle, 1.0, |_, _| Ok(()))?;
+            follower.pass((cycle, 1.0), |_, _| Ok(()))?;
         }
-        follower.sample(&mut history);
         let samples = u64::from(request.samples);
-        for index in 0..samples * u64::from(request.cycles) {
+        follower.fill(&mut history, |index| {
             let (cycle, end) = (index / samples, index % samples + 1);
-            let to = end as f64 / samples as f64;
-            let events = &mut history.events;
-            follower.pass(request.skip + cycle, to, |follower, event| {
-                if MOST_EVENTS <= events.len() {
-                    return Err(HistoryError::TooManyEvents);
-                }
-                events.push(follower.event(event));
-                Ok(())
-            })?;
-            follower.sample(&mut history);
-        }
+            (request.skip + cycle, end as f64 / samples as f64)
+        })?;
         Ok(history)
     }
+
+    /// Returns the sampled free vibration of the scene from a given state, with every event. No load acts, and a moving
+    /// base is at rest. Times are in s, displacements in m, velocities in m/s and forces in N.
+    ///
+    /// ```
+    /// use frictiongen::study::history::FreeRequest;
+    /// use frictiongen::{Of, System};
+    ///
+    /// # fn main() -> Result<(), Box<dyn std::error::Error>> {
+    /// let block: System = "struct Block {
+    ///     masses: { block: 1 },
+    ///     springs: { base - block: 1 },
+    ///     contact: block - wall,
+    /// }"
+    /// .parse()?;
+    /// let request = FreeRequest::new(&[Of::Mass(0)], (vec![12.0], vec![6.0]), 20.0);
+    /// let history = block.free_vibration(1.0, &request)?;
+    /// // Each half cycle changes the centre of the vibration from −F/k to F/k, until the block sticks.
+    /// let last = history.tracks[0].displacement.last().ok_or("no sample")?;
+    /// assert!((last - (15.0 - 205_f64.sqrt())).abs() < 1e-12);
+    /// # Ok(())
+    /// # }
+    /// ```
+    ///
+    /// # Errors
+    /// [`HistoryError`] for an invalid request, and for a friction or a state that is not finite.
+    pub fn free_vibration(
+        &self,
+        friction: f64,
+        request: &FreeRequest,
+    ) -> Result<History, HistoryError> {
+        check(self, &request.of, 1, request.samples)?;
+        if !(0.0 < request.until && request.until.is_finite()) {
+            return Err(OutOfDomain::Duration(Given::of(request.until)).into());
+        }
+        let (x, v) = &request.from;
+        let (run, units) = self.free(friction, (x, v))?;
+        let mut history = History {
+            cycle: request.until,
+            ..History::new(0, 1, request.samples, &request.of)
+        };
+        let mut follower = Follower {
+            run,
+            of: &request.of,
+            units,
+        };
+        let cycles = request.until * units.rate / TAU;
+        if MOST_SAMPLES as f64 <= cycles {
+            return Err(HistoryError::TooManyEvents);
+        }
+        follower.fill(&mut history, |index| {
+            let cycles = cycles * (index + 1) as f64 / f64::from(request.samples);
+            (cycles as u64, cycles.fract())
+        })?;
+        Ok(history)
+    }
+
+    /// Starts a free vibration, and returns it with its units.
+    fn free(
+        &self,
+        friction: f64,
+        (x, v): (&[f64], &[f64]),
+    ) -> Result<(SystemSimulation<'_>, RunUnits), OutOfDomain> {
+        let (stiffness, rate) = (self.scene().first_stiffness(), self.angular_frequency(1.0));
+        if !(0.0 <= friction && friction.is_finite()) {
+            return Err(OutOfDomain::Friction(Given::of(friction)));
+        }
+        // A power of two, so that the conversion of a state loses no digit.
+        let size = x.iter().map(|x| x.abs());
+        let size = size.chain(v.iter().map(|v| v.abs() / rate));
+        let size = size.fold(friction / stiffness, f64::max);
+        let length = if f64::MIN_POSITIVE <= size && size.is_finite() {
+            size.log2().floor().exp2()
+        } else {
+            1.0
+        };
+        let units = RunUnits {
+            length,
+            force: stiffness * length,
+            rate,
+        };
+        let divided = |values: &[f64], unit: f64| -> Vec<f64> {
+            values.iter().map(|value| value / unit).collect()
+        };
+        let (x, v) = (divided(x, length), divided(v, length * rate));
+        let run = self.simulation_without_load(friction / units.force, length * rate, (&x, &v))?;
+        Ok((run, units))
+    }
+}
+
+/// Units of a run, in which its history is: of displacements, of forces, and of 1/time.
+#[derive(Clone, Copy, Debug)]
+struct RunUnits {
+    length: f64,
+    force: f64,
+    /// Angular frequency, by which the run divides 1/time.
+    rate: f64,
+}
+
+impl RunUnits {
+    /// The history has the non-dimensional groups of the run.
+    const GROUPS: Self = Self {
+        length: 1.0,
+        force: 1.0,
+        rate: 1.0,
+    };
 }
 
 /// A run in time, with the list of motions that the history contains.
 struct Follower<'a, 'o> {
     run: SystemSimulation<'a>,
     of: &'o [Of],
+    units: RunUnits,
 }
 
 impl Follower<'_, '_> {
+    /// Takes all samples of a history, with the events between them. `instant` returns the instant at the end of the
+    /// interval between two samples, as [`pass`](Self::pass) expects it.
+    fn fill(
+        &mut self,
+        history: &mut History,
+        instant: impl Fn(u64) -> (u64, f64),
+    ) -> Result<(), HistoryError> {
+        self.sample(history);
+        for index in 0..u64::from(history.samples) * u64::from(history.cycles) {
+            let events = &mut history.events;
+            self.pass(instant(index), |follower, event| {
+                if MOST_EVENTS <= events.len() {
+                    return Err(HistoryError::TooManyEvents);
+                }
+                events.push(follower.event(event));
+                Ok(())
+            })?;
+            self.sample(history);
+        }
+        Ok(())
+    }
+
     /// Advances the run to an instant, event by event. The instant is the fraction `part` of the cycle with the number
     /// `cycle`. Fails if the run has too many events.
     fn pass(
         &mut self,
-        cycle: u64,
-        part: f64,
+        (cycle, part): (u64, f64),
         mut note: impl FnMut(&Self, Event) -> Result<(), HistoryError>,
     ) -> Result<(), HistoryError> {
         for _ in 0..MOST_EVENTS {
@@ -126,17 +247,23 @@ impl Follower<'_, '_> {
 
     /// Returns displacement and velocity of a motion. The caller must have checked that the scene has this motion.
     fn motion(&self, of: Of) -> (f64, f64) {
-        self.run.motion_of(of).unwrap_or_default()
+        let (value, slope) = self.run.motion_of(of).unwrap_or_default();
+        let unit = match of.is_force() {
+            true => self.units.force,
+            false => self.units.length,
+        };
+        (unit * value, unit * self.units.rate * slope)
     }
 
     fn sample(&self, history: &mut History) {
         let motions = self.of.iter().map(|of| self.motion(*of));
-        history.push(motions, (self.run.contact(), self.run.friction()));
+        let friction = self.units.force * self.run.friction();
+        history.push(motions, (self.run.contact(), friction));
     }
 
     fn event(&self, event: Event) -> HistoryEvent {
         HistoryEvent {
-            tau: TAU * (self.run.cycles() as f64) + self.run.phase(),
+            tau: (TAU * (self.run.cycles() as f64) + self.run.phase()) / self.units.rate,
             event,
             contact: self.run.contact(),
             displacements: self.of.iter().map(|of| self.motion(*of).0).collect(),

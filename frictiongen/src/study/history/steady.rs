@@ -122,6 +122,8 @@ fn continuous(history: &mut History, motion: &SystemMotion<'_>, of: &[Of]) {
 fn with_stops(history: &mut History, orbit: &SystemOrbit<'_>, of: &[Of]) {
     let origin = orbit.origin();
     let system = orbit.system;
+    // A rigid contact is at rest while it sticks. An elastic contact then moves with its spring.
+    let rigid = system.scene().stiffness.is_none();
     let prepared: Vec<_> = of.iter().filter_map(|of| orbit.prepared(*of)).collect();
     let motions: Vec<_> = prepared.iter().map(|motion| motion.motion(orbit)).collect();
     for tau in instants(history) {
@@ -129,7 +131,7 @@ fn with_stops(history: &mut History, orbit: &SystemOrbit<'_>, of: &[Of]) {
         let contact = orbit.friction(since);
         let moments = motions.iter().zip(of).map(|(motion, of)| {
             let velocity = match (system.simplest(*of), contact.0) {
-                (Of::Contact, Contact::Stuck) => 0.0,
+                (Of::Contact, Contact::Stuck) if rigid => 0.0,
                 _ => motion.velocity(since),
             };
             (motion.displacement(since), velocity)

@@ -53,6 +53,7 @@ impl<'a> Joined<'a> {
     /// [`OutOfDomain`] unless r is above 0 and finite. [`JoinedError::NoAmplitude`] if the scene has
     /// `friction: stribeck` and [`with_length`](Self::with_length) has not set the unit of displacement.
     pub fn at_any(&self, r: f64) -> Result<JoinedAt<'a>, JoinedError> {
+        self.check_load()?;
         if !(r > 0.0 && r.is_finite()) {
             return Err(OutOfDomain::FrequencyRatioInTime(Given::of(r)).into());
         }
@@ -85,6 +86,7 @@ impl<'a> Joined<'a> {
     /// [`JoinedError::Frequency`] unless ω is above 0 and finite. [`JoinedError::Amplitude`] unless the amplitude is
     /// above 0 and finite.
     pub fn under(&self, omega: f64, amplitude: f64) -> Result<JoinedAt<'a>, JoinedError> {
+        self.check_load()?;
         if !(omega > 0.0 && omega.is_finite()) {
             return Err(JoinedError::Frequency(Given::of(omega)));
         }
@@ -97,6 +99,26 @@ impl<'a> Joined<'a> {
             speed: 1.0,
         };
         Ok(self.loaded(omega, amplitude, units))
+    }
+
+    /// Starts a free vibration: a motion from a given state without a load, with a moving base at rest. `friction` is the
+    /// common friction F in N. `state` has the displacement in m and the velocity in m/s of each mass. All results are in
+    /// the units of the scene description, and τ is the time in s.
+    ///
+    /// # Errors
+    /// Same errors as [`JoinedAt::simulation_from`].
+    pub fn simulation_without_load(
+        &self,
+        friction: f64,
+        state: GivenState<'_>,
+    ) -> Result<JoinedSimulation<'a>, JoinedError> {
+        let units = AnswerUnits {
+            force: 1.0,
+            length: 1.0,
+            speed: 1.0,
+        };
+        let at = JoinedAt::new(self.clone(), self.chain().clone(), 1.0, units);
+        at.simulation_from(friction, state)
     }
 
     fn loaded(&self, omega: f64, amplitude: f64, units: AnswerUnits) -> JoinedAt<'a> {

@@ -12,7 +12,7 @@ const BESIDE: f64 = 1e-9;
 /// Samples of a motion in time of a scene with several contacts, and the events between the samples.
 #[derive(Clone, Debug, Default)]
 pub struct JoinedHistory {
-    /// Phase τ = ωt of each sample, counted from the first sample.
+    /// Phase τ = ωt of each sample, counted from the first sample, or the time in s for a free vibration.
     pub taus: Vec<f64>,
     /// Displacements and velocities of all masses at each sample.
     pub states: Vec<(Vec<f64>, Vec<f64>)>,
@@ -35,7 +35,7 @@ impl JoinedSimulation<'_> {
         cycles: u32,
         samples: u32,
     ) -> Result<JoinedHistory, JoinedError> {
-        self.sampled((skip, cycles, samples), false)
+        self.sampled((skip, cycles, samples), TAU, false)
     }
 
     /// Samples the motion as [`history`](Self::history) does, with two more samples at each event. One sample is just
@@ -50,22 +50,37 @@ impl JoinedSimulation<'_> {
         cycles: u32,
         samples: u32,
     ) -> Result<JoinedHistory, JoinedError> {
-        self.sampled((skip, cycles, samples), true)
+        self.sampled((skip, cycles, samples), TAU, true)
+    }
+
+    /// Samples a free vibration until a time in s, with `samples` equal intervals. If `at_events` is true, the result has
+    /// two more samples at each event, as [`path`](Self::path) has.
+    ///
+    /// # Errors
+    /// Same errors as [`advance`](Self::advance).
+    pub fn until(
+        &mut self,
+        seconds: f64,
+        samples: u32,
+        at_events: bool,
+    ) -> Result<JoinedHistory, JoinedError> {
+        self.sampled((0, 1, samples), seconds, at_events)
     }
 
     fn sampled(
         &mut self,
         (skip, cycles, samples): (u32, u32, u32),
+        cycle: f64,
         at_events: bool,
     ) -> Result<JoinedHistory, JoinedError> {
         for _ in 0..skip {
-            self.advance(TAU)?;
+            self.advance(cycle)?;
         }
         let start = self.tau();
         let mut history = JoinedHistory::default();
         let count = u64::from(cycles) * u64::from(samples);
         for sample in 0..=count {
-            let tau = TAU * sample as f64 / f64::from(samples);
+            let tau = cycle * sample as f64 / f64::from(samples);
             let before = at_events.then(|| self.clone());
             let events = self.advance_from(start, tau)?;
             if let Some(mut before) = before {

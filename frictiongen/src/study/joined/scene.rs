@@ -4,6 +4,7 @@ use super::error::{JoinedError, UnknownContact};
 use crate::study::error::UnknownMass;
 use crate::study::joints::{Chain, Joint, MAX_MASSES, Wave};
 use crate::study::system::System;
+use crate::{OutOfDomain, Unsupported};
 use frictiongen_kernel::Float;
 use frictiongen_model::joined::damping_matrix;
 use frictiongen_model::modal::Modal;
@@ -13,6 +14,8 @@ use frictiongen_model::scene::Scene;
 #[derive(Clone, Debug)]
 pub struct Joined<'a> {
     scene: &'a Scene,
+    /// False if the description has no field `excitation`.
+    is_loaded: bool,
     /// The chain without loads, for a common friction of 1. The friction force of each contact is then its share of
     /// the common friction.
     chain: Chain,
@@ -35,7 +38,10 @@ impl<S: Float> System<S> {
         if count > MAX_MASSES {
             return Err(JoinedError::TooManyMasses(count));
         }
-        Ok(Joined::new(self.scene(), self.modal()))
+        Ok(Joined {
+            is_loaded: self.loaded().is_ok(),
+            ..Joined::new(self.scene(), self.modal())
+        })
     }
 }
 
@@ -66,9 +72,18 @@ impl<'a> Joined<'a> {
         chain.damping = damping_matrix(scene, modal);
         Self {
             scene,
+            is_loaded: true,
             chain,
             reference: modal.reference.to_f64(),
             length: None,
+        }
+    }
+
+    /// Fails if the description has no field `excitation`.
+    pub(super) fn check_load(&self) -> Result<(), OutOfDomain> {
+        match self.is_loaded {
+            true => Ok(()),
+            false => Err(Unsupported::NoExcitation.into()),
         }
     }
 

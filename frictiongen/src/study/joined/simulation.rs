@@ -13,7 +13,7 @@ use frictiongen_kernel::joints::STUCK;
 /// An event of one contact.
 #[derive(Clone, Debug, PartialEq)]
 pub struct JoinedEvent {
-    /// Phase τ = ωt of the load at the event.
+    /// Phase τ = ωt of the load at the event, or the time in s for a free vibration.
     pub tau: f64,
     /// Index of the contact in the scene description.
     pub contact: usize,
@@ -21,6 +21,8 @@ pub struct JoinedEvent {
     pub name: String,
     /// Kind of the event: a stop, a break-away or a reversal.
     pub event: Event,
+    /// Displacement of each mass at the event, in the unit of length of the results.
+    pub displacements: Vec<f64>,
 }
 
 /// State of one contact at one instant of a motion. The numbers are in the units of the results of this motion.
@@ -164,10 +166,10 @@ impl<'a> JoinedSimulation<'a> {
         Ok(self.events(&events))
     }
 
-    fn events(&self, transitions: &[Transition]) -> Vec<JoinedEvent> {
+    fn events(&self, transitions: &[(Transition, Vec<f64>)]) -> Vec<JoinedEvent> {
         let names = self.joined.contact_names();
         let mut events = Vec::new();
-        for transition in transitions {
+        for (transition, places) in transitions {
             let phases = transition.before.iter().zip(&transition.after);
             for ((contact, (before, after)), name) in phases.enumerate().zip(&names) {
                 let event = match (*before, *after) {
@@ -181,6 +183,7 @@ impl<'a> JoinedSimulation<'a> {
                     contact,
                     name: name.clone(),
                     event,
+                    displacements: places.iter().map(|x| x / self.units.length).collect(),
                 });
             }
         }

@@ -9,7 +9,9 @@ use frictiongen_kernel::joints::{FREE, Observe, STUCK};
 #[derive(Clone, Debug)]
 pub(super) struct Slides {
     contacts: Vec<Slide>,
-    events: Vec<Transition>,
+    /// Displacement of each mass at the end of the last stretch (time interval of a power series).
+    places: Vec<f64>,
+    events: Vec<(Transition, Vec<f64>)>,
 }
 
 /// Travelled distance and dissipated energy of one contact since the start of a motion.
@@ -48,6 +50,7 @@ impl Slides {
         });
         Self {
             contacts: contacts.collect(),
+            places: vec![0.0; model.masses.len()],
             events: Vec::new(),
         }
     }
@@ -71,14 +74,18 @@ impl Slides {
         slide.level = level;
     }
 
-    /// Returns the events since the last call.
-    pub fn take_events(&mut self) -> Vec<Transition> {
+    /// Returns the events since the last call, each with the displacements of the masses at its instant.
+    pub fn take_events(&mut self) -> Vec<(Transition, Vec<f64>)> {
         std::mem::take(&mut self.events)
     }
 }
 
 impl Observe<f64, Heap> for Slides {
     fn stretch(&mut self, series: &Series, end: f64, state: &State) {
+        let wall = self.places.len();
+        for (mass, place) in self.places.iter_mut().enumerate() {
+            *place = series.place((mass, wall), end);
+        }
         for (index, slide) in self.contacts.iter_mut().enumerate() {
             if ![STUCK, FREE].contains(&state.phase(index)) {
                 // A contact does not reverse during a stretch (time interval of a power series). The distance is
@@ -101,10 +108,11 @@ impl Observe<f64, Heap> for Slides {
                 slide.energy += slide.drop * slide.level * slide.level;
             }
         }
-        self.events.push(Transition {
+        let transition = Transition {
             time,
             before: before.clone(),
             after: after.clone(),
-        });
+        };
+        self.events.push((transition, self.places.clone()));
     }
 }

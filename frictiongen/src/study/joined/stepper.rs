@@ -15,6 +15,9 @@ pub struct JoinedInput<'i> {
     /// Displacement and velocity of the base at the end of the step, or at its start with `input: hold`. Both are 0
     /// for a base that does not move.
     pub base: [f64; 2],
+    /// Velocity of the base at the start of the step, if it jumps there. `None` means that the step starts at the
+    /// velocity of the last input. `begin` and `input: hold` ignore this velocity.
+    pub start_velocity: Option<f64>,
     /// Forces on masses at the end of the step, or during the whole step with `input: hold`. Each force has the name
     /// of its mass. Forces on the same mass add up. A mass without an entry has no force.
     pub forces: &'i [(&'i str, f64)],
@@ -52,11 +55,24 @@ impl<'a> Joined<'a> {
     /// # Errors
     /// [`OutOfDomain`](crate::OutOfDomain) for a step that is 0, negative, infinite, NaN, or too long.
     pub fn stepper(&self, dt: f64) -> Result<JoinedStepper<'a>, JoinedError> {
+        self.stepper_from(dt, (&[], &[]))
+    }
+
+    /// Returns a stepper that starts from a given state: the displacements and velocities of all masses.
+    ///
+    /// # Errors
+    /// Same errors as [`stepper`](Self::stepper).
+    #[doc(hidden)]
+    pub fn stepper_from(
+        &self,
+        dt: f64,
+        (x, v): (&[f64], &[f64]),
+    ) -> Result<JoinedStepper<'a>, JoinedError> {
         let mut chain: Chain = self.chain().clone();
         let masses = chain.masses.len();
         chain.loads = (0..masses).map(|mass| (mass, Wave::default())).collect();
         let holds = self.scene().stepping.input == StepInput::Hold;
-        let stepper = Stepper::new(chain.model()?, dt, holds)?;
+        let stepper = Stepper::from_state(chain.model()?, (dt, holds), x, v)?;
         Ok(JoinedStepper {
             slides: Slides::new(stepper.motion().model()),
             stepper,
@@ -75,9 +91,12 @@ impl JoinedStepper<'_> {
     /// scene that a force drives. [`OutOfDomain`](crate::OutOfDomain) also for a friction force that is negative or
     /// not finite, and for a step in which the motion exceeds a bound of the solver. [`JoinedError::UnknownMass`] and
     /// [`JoinedError::UnknownContact`] for a name that the scene does not have. After an error the stepper is
-    /// unchanged.
+    /// unchanged, except for a velocity of the base that the input sets.
     pub fn advance(&mut self, input: JoinedInput<'_>) -> Result<usize, JoinedError> {
         let Ordered { forces, frictions } = self.ordered(&input)?;
+        if let Some(velocity) = input.start_velocity {
+            self.stepper.set_base_velocity(velocity)?;
+        }
         let mut slides = self.relaxed(&frictions);
         let inputs = (forces.as_slice(), frictions.as_slice());
         let events = self.stepper.advance_with(input.base, inputs, &mut slides)?;
@@ -106,7 +125,7 @@ impl JoinedStepper<'_> {
     /// Returns the forces on masses and the friction forces of an input in the order of the scene description.
     fn ordered(&self, input: &JoinedInput<'_>) -> Result<Ordered, JoinedError> {
         let on_base = self.joined.scene().excitation == Excitation::Base;
-        if !on_base && input.base != [0.0; 2] {
+        if !on_base && (input.base != [0.0; 2] || input.start_velocity.is_some()) {
             return Err(OutOfDomain::BaseAtRest.into());
         }
         let mut forces = vec![0.0; self.joined.scene().masses.len()];

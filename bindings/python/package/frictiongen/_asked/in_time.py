@@ -35,15 +35,21 @@ class InTime(Base):
         samples: int | None = None,
         start: tuple[ArrayLike, ArrayLike] | None = None,
         steady: bool = False,
+        until: float | None = None,
     ) -> History:
         """Computes the exact motion and all events over time, from rest, from a state, or in the steady state.
 
+        With `until`, no load acts: the motion is the free vibration from `start`, and `friction` is in N.  The scene then
+        may have several contacts, and needs no `excitation`.
+
         :param cycles: number of cycles of the excitation, 10 by default.
         :param skip: number of cycles before the first sample, 0 by default.
-        :param samples: number of samples in a cycle, an even number, 200 by default.
-        :param start: initial displacements and velocities of all masses, in m and m/s with a load.  The default is
-            rest.
+        :param samples: number of samples in a cycle, an even number, 200 by default.  With `until`, the number of
+            samples in all, 1000 by default.
+        :param start: initial displacements and velocities of all masses, in m and m/s with a load and with `until`.  The
+            default is rest.
         :param steady: whether to return one period of the steady state instead of a run.
+        :param until: end of the free vibration in s.
 
         >>> import frictiongen
         >>> frame = frictiongen.System(frictiongen.FRAME)
@@ -52,6 +58,9 @@ class InTime(Base):
         ['stop', 'break-away', 'stop', 'break-away']
         >>> len(history.time_s)
         201
+        >>> free = frame.simulate(start=([0.004, 0.006], [0, 0]), friction=0.8, until=10)
+        >>> free.events.event[-1]
+        'stop'
         """
         return History(
             *_native.simulate(
@@ -60,7 +69,7 @@ class InTime(Base):
                 (beta, friction),
                 (force, base),
                 names(of),
-                (cycles, skip, samples, None if start is None else _halves(start), bool(steady)),
+                (cycles, skip, samples, None if start is None else _halves(start), bool(steady), until),
             )
         )
 
@@ -133,9 +142,14 @@ class InTime(Base):
         The channel of the excitation is `base` (displacement, velocity or acceleration) or `force`.  A channel with the
         name of a mass is a force on this mass.  The channel `friction` is the friction force, if it changes.
 
+        Between samples the base moves in straight lines through displacements, in parabolas under velocities, or in cubics
+        under accelerations, so that nothing moves before its cause.  The motion starts at the first sample, with all masses
+        at rest relative to the base.
+
         :param recording: recording of the inputs.  `Recording(..., drives=True)` also takes a single or a constant
             channel.
         :param friction: kinetic friction force, N.  The default is the channel `friction`.
+        :param start: as for `step`.  The default is rest relative to the base.
         :param budget: event budget, as for `step`.
 
         >>> import frictiongen, numpy

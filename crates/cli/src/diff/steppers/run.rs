@@ -186,6 +186,7 @@ impl<'a> StepperRun<'a> {
                     },
                     forces: force.as_slice(),
                     frictions: &self.frictions,
+                    ..JoinedInput::default()
                 };
                 if begins {
                     let begun = stepper.begin(input);

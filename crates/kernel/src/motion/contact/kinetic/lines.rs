@@ -81,6 +81,11 @@ impl<'a, S: Float> Lines<'a, S> {
         }
     }
 
+    /// Changes the unit of velocity, if all displacements are multiplied by `factor`.
+    pub(crate) fn scale(&mut self, factor: S) {
+        self.unit = self.unit / factor;
+    }
+
     /// Creates a law without lines. Such a law has one constant kinetic friction force.
     #[must_use]
     pub fn none() -> Self {
