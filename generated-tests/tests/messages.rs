@@ -11,7 +11,7 @@ mod rust;
 #[path = "messages/harness/sources.rs"]
 mod sources;
 
-use case::{Case, Door, cases};
+use case::{Door, cases};
 use frictiongen::System;
 use frictiongen_codegen::{SizeLimits, expand, parse_text};
 use frictiongen_model::scene::{
