@@ -1,6 +1,6 @@
 //! Defines the exceptions that the package raises.
 
-use frictiongen::measure::MeasureError as Untold;
+use frictiongen::measure::{MeasureError as Untold, unit_of};
 use frictiongen::study::Diagnostics;
 use pyo3::exceptions::{PyException, PyRuntimeError, PyTypeError, PyValueError};
 use pyo3::prelude::*;
@@ -36,10 +36,13 @@ pub fn measurement(py: Python<'_>, source: Option<&str>, error: &Untold) -> PyEr
     let text = match error {
         // The library's messages for these errors name options of the command. The Python package therefore has its own
         // messages.
-        Untold::NoUnit(channel) => format!(
-            "the channel `{channel}` has no unit: give one, as in {{{channel:?}: (samples, \"mm\")}}, or of a column of a \
-             file {{{channel:?}: (\"COLUMN\", \"mm\")}}"
-        ),
+        Untold::NoUnit(channel) => {
+            let unit = unit_of(channel);
+            format!(
+                "the channel `{channel}` has no unit: give one, as in {{{channel:?}: (samples, \"{unit}\")}}, or of a \
+                 column of a file {{{channel:?}: (\"COLUMN\", \"{unit}\")}}"
+            )
+        }
         Untold::NoRate => {
             "the sampling rate is unknown: give rate, in Hz, or the times of the samples".to_owned()
         }

@@ -6,7 +6,7 @@ use crate::follow::{Course, RunStart, event_budget, follow};
 use crate::system::NativeSystem;
 use frictiongen::study::SystemInput;
 use frictiongen::study::scene::Excitation;
-use frictiongen::{Of, System};
+use frictiongen::{Given, Of, OutOfDomain, System};
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
 
@@ -144,6 +144,11 @@ pub fn step<'py>(
     let (start, stiction, budget) = beginning;
     let of_system = &system.get().system;
     let dt = one("dt", &dt)?;
+    if !(0.0 < dt && dt.is_finite()) {
+        // Without this check, the message about a missing load would come first.
+        let error = OutOfDomain::Step(Given::of(dt));
+        return Err(domain(format_args!("dt = {dt:?}: {error}")));
+    }
     let recording = LoadRecord::of(of_system, &acting, &friction, on.as_ref())?;
     let course = Course {
         dt,

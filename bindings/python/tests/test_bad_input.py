@@ -29,6 +29,11 @@ def test_what_is_no_description(text):
     assert raised.value.errors and all(mistake.line >= 1 for mistake in raised.value.errors)
 
 
+def test_the_name_of_a_file():
+    with pytest.raises(SceneError, match=re.escape("System.from_file('frame.friction')")):
+        System("frame.friction")
+
+
 @pytest.mark.parametrize("text", [None, 3, b"struct", ["struct"]])
 def test_what_is_no_text(text):
     with pytest.raises(TypeError, match="a description is a text, not"):

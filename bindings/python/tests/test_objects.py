@@ -58,7 +58,7 @@ def test_replaced_numbers_are_those_of_a_new_description(frame):
 
 
 def test_factors_of_damping_and_stiffness_are_replaced():
-    text = "struct B {{ masses: {{ a: 2 }}, springs: {{ base - a: 50 }}, contact: a - wall, stiffness: {}, excitation: a, damping: rayleigh({}, {}), provide: [orbit] }}"
+    text = "struct B {{ masses: {{ a: 2 }}, springs: {{ base - a: 50 }}, contact: a - wall, stiffness: {}, excitation: a, damping: rayleigh({}, {}) }}"
     assert System(text.format(5e4, 0.4, 1e-5)).replace(stiffness=7e4, a=0.3, b=2e-5) == System(text.format(7e4, 0.3, 2e-5))
 
 
@@ -87,7 +87,7 @@ def test_a_system_of_dicts():
         ({}, ""),
         ({"damping": 0.01}, ", damping: modal(0.01)"),
         ({"damping": [0.01], "stiction": 1.2}, ", damping: modal[0.01], stiction: 1.2"),
-        ({"damping": {"a": 0.4, "b": 1e-5}, "stiffness": 1e5}, ", damping: rayleigh(0.4, 1e-5), stiffness: 1e5, provide: [orbit, simulation]"),
+        ({"damping": {"a": 0.4, "b": 1e-5}, "stiffness": 1e5}, ", damping: rayleigh(0.4, 1e-5), stiffness: 1e5"),
     ]:
         assert System.of(**parts, **more) == System(f"{text}{added} }}")
     based = System.of(**(parts | {"excitation": "base"}), damping=0.1, damping_from="base")

@@ -55,6 +55,7 @@ def test_what_cannot_be_stepped(block, frame):
         (block, {"force": [1.0, math.nan]}, "force[1] is NaN: it must be finite"),
         (block, {"force": [1.0], "friction": -1.0}, "friction is -1.0"),
         (block, {"force": [1.0], "friction": [1.0, 2.0]}, "friction: 1 numbers are needed"),
+        (frame, {"base": [1.0, 2.0], "dt": -0.01}, "dt = -0.01: the step dt is negative; it must be greater than zero"),
         (block, {"force": [1.0], "dt": 0.0}, "dt = 0.0"),
         (block, {"force": [1.0], "dt": math.nan}, "dt = NaN"),
         (block, {"force": [1.0], "dt": 1e9}, "dt = 1000000000.0"),
@@ -98,7 +99,7 @@ def halves(asked, at):
 def test_a_run_in_two_parts_is_the_run(law, at):
     """Checks that a run in two parts equals the whole run to the last bit, with changing friction and a force on
     another mass, for each kind of input."""
-    text = frictiongen.FRAME.replace("excitation: base", "excitation: lower").replace("stiction: 1.2", f"stiction: 1.2, provide: [stepper], input: {law}")
+    text = frictiongen.FRAME.replace("excitation: base", "excitation: lower").replace("stiction: 1.2", f"stiction: 1.2, input: {law}")
     frame = System(text)
     t = 1e-3 * np.arange(2000)
     asked = {"force": 3 * np.sin(12 * t), "friction": 0.3 + 0.2 * np.cos(7 * t)}

@@ -31,14 +31,7 @@ pub fn of(arguments: &LoadArguments, system: &System) -> Result<Measure, Failure
         measure = under(load, "--unbalance", text)?;
     }
     if let Some(text) = &arguments.base {
-        let load = match base_load(text) {
-            Ok(load @ (Load::BaseVelocity(_) | Load::BaseAcceleration(_))) => load,
-            Err(problem) if problem.starts_with("the unit") && !text.contains(',') => {
-                return Err(wrong("--base", text, &problem));
-            }
-            // The option --base accepts a displacement only as a number in m, without a unit.
-            _ => Load::Base(number("--base", text)?),
-        };
+        let load = base_load(text).map_err(|problem| wrong("--base", text, &problem))?;
         measure = under(load, "--base", text)?;
     }
     Ok(measure)

@@ -320,6 +320,18 @@ impl Scene {
         items.any(|item| core::mem::discriminant(item) == kind)
     }
 
+    /// Returns the groups of methods of a scene without the field `provide`: limits and motion if the scene has closed
+    /// forms, otherwise steady states.
+    #[must_use]
+    pub fn default_provide(&self) -> Vec<Provide> {
+        let rigid = self.stiffness.is_none() && self.joints.is_empty();
+        if rigid && self.friction == FrictionLaw::Coulomb {
+            vec![Provide::Limits, Provide::Motion(None)]
+        } else {
+            vec![Provide::Orbit]
+        }
+    }
+
     /// Returns true if the emitted code has a method that depends on the frequency of excitation. The stepper does not
     /// depend on this frequency. If the kinetic friction depends on the speed, the simulation does not depend on this
     /// frequency either.

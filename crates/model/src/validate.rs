@@ -20,7 +20,7 @@ mod stepping;
 pub use checks::{Checks, LARGEST, MOST_MASSES, SMALLEST};
 pub use error::SceneError;
 pub use joints::{MOST_CONTACTS, MOST_JOINED};
-pub use names::{RESERVED, is_keyword, is_name, is_reserved, may_name};
+pub use names::{is_keyword, is_name, may_name};
 pub use path::Path;
 
 use crate::scene::{Excitation, Node, Scene};
@@ -61,7 +61,7 @@ pub fn validate_known(scene: &Scene, checks: &Checks) -> Result<(), Vec<SceneErr
     if joined {
         elastic::check_value(scene, &mut errors);
     } else {
-        elastic::check(scene, &mut errors);
+        elastic::check(scene, checks, &mut errors);
     }
     scale::check(scene, checks, &mut errors);
     let complete = checks.masses && checks.springs && checks.contact && checks.excitation;

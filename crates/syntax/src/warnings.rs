@@ -29,7 +29,7 @@ use crate::parse_text;
 pub fn warnings(text: &str) -> Option<Diagnostics> {
     let mut problems = Problems::default();
     let syntax = parse_text(text, &mut problems)?;
-    let located = syntax.lower(MOST_MASSES, &mut problems)?;
+    let located = syntax.lower(MOST_MASSES, false, &mut problems)?;
     if !problems.is_empty() {
         return None;
     }

@@ -148,7 +148,7 @@ fn emitted(scene: &Scene, fields: &mut Vec<(&'static str, String)>) {
     if scene.precision == Precision::F32 {
         fields.push(("scalar", "f32".to_owned()));
     }
-    if scene.provide != [Provide::Limits, Provide::Motion(None)] {
+    if scene.provide != scene.default_provide() {
         let groups = scene.provide.iter().map(|group| match group {
             Provide::Limits => "limits".to_owned(),
             Provide::Motion(None) => "motion".to_owned(),

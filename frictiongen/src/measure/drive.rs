@@ -1,5 +1,6 @@
 //! Converts a recording to the inputs of a scene's stepper, one input for each sample.
 
+use super::recording::MOTION;
 use super::{Channel, Dimension, MeasureError, Recording};
 use crate::System;
 use crate::study::scene::{Excitation, StepInput};
@@ -9,6 +10,10 @@ use crate::study::{StudyError, SystemInput};
 /// Largest difference between the velocities of the base in two steps that counts as rounding of the recorded
 /// displacements, as a multiple of the rounding unit.
 const ROUNDINGS: f64 = 4.0;
+
+/// Necessary quantity of a channel with the name of a mass, for a message.
+const ON_MASS: &str =
+    "the force on the mass, in a unit such as N; leave the recorded motion of a mass out";
 
 /// The inputs of a stepper at every sample of a recording: base motion or forces, and the friction force.
 ///
@@ -120,14 +125,15 @@ impl<'r> Inputs<'r> {
             friction: DriveFriction::Constant(friction.unwrap_or(0.0)),
         };
         let mut recorded = None;
+        let needed = Dimension::Force.needed();
         for channel in channels.iter().copied() {
             let name = channel.name.as_str();
             let is_mass = scene.masses.iter().any(|mass| mass.name == name);
             match name {
-                "friction" if !is_mass => recorded = Some(force(channel)?),
+                "friction" if !is_mass => recorded = Some(force(channel, needed)?),
                 "base" if moving => inputs.base = Some(base(channel, dt)?),
-                "force" if !moving && !is_mass => inputs.force = Some(force(channel)?),
-                _ if is_mass => inputs.others.push((name, force(channel)?)),
+                "force" if !moving && !is_mass => inputs.force = Some(force(channel, needed)?),
+                _ if is_mass => inputs.others.push((name, force(channel, ON_MASS)?)),
                 _ => {
                     let drive = if moving { "base" } else { "force" };
                     let masses = scene.masses.iter().map(|mass| mass.name.clone());
@@ -271,9 +277,9 @@ pub struct DriveSample<'r> {
     pub friction: f64,
 }
 
-fn force(channel: &Channel) -> Result<SiChannel<'_>, MeasureError> {
+fn force<'r>(channel: &'r Channel, needed: &'static str) -> Result<SiChannel<'r>, MeasureError> {
     if channel.unit.dimension() != Dimension::Force {
-        return Err(wrong(channel));
+        return Err(wrong(channel, needed));
     }
     Ok(SiChannel {
         samples: &channel.samples,
@@ -281,10 +287,11 @@ fn force(channel: &Channel) -> Result<SiChannel<'_>, MeasureError> {
     })
 }
 
-fn wrong(channel: &Channel) -> MeasureError {
+fn wrong(channel: &Channel, needed: &'static str) -> MeasureError {
     MeasureError::WrongDimension {
         channel: channel.name.clone(),
         unit: channel.unit.name(),
+        needed,
     }
 }
 
@@ -319,7 +326,7 @@ fn base(channel: &Channel, dt: f64) -> Result<Vec<BaseStep>, MeasureError> {
             step.end = [place + rise, velocity + 0.5 * dt * (from + to)];
             step
         })),
-        _ => return Err(wrong(channel)),
+        _ => return Err(wrong(channel, MOTION)),
     }
     Ok(steps)
 }

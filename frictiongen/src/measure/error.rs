@@ -88,6 +88,8 @@ pub enum MeasureError {
         channel: String,
         /// Unit of the channel that causes the error.
         unit: &'static str,
+        /// Necessary quantity of the channel, as text for the message.
+        needed: &'static str,
     },
     /// The excitation does not exceed the noise of its channel. The field has the name of the channel.
     Silent(String),
@@ -183,10 +185,21 @@ impl std::fmt::Display for MeasureError {
             Self::Format { line, what } | Self::Sweep { line, what } => {
                 write!(f, "line {line}: {what}")
             }
-            Self::NoUnit(channel) => write!(
-                f,
-                "the channel `{channel}` has no unit; add the unit to its name (`{channel}_mm`), or give --channel {channel}=COLUMN:UNIT"
-            ),
+            Self::NoUnit(channel) => {
+                let unit = unit_of(channel);
+                // A word after the last `_` may be meant as a unit, as in `force_lbf`.
+                match channel.rsplit_once('_') {
+                    Some((name, word)) if word.chars().all(char::is_alphabetic) => write!(
+                        f,
+                        "the channel `{channel}` has no known unit; if `{word}` is its unit, convert the numbers to {unit} and write `{name}_{unit}`, otherwise write `{channel}_{unit}`; the units are {}",
+                        super::Unit::known()
+                    ),
+                    _ => write!(
+                        f,
+                        "the channel `{channel}` has no unit; add the unit to its name (`{channel}_{unit}`), or give --channel {channel}=COLUMN:{unit}"
+                    ),
+                }
+            }
             Self::UnknownUnit(unit) => write!(
                 f,
                 "`{unit}` is not a known unit; the units are {}",
@@ -245,12 +258,14 @@ impl std::fmt::Display for MeasureError {
                 "the friction force is given as a number and as the channel `friction`: leave one of the two out",
             ),
             Self::NoMass => write!(f, "no motion of a mass was recorded"),
-            Self::WrongDimension { channel, unit } => {
-                write!(
-                    f,
-                    "the channel `{channel}` cannot be in {unit}: a motion needs a unit such as mm, m/s or g, and a force a unit such as N"
-                )
-            }
+            Self::WrongDimension {
+                channel,
+                unit,
+                needed,
+            } => write!(
+                f,
+                "the channel `{channel}` is in {unit}, but here it must be {needed}"
+            ),
             Self::Silent(channel) => write!(
                 f,
                 "no frequency exceeds the noise of the channel `{channel}`"
@@ -330,6 +345,18 @@ impl From<OutOfDomain> for MeasureError {
 impl From<InvalidScene> for MeasureError {
     fn from(error: InvalidScene) -> Self {
         Self::Scene(error)
+    }
+}
+
+/// Returns an example of a unit that fits the quantity in a channel of this name.
+#[doc(hidden)]
+#[must_use]
+pub fn unit_of(channel: &str) -> &'static str {
+    let name = channel.split('_').next().unwrap_or(channel);
+    match name.to_lowercase().as_str() {
+        "time" | "t" => "s",
+        "force" | "friction" => "N",
+        _ => "mm",
     }
 }
 

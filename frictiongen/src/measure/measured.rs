@@ -1,6 +1,6 @@
 //! The steady motion in a recording: driving frequency, transmissibilities, phases and harmonics.
 
-use super::recording::Dimension;
+use super::recording::{Dimension, MOTION};
 use super::tone::{FEWEST_CYCLES, HARMONICS, Tone, ToneBasis, frequency};
 use super::{Channel, MeasureError, Recording, steady};
 use crate::Complex;
@@ -216,6 +216,11 @@ fn places<'r>(
             return Err(MeasureError::WrongDimension {
                 channel: channel.name.clone(),
                 unit: channel.unit.name(),
+                needed: if is_force {
+                    MOTION
+                } else {
+                    Dimension::Force.needed()
+                },
             });
         }
         match place {

@@ -36,6 +36,8 @@ pub use decay::FreeDecay;
 pub use drive::DriveSample;
 pub use drive::Inputs;
 pub use error::MeasureError;
+#[doc(hidden)]
+pub use error::unit_of;
 pub use identify::{
     Datum, Estimate, Explained, Identified, IdentifyRequest, Observation, Unknown, Using, Verdict,
 };

@@ -107,6 +107,7 @@ impl Recording {
             Err(MeasureError::WrongDimension {
                 channel: name.to_owned(),
                 unit: found.unit.name(),
+                needed: dimension.needed(),
             })
         }
     }

@@ -326,12 +326,7 @@ impl Builder {
             input: self.input,
             forces,
         };
-        let provide = if self.stiffness.is_some() {
-            vec![Provide::Orbit, Provide::Simulation]
-        } else {
-            provided(&self.friction, &stepping)
-        };
-        let scene = Scene {
+        let mut scene = Scene {
             name: self.name,
             masses: self.masses,
             springs,
@@ -342,12 +337,13 @@ impl Builder {
             stiction: self.stiction,
             stiffness: self.stiffness,
             precision: Precision::F64,
-            provide,
+            provide: Vec::new(),
             declared: Declared::default(),
             friction: self.friction,
             stepping,
             joints,
         };
+        scene.provide = provided(&scene);
         if unknown.is_empty() {
             return System::try_from(scene);
         }
@@ -358,12 +354,12 @@ impl Builder {
 
 /// Returns the field `provide`, the list of solvers that emitted code of a scene contains. The list depends on the
 /// friction law and on the settings of the stepper.
-fn provided(friction: &FrictionLaw, stepping: &StepperOptions) -> Vec<Provide> {
-    if *friction != FrictionLaw::Coulomb {
+fn provided(scene: &Scene) -> Vec<Provide> {
+    if scene.friction != FrictionLaw::Coulomb {
         return vec![Provide::Stepper];
     }
-    let mut provide = vec![Provide::Limits, Provide::Motion(None)];
-    if *stepping != StepperOptions::default() {
+    let mut provide = scene.default_provide();
+    if scene.stepping != StepperOptions::default() {
         provide.push(Provide::Stepper);
     }
     provide

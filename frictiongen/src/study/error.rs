@@ -163,7 +163,7 @@ impl std::fmt::Display for LoadError {
             Self::SeveralContacts => crate::Unsupported::SeveralContacts.fmt(f),
             Self::Varies => write!(
                 f,
-                "the amplitude of this load depends on frequency, which `limits`, `response`, `orbit`, `curve`, `map`, `optimum` and `sensitivity` take into account; give a base motion in m, or a force"
+                "the amplitude of this load depends on frequency, but this answer needs a constant amplitude; give a base motion in m, or a force in N"
             ),
         }
     }

@@ -4,7 +4,7 @@ use frictiongen::study::{System, scene::FrictionLaw};
 
 const BLOCK: &str =
     "struct Block { masses: { block: 2.0 }, springs: { base - block: 50.0 }, contact: block - wall,
-    stiffness: 400.0, excitation: block, provide: [orbit, simulation] }";
+    stiffness: 400.0, excitation: block }";
 
 fn told(text: &str) -> String {
     text.parse::<System>()
@@ -59,25 +59,14 @@ fn the_largest_stiffness_is_accepted() {
 #[test]
 fn fields_that_do_not_go_with_it_are_named() {
     for (field, part) in [
-        ("provide: [limits]", "write `provide: [orbit, simulation]`"),
         (
-            "provide: [orbit, limits]",
-            "`limits` is not possible with `stiffness`",
+            "accuracy: 1e-4, range: { r: 0.2..2.0 }",
+            "leave `accuracy` and `range` out",
         ),
-        (
-            "provide: [orbit, motion]",
-            "`motion` is not possible with `stiffness`",
-        ),
-        (
-            "provide: [orbit, simulation], accuracy: 1e-4, range: { r: 0.2..2.0 }",
-            "tables are not possible",
-        ),
-        (
-            "provide: [simulation], friction: stribeck(0.1: 0.8)",
-            "exclude each other",
-        ),
+        ("friction: stribeck(0.1: 0.8)", "exclude each other"),
     ] {
-        let message = told(&BLOCK.replace("provide: [orbit, simulation]", field));
+        let message =
+            told(&BLOCK.replace("excitation: block", &format!("excitation: block, {field}")));
         assert!(message.contains(part), "{field}: {message}");
     }
     let builder = System::builder()

@@ -13,10 +13,10 @@ fn everything_that_is_wrong() {
     let error = System::builder()
         .mass("a", -1.0)
         .mass("a", 2.0)
-        .mass("type", 1.0)
+        .mass("time", 1.0)
         .spring("base", "a", 1.0)
         .spring("a", "roof", -3.0)
-        .spring("a", "type", 0.0)
+        .spring("a", "time", 0.0)
         .excitation("wall")
         .damping(Damping::Uniform(-0.1))
         .stiction(0.5)
@@ -30,8 +30,8 @@ fn everything_that_is_wrong() {
         "the excitation names `wall`",
         "the mass `a` is -1.0",
         "two masses are called `a`",
-        "`type` is a keyword",
-        "the spring `a - type` has the stiffness 0.0",
+        "`time` already means something else",
+        "the spring `a - time` has the stiffness 0.0",
         "negative damping",
         "the stiction",
     ];

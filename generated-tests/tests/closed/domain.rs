@@ -1,7 +1,8 @@
 //! Tests arguments outside the domain, arguments at the bounds of the domain, and friction ratios at the limits of
 //! the regimes.
 
-use frictiongen::{Error, Given, NotContinuous, OutOfDomain, Regime, System};
+use frictiongen::study::{System, SystemInput};
+use frictiongen::{Error, Given, NotContinuous, OutOfDomain, Regime};
 use generated_tests::shown::{
     PairMasses, PairWall, SdofBase, SdofDamped, SdofWall, Single, Thesis,
 };
@@ -46,6 +47,41 @@ fn ratios_that_are_none() {
         OutOfDomain::FrictionRatio(Given::Negative).to_string(),
         "the friction ratio beta is negative; it must be a finite number, not negative"
     );
+}
+
+/// Checks that the message about a number of the right sign does not complain about its sign.
+#[test]
+fn numbers_of_the_right_sign_that_are_out_of_range() {
+    let system: System<f32> =
+        "struct Block { masses: { block: 1.0 }, springs: { base - block: 1e5 },
+        contact: block - wall, excitation: block }"
+            .parse()
+            .expect("a scene");
+    // 8.2 s are 2600 rad of the fastest oscillator.
+    let long = system.stepper(8.2).map(|_| ());
+    let long = long.expect_err("too long").to_string();
+    assert!(
+        long.starts_with("the step dt is too long or too short; it must be"),
+        "{long}"
+    );
+    let mut stepper = system.stepper(1e-3).expect("a step");
+    for (input, words) in [
+        (
+            SystemInput::force(-1e30),
+            "a force is too large; it must be",
+        ),
+        (
+            SystemInput::force(1.0).friction(1e30),
+            "the friction force F is too large; it must be",
+        ),
+        (
+            SystemInput::force(1.0).friction(-1.0),
+            "the friction force F is negative; it must be",
+        ),
+    ] {
+        let told = stepper.advance(input).expect_err(words).to_string();
+        assert!(told.starts_with(words), "{told}");
+    }
 }
 
 #[test]

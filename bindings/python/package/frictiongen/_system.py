@@ -73,6 +73,13 @@ class System(Steady, InTime, Design, Measuring):
             raise TypeError(
                 f"a description is a text, not {type(text).__name__}; a file is read by System.from_file(path)"
             )
+        if text and "{" not in text and "\n" not in text.strip():
+            error = _native.SceneError(
+                f"this text is no description, `struct Name {{ ... }}`; if it is the name of a file, read the file by "
+                f"System.from_file({text.strip()!r})"
+            )
+            error.errors = [Mistake(1, 1, str(error))]
+            raise error
         self._text = text
         try:
             self._native = _native.System(text)
@@ -128,8 +135,6 @@ class System(Steady, InTime, Design, Measuring):
             "damping_from": damping_from,
             "stiction": stiction,
             "stiffness": stiffness,
-            # An elastic contact has no closed form, which a description asks for by default.
-            "provide": None if stiffness is None else "[orbit, simulation]",
         }
         return cls(described(name, masses, springs, contact, excitation, damping, **fields))
 

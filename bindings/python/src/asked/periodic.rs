@@ -5,7 +5,7 @@ use crate::errors::{domain, wrong_type};
 use frictiongen::System;
 use frictiongen::measure::{Dimension, Unit};
 use frictiongen::study::periodic::{BaseTable, Harmonic, PeriodicError, PeriodicLoad};
-use frictiongen::study::scene::{Excitation, Provide, StepInput};
+use frictiongen::study::scene::{Excitation, StepInput};
 use pyo3::prelude::*;
 use pyo3::types::{PyDict, PyTuple};
 
@@ -83,10 +83,6 @@ fn refused(error: PeriodicError) -> PyErr {
 fn held(system: &System) -> PyResult<System> {
     let mut scene = system.scene().clone();
     scene.stepping.input = StepInput::Hold;
-    // A description may set the input only if it provides a stepper.
-    if !scene.provides(&Provide::Stepper) {
-        scene.provide.push(Provide::Stepper);
-    }
     System::try_from(scene).map_err(|error| domain(format_args!("hold: {error}")))
 }
 

@@ -69,8 +69,8 @@ pub struct LoadArguments {
     /// Amplitude P of the force in N, if a force on a mass drives the scene
     #[arg(long, value_name = "P", allow_hyphen_values = true)]
     pub force: Option<String>,
-    /// Amplitude Y of the base motion in m, if the base drives the scene. With a unit, the amplitude of a velocity or
-    /// an acceleration that is the same at every frequency: `0.1 m/s`, `2 m/s2`, `0.2g`
+    /// Amplitude Y of the base motion, if the base drives the scene, in m or with a unit: `0.001`, `1mm`. With the unit
+    /// of a velocity or an acceleration, its amplitude is the same at every frequency: `0.1 m/s`, `2 m/s2`, `0.2g`
     #[arg(long, value_name = "Y", allow_hyphen_values = true)]
     pub base: Option<String>,
     /// Unbalance m e of a rotor in kg m, instead of --force. The amplitude of the force is m e omega^2

@@ -16,9 +16,12 @@ use std::ops::Range;
 pub fn run(arguments: &CheckArguments, out: &mut dyn Write) -> Result<(), Failure> {
     let name = arguments.file.name();
     let text = arguments.file.text()?;
-    // The command rejects the same scene descriptions as the macro, with one exception. It accepts all valid scenes
-    // with several contacts or dashpots.
-    let description = parse_text(&text, &SizeLimits::CHECK).map_err(|diagnostics| {
+    // A description that restricts only the emitted code is valid. The command prints the restrictions.
+    let limits = SizeLimits {
+        emitted: false,
+        ..SizeLimits::CHECK
+    };
+    let description = parse_text(&text, &limits).map_err(|diagnostics| {
         if arguments.json {
             let answer =
                 json!({ "file": name, "errors": listed(&diagnostics.list), "warnings": [] });
@@ -34,9 +37,15 @@ pub fn run(arguments: &CheckArguments, out: &mut dyn Write) -> Result<(), Failur
         )
     })?;
     let warned = warnings(&text);
+    let not_emitted = refused_by_macro(&text);
     if arguments.json {
         let warned: Vec<Diagnostic> = warned.into_iter().flat_map(|found| found.list).collect();
-        let mut answer = json!({ "file": name, "errors": [], "warnings": listed(&warned) });
+        let mut answer = json!({
+            "file": name,
+            "errors": [],
+            "warnings": listed(&warned),
+            "not_emitted": listed(&not_emitted),
+        });
         if let (Some(fields), Some(numbers)) =
             (answer.as_object_mut(), numbers::json(&description.scene))
         {
@@ -62,7 +71,7 @@ pub fn run(arguments: &CheckArguments, out: &mut dyn Write) -> Result<(), Failur
     let joined = if scene.is_joined() {
         let contacts = count(scene.named_contacts().len(), "contact", "contacts");
         let dampers = count(joints.dampers.len(), "dashpot", "dashpots");
-        format!(", {contacts}, {dampers}; a System at run time solves this scene")
+        format!(", {contacts}, {dampers}")
     } else {
         String::new()
     };
@@ -71,7 +80,21 @@ pub fn run(arguments: &CheckArguments, out: &mut dyn Write) -> Result<(), Failur
         writeln!(out, "{acts_on}")?;
     }
     numbers::write(scene, out)?;
+    for reason in not_emitted {
+        writeln!(out, "the macro emits no code for this scene: {reason}")?;
+    }
     Ok(out.flush()?)
+}
+
+/// Returns the reasons why the macro emits no code for a valid description.
+fn refused_by_macro(text: &str) -> Vec<Diagnostic> {
+    // The tables have passed the check already.
+    let limits = SizeLimits {
+        tables: false,
+        ..SizeLimits::CHECK
+    };
+    let refused = parse_text(text, &limits).err();
+    refused.into_iter().flat_map(|found| found.list).collect()
 }
 
 /// Returns errors or warnings of a scene description as JSON, each with its line and column, counted from 1.

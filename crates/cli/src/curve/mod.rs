@@ -5,7 +5,7 @@ mod draw;
 mod report;
 
 use crate::args::{CurveArguments, StartFrom};
-use crate::asked::{self, MovingPart};
+use crate::asked::{self, CONTACT, MovingPart};
 use crate::destination::Destination;
 use crate::destination::OutputFormat;
 use crate::failure::Failure;
@@ -17,12 +17,13 @@ use crate::measure;
 use crate::output;
 use crate::progress::Progress;
 use crate::summary::Summary;
-use frictiongen::System;
 use frictiongen::study::columns::FrictionSetting;
+use frictiongen::study::scene::{Excitation, Node, Scene};
 use frictiongen::study::{
     curve::{Curve, CurveRequest, CurveStart},
     words,
 };
+use frictiongen::{Of, System};
 use frictiongen_codegen::SizeLimits;
 use report::CurveReport;
 use std::io::Write;
@@ -68,7 +69,10 @@ pub fn run(arguments: &CurveArguments, out: &mut dyn Write) -> Result<(), Failur
     }
     let system = System::try_from(description.scene).map_err(Failure::new)?;
     let band = Band::parse(&arguments.point.frequency, &system)?;
-    let parts = asked::parts(&system, &arguments.of)?;
+    let mut parts = asked::parts(&system, &arguments.of)?;
+    if destination.form.is_picture() {
+        one_row_of_contact(&mut parts, system.scene());
+    }
     let measure = measure::of(&arguments.point.load, &system)?;
     let band = band.under(&measure);
     let frictions = frictions.under(&measure)?;
@@ -127,6 +131,31 @@ pub fn run(arguments: &CurveArguments, out: &mut dyn Write) -> Result<(), Failur
         return Err(stopped(done, all));
     }
     Ok(())
+}
+
+/// Leaves out the contact of a mass with a support at rest if the mass is requested, too. Both have the same motion, so
+/// that a picture would show two equal rows.
+fn one_row_of_contact(parts: &mut Vec<MovingPart>, scene: &Scene) {
+    let at_rest = |node| match node {
+        Node::Mass(_) => false,
+        Node::Base => scene.excitation != Excitation::Base,
+        Node::Wall => true,
+    };
+    let mass = match (scene.contact.from, scene.contact.to) {
+        (Node::Mass(mass), other) | (other, Node::Mass(mass)) if at_rest(other) => Of::Mass(mass),
+        _ => return,
+    };
+    let shown = |of: Of| move |part: &MovingPart| part.of == of && !part.has_rate();
+    let Some(row) = parts.iter().position(shown(mass)) else {
+        return;
+    };
+    let Some(contact) = parts.iter().position(shown(Of::Contact)) else {
+        return;
+    };
+    if let Some(part) = parts.get_mut(row) {
+        part.name = format!("{} ({CONTACT})", part.name);
+    }
+    parts.remove(contact);
 }
 
 /// Returns one curve for each pair of friction ratio and initial state. After Ctrl-C, the curves whose computation has

@@ -77,6 +77,10 @@ impl Differences {
                 "stepper",
                 self.steppers.as_ref().map_or(Json::Null, Steppers::json),
             ),
+            (
+                "without_effect",
+                self.without_effect().into_iter().collect(),
+            ),
             ("code", code),
             ("not_compared", Json::Array(left_out)),
         ]))

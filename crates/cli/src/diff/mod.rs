@@ -31,6 +31,30 @@ struct Differences {
     code: Result<Code, String>,
 }
 
+impl Differences {
+    /// Returns the names of the changed fields that describe the physics of the scene, if no answer differs. None of the
+    /// compared answers then depends on these fields.
+    fn without_effect(&self) -> Vec<&str> {
+        let Answers {
+            modes, differences, ..
+        } = &self.answers;
+        let moved = modes.iter().any(|(old, new)| match (old, new) {
+            (Some(old), Some(new)) => relative(*old, *new) > ROUNDINGS,
+            _ => true,
+        });
+        let steps = self.steppers.iter().flat_map(|found| &found.answers);
+        let mut steps = steps.flat_map(|answers| &answers.differences);
+        let differs = moved
+            || differences.iter().any(|found| found.relative > ROUNDINGS)
+            || steps.any(|found| found.relative() > ROUNDINGS);
+        let fields = self.changes.iter().filter(|_| !differs);
+        fields
+            .filter(|change| change.is_physical())
+            .map(|change| change.name.as_str())
+            .collect()
+    }
+}
+
 /// Runs `frictiongen diff`.
 pub fn run(arguments: &DiffArguments, out: &mut dyn Write) -> Result<(), Failure> {
     let files = [&arguments.old, &arguments.new].map(|path| FileArgument {
@@ -83,12 +107,14 @@ fn compare(names: [String; 2], texts: &[String; 2]) -> Result<Differences, Failu
     changes.extend(parameters::changes(&scene, new.scene()));
     let notes = [("old", old), ("new", new)].map(|(which, system)| note(which, system.scene()));
     let old = System::<f64>::try_from(scene).map_err(Failure::new)?;
+    let answers = answers::compare(&old, new);
+    let alone = answers.differences.is_empty();
     Ok(Differences {
         names,
         changes,
         notes: notes.into_iter().flatten().collect(),
-        answers: answers::compare(&old, new),
-        steppers: steppers::compare([&old, new], texts),
+        answers,
+        steppers: steppers::compare([&old, new], texts, alone),
         code: code::compare(old_text, new_text),
     })
 }

@@ -34,7 +34,31 @@ impl FieldChange {
         let (old, new) = (self.old.as_ref()?.number?, self.new.as_ref()?.number?);
         (old != 0.0).then(|| (new - old) / old)
     }
+
+    /// Returns true if the field describes the physics of the scene, so that a motion may depend on it.
+    pub fn is_physical(&self) -> bool {
+        let name = self.name.as_str();
+        !NOT_PHYSICAL.contains(&name) && !name.starts_with("name of mass")
+    }
 }
+
+/// Fields on which no motion of the scene depends: names, and settings of the emitted code.
+const NOT_PHYSICAL: [&str; 14] = [
+    "name",
+    "first mass (m1)",
+    "first spring (k1)",
+    "provide",
+    "scalar",
+    "accuracy",
+    "budget",
+    "range of r",
+    "range of beta",
+    "side",
+    "beyond",
+    "step",
+    "input",
+    "force",
+];
 
 /// Returns the old scene with new names for some masses, and a change for each new name. A mass gets a new name under
 /// two conditions: both scenes have the same number of masses, and each of the two names occurs in only one scene.

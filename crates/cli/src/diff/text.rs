@@ -142,6 +142,14 @@ impl Differences {
         if let Some(steppers) = &self.steppers {
             steppers.write(out)?;
         }
+        let idle = self.without_effect();
+        if !idle.is_empty() {
+            writeln!(
+                out,
+                "\nno compared answer depends on the change of: {}",
+                idle.join(", ")
+            )?;
+        }
         self.write_code(out)
     }
 

@@ -39,7 +39,7 @@ pub fn refused(options: &[(bool, &str)]) -> Result<(), Failure> {
     match options.iter().find(|(given, _)| *given) {
         None => Ok(()),
         Some((_, option)) => Err(Failure::new(format_args!(
-            "{option} has no answer for a scene with `contacts` or `dampers`; leave it out, or sample the motion by `frictiongen time`"
+            "{option} has no answer for a scene with `contacts` or `dampers`; leave it out"
         ))),
     }
 }

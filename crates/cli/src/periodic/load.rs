@@ -13,7 +13,7 @@ pub fn of(arguments: &PeriodicArguments, system: &System) -> Result<PeriodicLoad
     match (&arguments.table, &arguments.harmonics, &arguments.hz) {
         (Some(_), None, None) => table(arguments, system),
         (None, Some(harmonics), Some(hz)) => {
-            let needed = "a frequency above 0";
+            let needed = "one frequency above 0";
             let hertz = number_that("--hz", hz, |hertz| 0.0 < hertz, needed)?;
             let harmonics = parsed(harmonics)?;
             PeriodicLoad::harmonics(1.0 / hertz, &harmonics)

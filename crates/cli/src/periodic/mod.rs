@@ -14,7 +14,7 @@ use crate::output::{self, ResultTable, Visitor};
 use crate::summary::Summary;
 use frictiongen::study::columns::{Column, PeriodicRow, PeriodicSample, PeriodicTable};
 use frictiongen::study::periodic::PeriodicRequest;
-use frictiongen::study::scene::{Excitation, Provide, StepInput};
+use frictiongen::study::scene::{Excitation, StepInput};
 use frictiongen::{Of, System};
 use frictiongen_codegen::SizeLimits;
 use std::io::Write;
@@ -92,10 +92,6 @@ fn scene(arguments: &PeriodicArguments) -> Result<System, Failure> {
     let mut description = file.description(&SizeLimits::RUN_TIME)?;
     if arguments.hold {
         description.scene.stepping.input = StepInput::Hold;
-        // A scene description may have the field `input` only if it provides a stepper.
-        if !description.scene.provides(&Provide::Stepper) {
-            description.scene.provide.push(Provide::Stepper);
-        }
     }
     System::try_from(description.scene).map_err(Failure::new)
 }

@@ -242,7 +242,7 @@ fn scenes_of_different_kinds() {
     assert!(found["code"]["lines"]["old"].as_u64() > found["code"]["lines"]["new"].as_u64());
     let falling = BLOCK.replace(
         "excitation: block,",
-        "excitation: block, friction: stribeck(0.1: 0.8), provide: [stepper],",
+        "excitation: block, friction: stribeck(0.1: 0.8),",
     );
     let found = json("law", BLOCK, &falling);
     assert!(
@@ -250,6 +250,9 @@ fn scenes_of_different_kinds() {
             .to_string()
             .contains("constant kinetic level")
     );
+    // The steppers of the two scenes show what the law changes.
+    let answers = found["stepper"]["answers"]["differences"].as_array();
+    assert!(answers.unwrap()[0]["relative"].as_f64() > Some(1e-3));
     let grown = frame().replace("upper: 3.25 }", "upper: 3.25, top: 1.0 }");
     let grown = grown.replace(
         "lower - upper: 1323.0 }",

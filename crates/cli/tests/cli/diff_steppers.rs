@@ -73,6 +73,25 @@ fn half_of_each_displacement() {
     }
 }
 
+/// Checks that the run shows a changed stiction of each contact. If the seal stuck, no load would reach the pads.
+#[test]
+fn a_changed_stiction_shows() {
+    let scene = "struct Drive { masses: { motor: 0.8, load: 2.5 },
+        springs: { base - motor: 400, motor - load: 9000 }, excitation: motor, contacts: {
+        seal: motor - base { share: 0.5 }, pads: load - wall { stiction: 1.3 } } }";
+    let found = json("shielded", scene, &scene.replace("1.3", "1.9"));
+    let pads = answer(&found, "friction force in pads");
+    assert!(pads["relative"].as_f64().unwrap() > 1e-2, "{pads}");
+    assert_eq!(found["without_effect"], serde_json::json!([]));
+    // A contact that the load does not reach.
+    let idle = scene.replace(", motor - load: 9000", ", base - load: 9000");
+    let found = json("idle", &idle, &idle.replace("1.3", "1.9"));
+    assert_eq!(
+        found["without_effect"],
+        serde_json::json!(["stiction of pads"])
+    );
+}
+
 /// Compares the bounds and the number of table entries with the text of the emitted code.
 #[test]
 fn bounds_and_tables_are_those_of_the_emitted_code() {

@@ -155,7 +155,7 @@ fn says_what_is_wrong_with_a_recording() {
             "newton",
             "time_s,base_N\n0,0\n0.01,1\n",
             Some("1"),
-            "the channel `base` cannot be in N",
+            "the channel `base` is in N, but here it must be a motion",
         ),
         (
             "slow",

@@ -12,7 +12,7 @@ use crate::report::page;
 /// Description of two floors with a damper on a brace.
 const BRACED: &str = "struct Braced { masses: { lower: 3.27, upper: 3.25 },
     springs: { base - lower: 1190.0, lower - upper: 1323.0 }, contact: upper - wall, stiffness: 5.0e3,
-    excitation: base, damping: modal[0.010, 0.012], provide: [orbit, simulation] }";
+    excitation: base, damping: modal[0.010, 0.012] }";
 
 fn split(line: &str) -> Vec<&str> {
     line.split(' ').collect()
@@ -72,7 +72,7 @@ fn drive_follows_the_closed_form_of_a_ramp() {
     let block = file(
         "ramp.friction",
         "struct Block { masses: { block: 2 }, springs: { base - block: 50 }, contact: block - wall,
-            stiffness: 400, excitation: block, provide: [orbit, simulation] }",
+            stiffness: 400, excitation: block }",
     );
     let (rate, spring, contact, mass, friction) = (2.0_f64, 50.0, 400.0, 2.0, 1.0);
     let samples = (0..100).map(|i| (0.01 * f64::from(i), 0.01 * rate * f64::from(i)));

@@ -17,16 +17,18 @@ fn a_decimal_comma_and_a_unit() {
         let arguments = ["limits", FRAME, "--hz", "2", "--base", text];
         failure("", &arguments).concat()
     };
-    for (text, meant) in [
-        ("0,001", "0.001"),
-        ("1mm", "0.001"),
-        ("1.2 mm", "0.0012"),
-        ("7um", "0.000007"),
-        ("0.001m", "0.001"),
-    ] {
-        let line = base(text);
-        let start = format!("frictiongen: --base `{text}`: it is not a number; write `{meant}`");
-        assert!(line.starts_with(&start), "{line}");
+    assert_eq!(
+        base("0,001"),
+        "frictiongen: --base `0,001`: it is not a number; write `0.001`, because a decimal fraction has a point"
+    );
+    assert_eq!(
+        base("0.2G"),
+        "frictiongen: --base `0.2G`: the unit of a base motion is m, mm, m/s, m/s2 or g, not `G`; a number without a unit is in m"
+    );
+    // Every unit that the message names is a unit that the option takes.
+    let answered = |text: &str| output("", &["limits", FRAME, "--hz", "2", "--base", text]);
+    for (text, metres) in [("1mm", "0.001"), ("1.2 mm", "0.0012"), ("0.001m", "0.001")] {
+        assert_eq!(answered(text), answered(metres), "{text}");
     }
     assert_eq!(
         base("much"),
@@ -65,6 +67,25 @@ fn a_damping_ratio_in_per_cent_is_warned_about() {
         let first = said.lines().next();
         assert_eq!(first, Some("<stdin>: no errors; 1 mass, 1 spring"));
     }
+}
+
+/// Only emitted code has methods with the names of masses and contacts.
+#[test]
+fn names_of_methods_and_keywords_name_masses() {
+    let scene = "struct S { masses: { box: 1, type: 2, move: 1, loop: 1, final: 1, step: 1, crate: 1 }, springs:
+        { base - box: 9, box - type: 9, type - move: 9, move - loop: 9, loop - final: 9, final - step: 9, step - crate: 9 },
+        contacts: { contact: final - wall, orbit: type - base { stiffness: 2 } }, excitation: box }";
+    let asked = ["orbit", "--r", "0.5", "--beta", "0.1", "--csv"];
+    assert!(output(scene, &asked).contains("final.amplitude"));
+    let single = scene.replace(
+        "contacts: { contact: final - wall, orbit: type - base { stiffness: 2 } }",
+        "contact: final - wall",
+    );
+    assert!(output(&single, &asked).contains("final.amplitude"));
+    let checked = output(&single, &["check"]);
+    let told = "\nthe macro emits no code for this scene: 1:22: `box` is a keyword of Rust";
+    assert!(checked.contains(told), "{checked}");
+    assert!(failure(&single, &["expand"])[0].contains("`box` is a keyword of Rust"));
 }
 
 /// A band has the end points and the decimal steps of the grid that writes its step.

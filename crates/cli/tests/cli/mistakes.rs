@@ -1,4 +1,4 @@
-//! Twenty mistakes of somebody who sizes a damper. Each gets one line that says what is wrong and what to write instead.
+//! Mistakes of somebody who sizes a damper. Each gets one line that says what is wrong and what to write instead.
 #![allow(
     clippy::unwrap_used,
     clippy::indexing_slicing,
@@ -15,8 +15,8 @@ const RECORD: &str = "time_s,base_mm\n0,0\n0.01,1\n0.02,0\n";
 const POINT: &str = "--hz 2 --friction 0.4 --base 0.001";
 
 /// A mistake: the words of the command, and parts of the line that the command prints. `FRAME` stands for the
-/// description, and `FORCED` for the description with a force on the upper floor. `RECORD` is a file with the text of
-/// the field `record`.
+/// description, `FORCED` for the description with a force on the upper floor, and `SEVERAL` for the description with its
+/// contact in the field `contacts`. `RECORD` is a file with the text of the field `record`.
 struct Mistake {
     command: String,
     record: &'static [u8],
@@ -83,8 +83,8 @@ fn of_scenes() -> Vec<Mistake> {
             &["driven by its base", "given by --base"],
         ),
         mistake(
-            "response FRAME --hz 2 --friction 0.4 --base 1mm",
-            &["--base `1mm`", "write `0.001`"],
+            "response FORCED --hz 2 --friction 0.4 --force 1kN",
+            &["--force `1kN`", "write `1000`"],
         ),
         mistake(
             "curve FRAME --hz 7:0.5 --friction 0.4 --base 0.001",
@@ -100,13 +100,102 @@ fn of_scenes() -> Vec<Mistake> {
     ]
 }
 
+/// Questions that a scene with `contacts`, or a periodic load, cannot answer.
+fn of_several() -> Vec<Mistake> {
+    vec![
+        mistake(
+            "orbit SEVERAL POINT --of upper-lower",
+            &["--of: `upper-lower` is no mass", "write the name of a mass"],
+        ),
+        mistake(
+            "optimum SEVERAL --hz 1:3 --base 2m/s2 --of lower",
+            &[
+                "--base: the amplitude of this load depends on frequency",
+                "give a base motion in m",
+            ],
+        ),
+        mistake(
+            "time SEVERAL POINT --spectrum",
+            &["--spectrum has no answer for a scene with `contacts` or `dampers`; leave it out"],
+        ),
+        mistake(
+            "periodic FORCED --harmonics 1:2 --hz 1:0.5:3 --friction 1",
+            &["--hz `1:0.5:3`: one frequency above 0 is needed"],
+        ),
+        in_record(
+            "periodic FRAME RECORD --friction 1",
+            b"time_s,base_m_s\n0,1\n0.1,1\n0.2,1\n",
+            &[
+                "the mean velocity of the base is 1,",
+                "compute the motion of a belt in time (`drive`), or subtract the mean",
+            ],
+        ),
+    ]
+}
+
+/// Names of columns, numbers of samples, and numbers that a column cannot have.
+fn of_columns() -> Vec<Mistake> {
+    let drive = "drive FRAME RECORD --friction 1";
+    vec![
+        in_record(
+            drive,
+            b"time,base_mm\n0,0\n0.01,1\n",
+            &["the channel `time` has no unit", "(`time_s`)"],
+        ),
+        in_record(
+            drive,
+            b"t,base_mm\n0,0\n0.01,1\n",
+            &["the channel `t` has no unit", "(`t_s`)"],
+        ),
+        in_record(
+            "drive FORCED RECORD --friction 1",
+            b"time_s,force_lbf\n0,0\n0.01,1\n",
+            &[
+                "if `lbf` is its unit, convert the numbers to N and write `force_N`",
+                "the units are m, cm",
+            ],
+        ),
+        in_record(
+            "drive FORCED RECORD --friction 1",
+            b"time_s,force_N,lower_mm\n0,0,0\n0.01,1,1\n",
+            &[
+                "the channel `lower` is in mm, but here it must be the force on the mass",
+                "leave the recorded motion of a mass out",
+            ],
+        ),
+        in_record(
+            drive,
+            b"time_s,base_mm\n",
+            &["too short: no samples, but 2 are needed"],
+        ),
+        in_record(
+            drive,
+            b"time_s,base_mm\n0,1\n",
+            &["too short: 1 sample, but 2 are needed"],
+        ),
+        in_record(
+            "identify FRAME RECORD",
+            b"time_s,base_mm,upper_mm\n",
+            &["too short: no samples, but 16 are needed"],
+        ),
+        in_record(
+            "drive FORCED RECORD --friction 1",
+            b"time_s,force_N\n0,0\n0.01,1e200\n",
+            &["a force is too large; it must be finite, and its square"],
+        ),
+    ]
+}
+
 /// Records in another format or unit.
 fn of_records() -> Vec<Mistake> {
     vec![
         in_record(
             "drive FRAME RECORD --friction 1",
             b"time_s,base_kN\n0,0\n0.01,1\n",
-            &["the channel `base` cannot be in kN", "such as mm, m/s or g"],
+            &[
+                "the channel `base` is in kN, but here it must be a motion",
+                "such as mm, m/s or g",
+            ],
         ),
         mistake(
             "drive FRAME RECORD --friction 1 --channel base=2:kPa",
@@ -147,25 +236,29 @@ fn of_records() -> Vec<Mistake> {
 }
 
 #[test]
-fn twenty_mistakes() {
+fn each_mistake_has_one_line() {
     let place = |name: &str| {
         let name = format!("frictiongen-mistakes-{}-{name}", process::id());
         std::env::temp_dir().join(name).to_str().unwrap().to_owned()
     };
     let (forced, record) = (place("forced.friction"), place("record"));
+    let several = place("several.friction");
     let frame = fs::read_to_string(FRAME).unwrap();
     fs::write(
         &forced,
         frame.replace("excitation: base", "excitation: upper"),
     )
     .unwrap();
-    let all: Vec<Mistake> = of_scenes().into_iter().chain(of_records()).collect();
-    assert_eq!(all.len(), 20);
-    for mistake in all {
+    let contacts = "contacts: { pads: upper - wall { stiction: 1.2 } }";
+    let frame = frame.replace("contact: upper - wall", contacts);
+    fs::write(&several, frame.replace("    stiction: 1.2,\n", "")).unwrap();
+    let all = [of_scenes(), of_records(), of_several(), of_columns()];
+    for mistake in all.into_iter().flatten() {
         fs::write(&record, mistake.record).unwrap();
         let words = mistake.command.split(' ').map(|word| match word {
             "FRAME" => FRAME,
             "FORCED" => &forced,
+            "SEVERAL" => &several,
             "RECORD" => &record,
             word => word,
         });
@@ -175,7 +268,7 @@ fn twenty_mistakes() {
             assert!(lines[0].contains(told), "{}: {lines:?}", mistake.command);
         }
     }
-    for file in [forced, record] {
+    for file in [forced, several, record] {
         fs::remove_file(file).unwrap();
     }
 }

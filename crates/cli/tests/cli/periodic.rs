@@ -172,7 +172,7 @@ fn loads_that_mean_nothing() {
         ),
         (
             &["--harmonics", "1:3", "--hz", "0"],
-            "a frequency above 0 is needed",
+            "one frequency above 0 is needed",
         ),
         (
             &["--harmonics", "5000:3", "--hz", "2"],

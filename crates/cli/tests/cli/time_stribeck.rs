@@ -22,7 +22,6 @@ fn frame(friction: &str) -> String {
             damping: modal[0.010, 0.012],
             stiction: 1.3,
             friction: {friction},
-            provide: [simulation],
         }}"
     )
 }

@@ -3,6 +3,7 @@
 //! `UPDATE_DOCS=1 cargo test -p frictiongen-cli --test pages start_page::` rewrites the output on docs/start.md.
 #![allow(clippy::unwrap_used, clippy::panic, reason = "a test may fail")]
 
+use frictiongen::System;
 use std::path::{Path, PathBuf};
 use std::process::Command;
 
@@ -84,9 +85,11 @@ fn start_has_what_its_commands_print() {
     for written in ["frame.friction", "curve.svg", "report.html"] {
         assert!(folder.join(written).exists(), "{written}");
     }
+    let scene = std::fs::read_to_string(folder.join("frame.friction")).unwrap();
     std::fs::remove_dir_all(&folder).unwrap();
     assert_eq!((commands, shown), (6, 2));
     what_start_says_is_true(&page, &best);
+    the_three_ways_agree(&page, &scene, &best[0]);
     if std::env::var_os("UPDATE_DOCS").is_some() {
         std::fs::write(format!("{ROOT}/docs/start.md"), &made).unwrap();
     }
@@ -94,6 +97,34 @@ fn start_has_what_its_commands_print() {
         made == self::page("start.md"),
         "the page differs: UPDATE_DOCS=1"
     );
+}
+
+/// Checks that the descriptions for Python, Rust and the macro are the scene of the command, and that Python and Rust
+/// print its digits. `test_docs.py` and the documentation tests of `generated-tests` run the code itself.
+fn the_three_ways_agree(text: &str, scene: &str, printed: &str) {
+    let scene: System = scene.parse().unwrap();
+    let shown = text.split("struct Frame {").skip(1);
+    let descriptions: Vec<String> = shown
+        .map(|rest| {
+            let lines = rest
+                .lines()
+                .map(|line| line.trim_start_matches("...").trim());
+            let fields: Vec<&str> = lines.take_while(|line| !line.starts_with('}')).collect();
+            format!("struct Frame {{ {} }}", fields.join("\n"))
+        })
+        .collect();
+    assert_eq!(descriptions.len(), 3);
+    for description in descriptions {
+        let own: System = description.parse().unwrap();
+        assert_eq!(own.scene(), scene.scene(), "{description}");
+    }
+    let (force, height) = ("friction ", "largest amplitude of lower");
+    let said = format!(
+        "{:.2} N, at most {:.2} mm",
+        value(printed, force),
+        1e3 * value(printed, height)
+    );
+    assert_eq!(text.matches(&said).count(), 2, "{said}");
 }
 
 /// Checks the numbers in the text of docs/start.md against the output of its commands for the best friction: with a

@@ -296,7 +296,7 @@ fn step_scene(emission: &Emission<'_>) -> (TokenStream, Vec<Checked>) {
             (
                 "input",
                 code!(Input::#input),
-                "interpolation of forces and friction between two samples; with `Linear` a base follows a cubic",
+                "course of the inputs during a step: constant with `Hold`; with `Linear` forces are linear, and a base follows a cubic",
             ),
             (
                 "law",

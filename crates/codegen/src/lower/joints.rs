@@ -17,18 +17,11 @@ pub(super) fn check(located: &Located<'_>, problems: &mut Problems) {
         );
         problems.report(located.place(Path::JointName(MOST_CONTACTS)), message);
     }
-    if located.written(Path::Provide(None)).is_none() {
-        problems.report(
-            located.joints(),
-            "the default of `provide` is `[limits, motion]`, which a scene with `contacts` or `dampers` does not have; write, for example, `provide: [stuck, orbit]`",
-        );
-        return;
-    }
     for (index, provide) in scene.provide.iter().enumerate() {
         let place = located.place(Path::Provide(Some(index)));
         let message = match provide {
             Provide::Simulation | Provide::Stuck | Provide::Orbit if scene.springs.is_empty() => {
-                "a scene without springs has no r and β, because they refer to the first spring; write `stepper`, or write a spring"
+                "a scene without springs has no r and β, because they refer to the first spring; write `provide: [stepper]`, or write a spring"
             }
             Provide::Stepper | Provide::Simulation | Provide::Stuck | Provide::Orbit => continue,
             _ => {

@@ -11,9 +11,9 @@ pub struct SizeLimits {
     pub tables: bool,
     /// Selects whether the generator proves that the tables have the declared accuracy.
     pub proof: ProofAt,
-    /// True if a scene may have any `contacts` and `dampers`. If false, a scene may have only `contacts` and `dampers`
-    /// for which the generator emits code.
-    pub joints: bool,
+    /// True if the generator must be able to emit code for the scene. This restricts the names of masses and contacts,
+    /// the field `provide`, and `contacts` and `dampers`.
+    pub emitted: bool,
 }
 
 /// Selects whether the generator proves that the tables have the declared accuracy.
@@ -44,13 +44,12 @@ impl SizeLimits {
         masses: 64,
         tables: true,
         proof: ProofAt::MACRO,
-        joints: false,
+        emitted: true,
     };
     /// Limits for a check of a description, which discards the emitted code. They are the limits for a macro
-    /// expansion, but without a proof, and with any `contacts` and `dampers`.
+    /// expansion, but without a proof.
     pub const CHECK: Self = Self {
         proof: ProofAt::Never,
-        joints: true,
         ..Self::MACRO
     };
     /// Limits for a scene that is solved at run time, without tables.
@@ -58,6 +57,6 @@ impl SizeLimits {
         masses: MOST_MASSES,
         tables: false,
         proof: ProofAt::Never,
-        joints: true,
+        emitted: false,
     };
 }

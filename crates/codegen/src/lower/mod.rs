@@ -167,7 +167,7 @@ fn lower(
     problems: &mut Problems,
 ) -> Result<Description, Box<Partial>> {
     let header = Header::of(syntax, sources);
-    let located = syntax.lower(limits.masses, problems);
+    let located = syntax.lower(limits.masses, limits.emitted, problems);
     if let Some(located) = &located
         && limits.proof == ProofAt::Missing
         && located.scene.declared.proof == Proving::Whole
@@ -176,7 +176,7 @@ fn lower(
         problems.report(located.place(Path::Proof), WITHOUT_PROOF);
     }
     if let Some(located) = &located
-        && !limits.joints
+        && limits.emitted
         && located.scene.is_joined()
         && problems.is_empty()
     {

@@ -58,6 +58,9 @@ told! {
     a_field_without_a_value_and_comma: [("upper - wall,", "")] => [
         "5:5: the field `contact` has no value; write it after the colon",
     ]
+    an_abbreviated_field: [("damping:", "damp:")] => [
+        "7:5: a scene has no field `damp`; did you mean `damping`?",
+    ]
     a_misspelt_support: [("upper - wall", "upper - wal")] => [
         "5:22: there is no mass `wal`; did you mean `wall`?",
     ]

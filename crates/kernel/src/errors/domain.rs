@@ -217,16 +217,16 @@ impl fmt::Display for Unsupported {
                 "with this number of modes at or beyond critical damping, the modes of the stuck and of the sliding chain cannot be separated in this scalar: fewer than half of the digits would be correct"
             }
             Self::FrictionLaw => {
-                "the exact continuous response needs a constant kinetic level, but this scene has `friction: stribeck`; use its stepper, or `simulation_under` with the amplitude of the load"
+                "the exact continuous response needs a constant kinetic level, but this scene has `friction: stribeck`; ask for its motion in time, under a load with its amplitude in units"
             }
             Self::SeveralContacts => {
-                "this answer needs a single contact without dashpots, but this scene has `contacts` or `dampers`; ask for its steady state (`joined`, then `orbit`), its stuck state (`stuck`) or its motion in time (`simulation`)"
+                "this answer needs a single contact without dashpots, but this scene has `contacts` or `dampers`; ask for its steady state (`orbit`), its stuck state or its motion in time"
             }
             Self::NoExcitation => {
                 "this answer needs a load, but the description has no `excitation`; add the name of a mass or `base`, as in `excitation: base`"
             }
             Self::ElasticContact => {
-                "this answer needs a rigid contact, but this scene has `stiffness`; ask for its steady state (`orbit`), its stuck state (`stuck`, `sliding_limit`) or its motion in time (`simulation`)"
+                "this answer needs a rigid contact, but this scene has `stiffness`; ask for its steady state (`orbit`), its stuck state or its motion in time"
             }
         })
     }
@@ -266,17 +266,17 @@ impl OutOfDomain {
             Self::Force(given) => (
                 "a force",
                 given,
-                "it must be finite, and its square within the range of the scalar",
+                "it must be finite, and its square within the range of the scalar; use `f64`, or larger units",
             ),
             Self::BaseMotion(given) => (
                 "the displacement or velocity of the base",
                 given,
-                "both must be finite, and their squares within the range of the scalar",
+                "both must be finite, and their squares within the range of the scalar; use `f64`, or larger units",
             ),
             Self::Friction(given) => (
                 "the friction force F",
                 given,
-                "it must be a finite number, not negative, and its square within the range of the scalar",
+                "it must be a finite number, not negative, and its square within the range of the scalar; use `f64`, or larger units",
             ),
             Self::Stiction(given) => (
                 "the stiction mu",
@@ -291,12 +291,28 @@ impl OutOfDomain {
             _ => return None,
         })
     }
+
+    /// Returns the error in a finite number of the right sign, or `None` for any other number.
+    fn extreme(self) -> Option<&'static str> {
+        Some(match self {
+            Self::Force(Given::Positive | Given::Negative)
+            | Self::BaseMotion(Given::Positive | Given::Negative)
+            | Self::Friction(Given::Positive) => "too large",
+            Self::Step(Given::Positive) => "too long or too short",
+            Self::FrequencyRatioInTime(Given::Positive) => "too close to 0 or infinity",
+            Self::LoadAmplitude(Given::Positive) => "too small",
+            _ => return None,
+        })
+    }
 }
 
 impl fmt::Display for OutOfDomain {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         if let Some((number, given, needed)) = self.number() {
-            return write!(f, "{number} is {given}; {needed}");
+            return match self.extreme() {
+                Some(extreme) => write!(f, "{number} is {extreme}; {needed}"),
+                None => write!(f, "{number} is {given}; {needed}"),
+            };
         }
         f.write_str(match self {
             Self::OutsideTables(ratio) => return write!(

@@ -34,6 +34,9 @@ pub struct Checks {
     pub joints: bool,
     /// True if the parser could read the whole list `provide`.
     pub provide: bool,
+    /// True if the scene is for emitted code. The names of the scene must then be names of methods in Rust, and the
+    /// list `provide` must fit the scene. Neither restricts a scene at run time.
+    pub emitted: bool,
 }
 
 impl Default for Checks {
@@ -46,6 +49,7 @@ impl Default for Checks {
             excitation: true,
             joints: true,
             provide: true,
+            emitted: false,
         }
     }
 }

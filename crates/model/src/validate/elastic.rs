@@ -1,6 +1,6 @@
 //! Checks of an elastic contact: its stiffness, and the fields that it excludes.
 
-use super::checks::{LARGEST, SMALLEST};
+use super::checks::{Checks, LARGEST, SMALLEST};
 use super::error::SceneError;
 use super::path::Path;
 use super::settings::item_name;
@@ -48,7 +48,7 @@ pub(super) fn check_value(scene: &Scene, errors: &mut Vec<SceneError>) -> bool {
 }
 
 /// Reports a stiffness that is not a positive number, and fields that are incompatible with an elastic contact.
-pub(super) fn check(scene: &Scene, errors: &mut Vec<SceneError>) {
+pub(super) fn check(scene: &Scene, checks: &Checks, errors: &mut Vec<SceneError>) {
     if !check_value(scene, errors) {
         return;
     }
@@ -56,14 +56,8 @@ pub(super) fn check(scene: &Scene, errors: &mut Vec<SceneError>) {
     if scene.friction != FrictionLaw::Coulomb {
         errors.push(SceneError::ElasticStribeck { path });
     }
-    if scene.declared.is_tabled() {
-        let tables = if scene.declared.budget.is_some() {
-            "budget"
-        } else {
-            "accuracy"
-        };
-        let tables = tables.to_owned();
-        errors.push(SceneError::NoTablesElastic { path, tables });
+    if !checks.emitted {
+        return;
     }
     let answered = |item: &Provide| {
         matches!(

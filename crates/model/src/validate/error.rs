@@ -47,9 +47,9 @@ scene_errors! {
     TooManyMasses { count: usize, limit: usize } =>
         "the scene has {count} masses, but at most {limit} are possible here; lump neighbouring masses together",
     RawName { plain: String } =>
-        "`r#{plain}` cannot name a mass: leave the `r#` out, and choose a name that is not a keyword of Rust",
+        "`r#{plain}` cannot name a mass: leave the `r#` out; for the macro, choose a name that is not a keyword of Rust",
     Keyword { name: String } =>
-        "`{name}` is a keyword of Rust and cannot name a mass; write, for example, `{name}_1`",
+        "`{name}` is a keyword of Rust, and the macro emits a method with the name of each mass; write, for example, `{name}_1`",
     Reserved { name: String } =>
         "`{name}` already means something else in a scene or in its results and cannot name a mass; write, for example, `{name}_1`",
     NotAName { name: String } =>
@@ -69,7 +69,7 @@ scene_errors! {
     ModesTooClose { first: usize, second: usize, gap: f64 } =>
         "the natural frequencies {first} and {second} have a relative difference of {gap:.0e}, too small for `f32`; write `scalar: f64`, or change a mass or a stiffness",
     NoSprings {} =>
-        "a scene needs at least one spring to hold its masses: write, for example, `base - m1: 1.0`",
+        "with `contact`, a scene needs at least one spring to hold its masses: write, for example, `base - m1: 1.0`; for masses that nothing holds, write the contact as `contacts: {{ contact: m1 - wall }}`",
     NoSuchMass { index: usize, count: usize } =>
         "there is no mass with the index {index}; the scene has {count}, and the first has the index 0",
     SpringToItself { name: String } =>
@@ -80,10 +80,10 @@ scene_errors! {
         "there is already a spring between `{from}` and `{to}`; parallel springs act as one, so add their stiffnesses and write a single spring{sum}",
     StiffnessNotPositive { from: String, to: String, value: f64 } =>
         "the spring `{from} - {to}` has the stiffness {value:?}: a stiffness must be greater than zero; write a positive number, or leave the spring out",
-    NotHeld { name: String } =>
-        "nothing holds the mass `{name}`: no springs lead from it to `base` or `wall`, so it would drift away; add, for example, `base - {name}: 1.0`",
-    GroupNotHeld { name: String, others: String } =>
-        "nothing holds the mass `{name}` and those joined to it ({others}): no springs lead from them to `base` or `wall`, so they would drift away; add, for example, `base - {name}: 1.0`",
+    NotHeld { name: String, contact: String } =>
+        "nothing holds the mass `{name}`: no springs lead from it to `base` or `wall`, so it would drift away; add, for example, `base - {name}: 1.0`; if it is free to drift, write the contact as `contacts: {{ {contact} }}`",
+    GroupNotHeld { name: String, others: String, contact: String } =>
+        "nothing holds the mass `{name}` and those joined to it ({others}): no springs lead from them to `base` or `wall`, so they would drift away; add, for example, `base - {name}: 1.0`; if they are free to drift, write the contact as `contacts: {{ {contact} }}`",
     ContactWithItself { name: String } =>
         "the contact rubs `{name}` on itself; name two different sides, for example `{name} - wall`",
     ContactWithoutMass {} =>
@@ -106,8 +106,6 @@ scene_errors! {
         "the stiffness {value:?} of the contact leaves fewer than {kept} correct digits of its force; write at most {most:.1e}, or leave `stiffness` out for a rigid contact",
     ElasticStribeck {} =>
         "`stiffness` and `stribeck` exclude each other: the force of an elastic contact cannot depend on the speed; leave one of the two out",
-    NoTablesElastic { tables: String } =>
-        "tables are not possible with `stiffness`; leave `{tables}` and its range out, or leave `stiffness` out for a rigid contact",
     ElasticWithoutMotion {} =>
         "an elastic contact sticks after each reversal, so that it has no β_lim and no closed form; write `provide: [orbit, simulation]`, or leave `stiffness` out for a rigid contact",
     NotElastic { item: String } =>
@@ -115,7 +113,7 @@ scene_errors! {
     TooManyContacts { count: usize, limit: usize } =>
         "the scene has {count} contacts, but at most {limit} are possible; join neighbouring contacts into one with the sum of their shares",
     ContactKeyword { name: String } =>
-        "`{name}` is a keyword of Rust and cannot name a contact; write, for example, `{name}_1`",
+        "`{name}` is a keyword of Rust, and the macro emits a method with the name of each contact; write, for example, `{name}_1`",
     ContactReserved { name: String } =>
         "`{name}` already means something else in a scene or in its results and cannot name a contact; write, for example, `{name}_1`",
     ContactNotAName { name: String } =>
@@ -148,8 +146,8 @@ scene_errors! {
         "with `contacts`, each contact has its own `{field}`; write it in braces after the sides of a contact, for example `m1 - wall {{ {field}: {example} }}`",
     StribeckAllElastic {} =>
         "`stribeck` acts on rigid contacts, but every contact of this scene has a `stiffness`; leave the `stiffness` of a contact out, or write `friction: coulomb`",
-    NoTablesJoined { tables: String } =>
-        "tables are not possible with `contacts` or `dampers`; leave `{tables}` and its range out",
+    NoTables { cause: String, fields: String } =>
+        "tables are not possible with {cause}; leave {fields} out",
     StictionBelowOne { value: f64 } =>
         "the stiction μ is {value:?}, but static friction is never smaller than kinetic; write 1 or more",
     NothingProvided {} =>

@@ -17,7 +17,7 @@ pub const MOST_JOINED: usize = 64;
 /// Reports errors in contacts and dashpots, and fields that are incompatible with them.
 pub(super) fn check(scene: &Scene, checks: &Checks, errors: &mut Vec<SceneError>) {
     check_sizes(scene, checks, errors);
-    check_names(scene, errors);
+    check_names(scene, checks, errors);
     let contacts = &scene.joints.contacts;
     let mut sound = true;
     for (index, contact) in contacts.iter().enumerate() {
@@ -53,13 +53,13 @@ fn check_sizes(scene: &Scene, checks: &Checks, errors: &mut Vec<SceneError>) {
     }
 }
 
-fn check_names(scene: &Scene, errors: &mut Vec<SceneError>) {
+fn check_names(scene: &Scene, checks: &Checks, errors: &mut Vec<SceneError>) {
     let contacts = &scene.joints.contacts;
     for (index, contact) in contacts.iter().enumerate() {
         let (name, path) = (contact.name.clone(), Path::JointName(index));
-        if is_keyword(&name) {
+        if checks.emitted && is_keyword(&name) {
             errors.push(SceneError::ContactKeyword { path, name });
-        } else if is_reserved(&name) {
+        } else if is_reserved(&name, checks.emitted) {
             errors.push(SceneError::ContactReserved { path, name });
         } else if !is_name(&name) {
             errors.push(SceneError::ContactNotAName { path, name });
@@ -238,13 +238,6 @@ fn check_fields(scene: &Scene, errors: &mut Vec<SceneError>) {
     if scene.friction != FrictionLaw::Coulomb && all_elastic {
         let path = Path::Friction(None);
         errors.push(SceneError::StribeckAllElastic { path });
-    }
-    if scene.declared.is_tabled() {
-        let (path, tables) = match scene.declared.budget {
-            Some(_) => (Path::Budget, "budget".to_owned()),
-            None => (Path::Accuracy, "accuracy".to_owned()),
-        };
-        errors.push(SceneError::NoTablesJoined { path, tables });
     }
 }
 

@@ -4,7 +4,7 @@ use std::collections::HashSet;
 
 use super::checks::{Checks, LARGEST, SMALLEST};
 use super::error::SceneError;
-use super::names::{is_keyword, is_name, is_reserved};
+use super::names::{CONTACT, is_keyword, is_name, is_reserved};
 use super::path::Path;
 use crate::scene::Scene;
 
@@ -31,9 +31,9 @@ pub(super) fn check(scene: &Scene, checks: &Checks, errors: &mut Vec<SceneError>
                 path,
                 plain: plain.to_owned(),
             });
-        } else if is_keyword(&name) {
+        } else if checks.emitted && is_keyword(&name) {
             errors.push(SceneError::Keyword { path, name });
-        } else if is_reserved(&name) {
+        } else if name == CONTACT || is_reserved(&name, checks.emitted) {
             errors.push(SceneError::Reserved { path, name });
         } else if !is_name(&name) {
             errors.push(SceneError::NotAName { path, name });

@@ -1,14 +1,16 @@
 //! Names that a mass may have, and names that are reserved.
 
-/// Reserved words, which cannot be the name of a mass: the words of a description, and all methods of the generated
-/// types. The name of a mass becomes a method of these types, so it must differ from their other methods. No other
-/// list of reserved words exists.
-pub const RESERVED: &[&str] = &[
-    // Words of a description.
-    "base",
-    "contact",
+/// Words of a description and of its results, which cannot be the name of a mass or of a contact: the two supports, and
+/// the column of the time in a recording.
+const WORDS: [&str; 3] = ["base", "wall", "time"];
+
+/// Name of the single contact in results. No mass can have this name.
+pub(super) const CONTACT: &str = "contact";
+
+/// All methods of the emitted types. In emitted code, the name of a mass or of a contact becomes a method of these
+/// types, so it must differ from their other methods. The method `contact` may belong to a contact of this name.
+const METHODS: &[&str] = &[
     "mass",
-    "wall",
     // Methods of the scene.
     "at",
     "friction_ratio",
@@ -72,7 +74,6 @@ pub const RESERVED: &[&str] = &[
     "step",
     "steps",
     "stiction",
-    "time",
     "work",
     "write_image",
     // Methods of derived traits. A mass with the name of a method would hide the method.
@@ -101,24 +102,29 @@ pub fn is_keyword(word: &str) -> bool {
     KEYWORDS.contains(&word)
 }
 
-/// Returns true if a word is reserved by a description or by a method of the generated types.
+/// Returns true if a description, its results or, in emitted code, a method reserves a word, so that no mass and no
+/// contact may have it as its name.
 #[must_use]
-pub fn is_reserved(word: &str) -> bool {
-    RESERVED.contains(&word)
+pub(super) fn is_reserved(word: &str, emitted: bool) -> bool {
+    WORDS.contains(&word) || (emitted && METHODS.contains(&word))
 }
 
-/// Returns true if a mass may have this name.
+/// Returns true if a mass may have this name, in emitted code or at run time.
 #[must_use]
-pub fn may_name(word: &str) -> bool {
-    is_name(word) && !is_keyword(word) && !is_reserved(word)
+pub fn may_name(word: &str, emitted: bool) -> bool {
+    is_name(word)
+        && word != CONTACT
+        && !(emitted && is_keyword(word))
+        && !is_reserved(word, emitted)
 }
 
 /// Returns true if a word has the form of a Rust identifier.
 #[must_use]
 pub fn is_name(word: &str) -> bool {
     let mut letters = word.chars();
-    letters
-        .next()
-        .is_some_and(|first| first == '_' || first.is_alphabetic())
+    word != "_"
+        && letters
+            .next()
+            .is_some_and(|first| first == '_' || first.is_alphabetic())
         && letters.all(|letter| letter == '_' || letter.is_alphanumeric())
 }

@@ -10,7 +10,7 @@ use super::checks::Checks;
 use super::error::SceneError;
 use super::names::may_name;
 use super::path::Path;
-use crate::scene::{Excitation, Node, Scene};
+use crate::scene::{ContactSides, Excitation, Node, Scene};
 
 /// Reports masses without a support, and a contact that can never slide.
 pub(super) fn check(scene: &Scene, checks: &Checks, errors: &mut Vec<SceneError>) {
@@ -18,7 +18,7 @@ pub(super) fn check(scene: &Scene, checks: &Checks, errors: &mut Vec<SceneError>
         return;
     }
     let parts = Parts::new(scene);
-    let held = check_held(scene, &parts, errors);
+    let held = check_held(scene, checks, &parts, errors);
     if held && checks.excitation && checks.contact && is_sound(scene) {
         check_slides(scene, &parts, errors);
     }
@@ -96,14 +96,14 @@ fn is_sound(scene: &Scene) -> bool {
 }
 
 /// Reports every component without a support. Returns true if every component has a support and all names are valid.
-fn check_held(scene: &Scene, parts: &Parts, errors: &mut Vec<SceneError>) -> bool {
+fn check_held(scene: &Scene, checks: &Checks, parts: &Parts, errors: &mut Vec<SceneError>) -> bool {
     let held = joined(scene, parts, |node| !matches!(node, Node::Mass(_)));
     let mut floating: BTreeMap<usize, Vec<String>> = BTreeMap::new();
     let mut names = HashSet::new();
     let mut sound = true;
     for (index, mass) in scene.masses.iter().enumerate() {
         let part = parts.of(index);
-        if !may_name(&mass.name) || !names.insert(mass.name.as_str()) {
+        if !may_name(&mass.name, checks.emitted) || !names.insert(mass.name.as_str()) {
             // No spring can name a mass whose name is invalid. The code therefore reports only the invalid name, not
             // the missing support.
             sound = false;
@@ -112,11 +112,21 @@ fn check_held(scene: &Scene, parts: &Parts, errors: &mut Vec<SceneError>) -> boo
         }
     }
     sound &= floating.is_empty();
+    let ContactSides { from, to } = scene.contact;
+    let contact = format!(
+        "contact: {} - {}",
+        scene.node_name(from),
+        scene.node_name(to)
+    );
     for (part, mut names) in floating {
         let path = Path::MassName(part);
-        let name = names.remove(0);
+        let (name, contact) = (names.remove(0), contact.clone());
         errors.push(if names.is_empty() {
-            SceneError::NotHeld { path, name }
+            SceneError::NotHeld {
+                path,
+                name,
+                contact,
+            }
         } else {
             let shown: Vec<_> = names
                 .iter()
@@ -132,6 +142,7 @@ fn check_held(scene: &Scene, parts: &Parts, errors: &mut Vec<SceneError>) -> boo
                 path,
                 name,
                 others: shown.join(", ") + more,
+                contact,
             }
         });
     }

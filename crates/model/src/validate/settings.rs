@@ -20,7 +20,7 @@ pub(super) fn check(scene: &Scene, checks: &Checks, errors: &mut Vec<SceneError>
     check_damping_from(scene, checks, errors);
     check_stiction(scene.stiction, errors);
     check_provide(scene, errors);
-    check_declared(scene, errors);
+    check_declared(scene, checks, errors);
 }
 
 fn check_damping(scene: &Scene, checks: &Checks, errors: &mut Vec<SceneError>) {
@@ -99,7 +99,9 @@ fn check_provide(scene: &Scene, errors: &mut Vec<SceneError>) {
             path: Path::Provide(None),
         });
     }
-    if let [Provide::SelfCheck] = scene.provide.as_slice() {
+    // The macro emits no self-check of a scene without limits and motion, so no list would cure this error.
+    let closed = scene.default_provide().contains(&Provide::Limits);
+    if closed && let [Provide::SelfCheck] = scene.provide.as_slice() {
         errors.push(SceneError::ChecksNothing {
             path: Path::Provide(Some(0)),
         });
@@ -136,7 +138,44 @@ pub(super) fn item_name(item: &Provide) -> &'static str {
     }
 }
 
-fn check_declared(scene: &Scene, errors: &mut Vec<SceneError>) {
+/// Reports fields about tables in a scene that cannot have tables. Returns true if the scene can have tables.
+fn check_tabled(scene: &Scene, checks: &Checks, errors: &mut Vec<SceneError>) -> bool {
+    let cause = if checks.joined(scene) {
+        "`contacts` or `dampers`"
+    } else if scene.stiffness.is_some_and(|value| value != f64::INFINITY) {
+        "`stiffness`"
+    } else {
+        return true;
+    };
+    let declared = &scene.declared;
+    let given = [
+        (
+            declared.accuracy != Accuracy::Exact,
+            Path::Accuracy,
+            "accuracy",
+        ),
+        (declared.budget.is_some(), Path::Budget, "budget"),
+        (declared.range.is_some(), Path::Range, "range"),
+        (declared.side != Side::Near, Path::Side, "side"),
+        (declared.beyond != Beyond::Error, Path::Beyond, "beyond"),
+        (declared.proof != Proving::Quick, Path::Proof, "proof"),
+    ];
+    let given: Vec<_> = given.into_iter().filter(|(given, ..)| *given).collect();
+    if let Some((_, path, _)) = given.first() {
+        let fields = given.iter().map(|(.., field)| format!("`{field}`"));
+        errors.push(SceneError::NoTables {
+            path: *path,
+            cause: cause.to_owned(),
+            fields: fields.collect::<Vec<_>>().join(" and "),
+        });
+    }
+    false
+}
+
+fn check_declared(scene: &Scene, checks: &Checks, errors: &mut Vec<SceneError>) {
+    if !check_tabled(scene, checks, errors) {
+        return;
+    }
     let declared = &scene.declared;
     let finest = match scene.precision {
         Precision::F64 => FINEST,

@@ -10,17 +10,25 @@ use crate::scene::{Accuracy, Excitation, FrictionLaw, Node, Precision, Provide, 
 
 /// Reports errors in the friction law, the step, the input and the loads of the stepper.
 pub(super) fn check(scene: &Scene, checks: &Checks, errors: &mut Vec<SceneError>) {
-    // If `provide` could not be read completely, the description may have asked for the stepper.
-    let stepper = scene.provides(&Provide::Stepper) || !checks.provide;
+    // If `provide` could not be read completely, the description may have asked for the stepper. At run time every
+    // scene has a stepper.
+    let known = checks.provide && checks.emitted;
+    let stepper = scene.provides(&Provide::Stepper) || !known;
     let moves = stepper || scene.provides(&Provide::Simulation);
     if let FrictionLaw::Stribeck(points) = &scene.friction {
         check_points(scene, points, errors);
-        if scene.is_joined() {
-            check_amplitude(scene, checks, errors);
-        } else if !moves {
+        // The default of `provide` is `[orbit]`. A message about this item would have no place in the description.
+        let none = if scene.is_joined() {
+            scene.provide == [Provide::Orbit] && known
+        } else {
+            !moves
+        };
+        if none {
             let path = Path::Friction(None);
             errors.push(SceneError::StribeckWithoutMotion { path });
-        } else if checks.provide {
+        } else if known && scene.is_joined() {
+            check_amplitude(scene, errors);
+        } else if known {
             check_constant_level(scene, errors);
         }
     }
@@ -36,7 +44,7 @@ pub(super) fn check(scene: &Scene, checks: &Checks, errors: &mut Vec<SceneError>
             errors.push(SceneError::WithoutStepper { path, field });
         }
     }
-    if checks.provide {
+    if known {
         check_tables(scene, errors);
     }
     if let Some(step) = stepping.step {
@@ -117,12 +125,12 @@ fn check_finite(value: f64, path: Path, what: &str, errors: &mut Vec<SceneError>
 
 /// Reports `orbit` in a scene with several contacts and a friction law. Emitted steady states take only the ratios r
 /// and β, but the speeds of the friction law need the amplitude of the load.
-fn check_amplitude(scene: &Scene, checks: &Checks, errors: &mut Vec<SceneError>) {
+fn check_amplitude(scene: &Scene, errors: &mut Vec<SceneError>) {
     let orbit = scene
         .provide
         .iter()
         .position(|item| *item == Provide::Orbit);
-    if let Some(index) = orbit.filter(|_| checks.provide) {
+    if let Some(index) = orbit {
         let path = Path::Provide(Some(index));
         errors.push(SceneError::OrbitNeedsAmplitude { path });
     }
@@ -184,6 +192,7 @@ fn check_forces(scene: &Scene, checks: &Checks, errors: &mut Vec<SceneError>) {
         check_node(scene, Node::Mass(mass), path, errors);
         // The stepper's input has fields with these names, so a loaded mass must not have them.
         if let Some(taken) = scene.masses.get(mass)
+            && checks.emitted
             && ["force", "friction"].contains(&taken.name.as_str())
         {
             let name = taken.name.clone();

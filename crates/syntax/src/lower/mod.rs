@@ -8,7 +8,7 @@ mod settings;
 mod stepping;
 
 use frictiongen_model::scene::Scene;
-use frictiongen_model::validate::Path;
+use frictiongen_model::validate::{Checks, Path};
 
 use self::places::Places;
 use crate::diagnostics::{Problems, TokenPosition};
@@ -31,13 +31,6 @@ impl Located<'_> {
         self.places.of(path)
     }
 
-    /// Returns the position of the field `contacts`. Without this field, returns the position of the field `dampers`.
-    /// Without both, returns the position of the scene's name.
-    #[must_use]
-    pub fn joints(&self) -> TokenPosition {
-        self.places.joints()
-    }
-
     /// Returns the position of an item of the scene in the description, or `None` if the description does not contain
     /// the item.
     #[must_use]
@@ -47,9 +40,20 @@ impl Located<'_> {
 }
 
 impl Syntax {
-    /// Converts the syntax tree to a scene, and reports all errors. Returns `None` for a description without fields.
-    pub fn lower(&self, most_masses: usize, problems: &mut Problems) -> Option<Located<'_>> {
+    /// Converts the syntax tree to a scene, and reports all errors. If `emitted` is true, the scene is for emitted code,
+    /// which restricts its names and the field `provide`. Returns `None` for a description without fields.
+    pub fn lower(
+        &self,
+        most_masses: usize,
+        emitted: bool,
+        problems: &mut Problems,
+    ) -> Option<Located<'_>> {
+        let checks = Checks {
+            most_masses,
+            emitted,
+            ..Checks::default()
+        };
         self.has_body
-            .then(|| resolve::resolve(self, most_masses, problems))
+            .then(|| resolve::resolve(self, checks, problems))
     }
 }

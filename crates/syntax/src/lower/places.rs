@@ -99,15 +99,6 @@ impl Places<'_> {
         }
     }
 
-    /// Returns the position of the field `contacts`. Without this field, returns the position of the field `dampers`.
-    /// Without both, returns the position of the scene's name.
-    pub(super) fn joints(&self) -> TokenPosition {
-        let fields = &self.syntax.fields;
-        let contacts = fields.contacts.given().map(|placed| placed.place);
-        let dampers = || fields.dampers.given().map(|placed| placed.place);
-        contacts.or_else(dampers).unwrap_or(self.syntax.place)
-    }
-
     fn friction(&self, index: Option<usize>) -> Option<TokenPosition> {
         let friction = self.syntax.fields.friction.given()?;
         let number = index.and_then(|index| match &friction.law {

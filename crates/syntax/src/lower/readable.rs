@@ -30,7 +30,7 @@ impl Syntax {
         let mut seen = HashSet::new();
         let mass_names: Vec<&Name> = self
             .mass_names()
-            .filter(|name| may_name(&name.text))
+            .filter(|name| may_name(&name.text, true))
             .filter(|name| seen.insert(name.text.as_str()))
             .collect();
         let excitation = fields.excitation.given().map(|name| name.text.as_str());

@@ -15,7 +15,7 @@ use crate::parse::{Name, Number};
 /// Returns the scene of a description, and reports all errors that the names and values cause.
 pub(super) fn resolve<'s>(
     syntax: &'s Syntax,
-    most_masses: usize,
+    checks: Checks,
     problems: &mut Problems,
 ) -> Located<'s> {
     let fields = &syntax.fields;
@@ -24,10 +24,7 @@ pub(super) fn resolve<'s>(
     let mut lowering = Lowering {
         names,
         problems,
-        checks: Checks {
-            most_masses,
-            ..Checks::default()
-        },
+        checks,
         unread: HashSet::new(),
     };
     let masses = lowering.masses(fields);
@@ -50,7 +47,7 @@ pub(super) fn resolve<'s>(
     let declared = lowering.declared(fields);
     let friction = lowering.friction(fields);
     let (stepping, force_entries) = lowering.stepping(fields);
-    let scene = Scene {
+    let mut scene = Scene {
         name: syntax
             .name
             .as_ref()
@@ -65,12 +62,13 @@ pub(super) fn resolve<'s>(
         stiction,
         stiffness,
         precision: fields.scalar.given().copied().unwrap_or_default(),
-        provide,
+        provide: Vec::new(),
         declared,
         friction,
         stepping,
         joints: joints.joints,
     };
+    scene.provide = provide.unwrap_or_else(|| scene.default_provide());
     let Lowering {
         problems,
         checks,
@@ -111,6 +109,11 @@ fn report_missing(syntax: &Syntax, problems: &mut Problems) {
     let mass = entries
         .first()
         .map_or("m1", |entry| entry.name.text.as_str());
+    // Only with the field `contacts` may a chain have no springs.
+    let free = fields.contact.given().map_or(String::new(), |one| {
+        let (from, to) = (&one.from.text, &one.to.text);
+        format!("; for masses that nothing holds, write the contact as `contacts: {{ contact: {from} - {to} }}`")
+    });
     for (is_missing, what, example) in [
         (
             fields.masses.is_missing(),
@@ -136,9 +139,10 @@ fn report_missing(syntax: &Syntax, problems: &mut Problems) {
         ),
     ] {
         if is_missing {
+            let more = if what == "springs" { &free } else { "" };
             problems.report(
                 syntax.place,
-                format!("{name} lacks the field `{what}`; write, for example, `{example},`"),
+                format!("{name} lacks the field `{what}`; write, for example, `{example},`{more}"),
             );
         }
     }

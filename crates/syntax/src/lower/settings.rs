@@ -91,8 +91,12 @@ impl<'s> Lowering<'s, '_> {
     }
 
     /// Returns the items of the field `provide` that the parser could read, each with its entry in the description.
-    pub(super) fn provide(&mut self, fields: &'s Fields) -> (Vec<Provide>, Vec<&'s ProvideEntry>) {
-        let default = || (vec![Provide::Limits, Provide::Motion(None)], Vec::new());
+    /// Returns `None` in place of the items if the scene has the default items.
+    pub(super) fn provide(
+        &mut self,
+        fields: &'s Fields,
+    ) -> (Option<Vec<Provide>>, Vec<&'s ProvideEntry>) {
+        let default = || (None, Vec::new());
         self.checks.provide = match &fields.provide {
             Slot::Missing => true,
             Slot::Broken => false,
@@ -120,7 +124,7 @@ impl<'s> Lowering<'s, '_> {
                 ProvideKind::SelfCheck => Provide::SelfCheck,
             })
             .collect();
-        (provide, list.entries.iter().collect())
+        (Some(provide), list.entries.iter().collect())
     }
 
     fn motion(&mut self, names: &List<Name>) -> Provide {

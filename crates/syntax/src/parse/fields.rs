@@ -47,10 +47,10 @@ const FIELDS: [(&str, Field); 23] = [
     ("springs", Field::Springs),
     ("contact", Field::Contact),
     ("contacts", Field::Contacts),
-    ("dampers", Field::Dampers),
     ("excitation", Field::Excitation),
     ("damping", Field::Damping),
     ("damping_from", Field::DampingFrom),
+    ("dampers", Field::Dampers),
     ("stiction", Field::Stiction),
     ("stiffness", Field::Stiffness),
     ("scalar", Field::Scalar),
@@ -122,7 +122,7 @@ fn field(
         return Err(problems.report(place, message));
     }
     // If the name of a field is unknown and the colon is missing, the parser reports only the unknown name.
-    let field = recognise(&word, reader, problems).ok_or(Reported)?;
+    let field = recognise(&word, problems).ok_or(Reported)?;
     reader.take_colon(problems, "the name of a field and its value")?;
     match field {
         Field::Masses => store(&mut fields.masses, &word, reader, problems, chain::masses),
@@ -232,14 +232,11 @@ const ASKED: [(&[&str], &str); 2] = [
 
 /// Returns the field that a word names. For a misspelt word, the function reports the error and returns the intended
 /// field. The parser then does not also report this field as missing.
-fn recognise(word: &Name, reader: &TokenReader<'_>, problems: &mut Problems) -> Option<Field> {
+fn recognise(word: &Name, problems: &mut Problems) -> Option<Field> {
     let text = word.text.as_str();
     if AMOUNTS.contains(&text) {
-        let message = stepping::how_much(reader.peek(1));
-        problems.report(
-            word.place,
-            format!("a scene has no field `{text}`; {message}"),
-        );
+        let message = format!("a scene has no field `{text}`; {}", stepping::HOW_MUCH);
+        problems.report(word.place, message);
         return None;
     }
     if let Some((_, message)) = ASKED.iter().find(|(words, _)| words.contains(&text)) {

@@ -9,20 +9,11 @@ use super::number::{Number, number};
 use super::reader::{Name, Read, TokenReader};
 use super::suggest;
 use super::syntax::{Choice, FrictionEntry, LawEntry, Placed};
-use super::token::{Delimiter, Token, TokenKind};
+use super::token::Delimiter;
 use crate::diagnostics::{Problems, Reported, TokenPosition};
 
-/// Returns advice for a user who gives a friction force in a description, which must not contain one. `amount` is the
-/// token of the force.
-pub(crate) fn how_much(amount: Option<&Token>) -> String {
-    let force = match amount.map(|token| &token.kind) {
-        Some(TokenKind::Number(text)) => text.as_str(),
-        _ => "0.5",
-    };
-    format!(
-        "delete it here, and give the friction with each request: `--friction {force}` in N at the command, or the friction ratio β = F/P as in `--beta 0.3` or `at.motion(0.3)`; the field `stiction` is μ, static over kinetic friction"
-    )
-}
+/// Advice for a user who gives a friction force in a description, which must not contain one.
+pub(crate) const HOW_MUCH: &str = "delete it here: each request takes the friction as an argument, the force F or the friction ratio β = F/P; the field `stiction` is μ, static over kinetic friction";
 
 /// Parses the friction law: `coulomb` or `stribeck(v₁: f₁, …)`.
 pub(crate) fn friction(
@@ -34,9 +25,8 @@ pub(crate) fn friction(
     let place = reader.place();
     let Some(word) = reader.take_word() else {
         let message = format!(
-            "the friction must be a law, not {}; {LAWS}; if the number is the amount of friction, {}",
-            reader.found(),
-            how_much(reader.peek(0))
+            "the friction must be a law, not {}; {LAWS}; if the number is the amount of friction, {HOW_MUCH}",
+            reader.found()
         );
         problems.report(place, message);
         return Read::lost();

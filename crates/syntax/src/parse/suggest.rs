@@ -3,6 +3,8 @@
 /// Length, in letters, of the longest word for which the function searches a correction. A longer word is hardly a
 /// misspelling, and the search would be slow.
 const LONGEST: usize = 64;
+/// Length, in letters, of the shortest word that counts as an abbreviation of a longer word.
+const SHORTEST: usize = 3;
 
 /// Returns the candidate that the author of a misspelt word most likely means, or `None`.
 pub(crate) fn closest<'c>(
@@ -26,7 +28,10 @@ pub(crate) fn closest<'c>(
             )
         })
         // A candidate that differs from the word in every letter is not a likely correction.
-        .filter(|&(steps, candidate)| steps <= allowed && steps < candidate.chars().count())
+        .filter(|&(steps, candidate)| {
+            let abbreviates = SHORTEST <= length && candidate.starts_with(word);
+            (steps <= allowed || abbreviates) && steps < candidate.chars().count()
+        })
         .min_by_key(|&(steps, _)| steps)
         .map(|(_, candidate)| candidate)
 }

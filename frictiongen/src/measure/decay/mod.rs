@@ -122,6 +122,7 @@ impl System {
             return Err(MeasureError::WrongDimension {
                 channel: channel.name.clone(),
                 unit: channel.unit.name(),
+                needed: Dimension::Displacement.needed(),
             });
         }
         let scale = channel.unit.scale();

@@ -46,7 +46,11 @@ pub(super) fn form(channels: &[Channel], fewest: usize) -> Result<(), MeasureErr
     let count = first.samples.len();
     if count < fewest {
         return Err(MeasureError::TooShort {
-            found: format!("{count} samples"),
+            found: match count {
+                0 => "no samples".to_owned(),
+                1 => "1 sample".to_owned(),
+                count => format!("{count} samples"),
+            },
             needed: if fewest == FEWEST { "16" } else { "2" },
         });
     }
@@ -59,6 +63,7 @@ pub(super) fn form(channels: &[Channel], fewest: usize) -> Result<(), MeasureErr
             return Err(MeasureError::WrongDimension {
                 channel: channel.name.clone(),
                 unit: channel.unit.name(),
+                needed: "a motion or a force; only a column `time` or `t` has the times of the samples",
             });
         }
         if channel.samples.len() != count {

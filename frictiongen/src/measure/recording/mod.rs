@@ -15,6 +15,7 @@ pub use channel::Channel;
 pub use series::Recording;
 pub(super) use table::CsvTable;
 pub use table::{CsvColumn, CsvRequest};
+pub(super) use unit::MOTION;
 pub use unit::{Dimension, Unit};
 
 use super::MeasureError;

@@ -326,6 +326,7 @@ fn check_code(name: &str, code: i64, unit: Unit) -> Result<(), MeasureError> {
     Err(MeasureError::WrongDimension {
         channel: name.to_owned(),
         unit: unit.name(),
+        needed: dimension.needed(),
     })
 }
 

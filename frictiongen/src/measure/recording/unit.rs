@@ -15,6 +15,22 @@ pub enum Dimension {
     Time,
 }
 
+impl Dimension {
+    /// Returns the quantity with an example of a unit, for a message.
+    pub(in crate::measure) fn needed(self) -> &'static str {
+        match self {
+            Self::Displacement => "a displacement, in a unit such as mm",
+            Self::Velocity => "a velocity, in a unit such as m/s",
+            Self::Acceleration => "an acceleration, in a unit such as m/s2 or g",
+            Self::Force => "a force, in a unit such as N",
+            Self::Time => "a time, in a unit such as s",
+        }
+    }
+}
+
+/// A motion as the necessary quantity of a channel, for a message.
+pub(in crate::measure) const MOTION: &str = "a motion, in a unit such as mm, m/s or g";
+
 /// A unit of measurement: its physical quantity and its size in SI units.
 ///
 /// ```

@@ -59,7 +59,13 @@ fn number_and_unit(text: &str) -> (Option<f64>, &str) {
 /// # Errors
 /// The reason in words. A message prints it after the text.
 pub fn base_load(text: &str) -> Result<Load, String> {
-    let (number, unit) = number_and_unit(text);
+    // A number alone may also be infinite or NaN, which the units of a load refuse.
+    let (number, unit) = match text.trim().parse() {
+        Ok(number) => (Some(number), ""),
+        Err(_) => number_and_unit(text),
+    };
+    // A decimal comma ends the number, and is no unit.
+    let number = number.filter(|_| !unit.starts_with(','));
     let number = number.ok_or_else(|| "it is not a number".to_owned())?;
     if unit.is_empty() {
         return Ok(Load::Base(number));
@@ -161,7 +167,7 @@ mod tests {
         for (text, load) in cases {
             assert_eq!(base_load(text), Ok(load), "{text}");
         }
-        for wrong in ["", "mm", "3 N", "3 furlongs", "inf m/s3", "nan kg"] {
+        for wrong in ["", "mm", "0,003", "3 N", "3 furlongs", "inf m/s3", "nan kg"] {
             assert!(base_load(wrong).is_err(), "{wrong}");
         }
         assert_eq!(number_and_unit(" 5 mm "), (Some(5.0), "mm"));

@@ -40,6 +40,8 @@ pub enum JoinedError {
     NoSpring,
     /// The angular frequency is not positive and finite.
     Frequency(Given),
+    /// The kinetic friction force of a contact is negative or not finite. The first field is the name of the contact.
+    Friction(String, Given),
     /// The amplitude of the load is not positive and finite.
     Amplitude(Given),
     /// The load does not fit the scene. The field gives the reason.
@@ -79,6 +81,10 @@ impl fmt::Display for JoinedError {
             Self::Frequency(given) => write!(
                 f,
                 "the angular frequency must be above 0 and finite, but it is {given}"
+            ),
+            Self::Friction(contact, given) => write!(
+                f,
+                "the friction force of the contact `{contact}` is {given}; it must be a finite number, not negative"
             ),
             Self::Amplitude(given) => write!(
                 f,

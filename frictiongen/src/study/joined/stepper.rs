@@ -4,8 +4,8 @@ use super::error::{JoinedError, UnknownContact};
 use super::scene::Joined;
 use super::simulation::JoinedContactNow;
 use super::slides::Slides;
-use crate::OutOfDomain;
 use crate::study::joints::{Chain, Heap, Wave};
+use crate::{Given, OutOfDomain};
 use frictiongen_kernel::joints::Stepper;
 use frictiongen_model::scene::{Excitation, StepInput};
 
@@ -88,8 +88,9 @@ impl JoinedStepper<'_> {
     ///
     /// # Errors
     /// [`OutOfDomain`](crate::OutOfDomain) for a force or a base motion that is not finite, and for a base motion in a
-    /// scene that a force drives. [`OutOfDomain`](crate::OutOfDomain) also for a friction force that is negative or
-    /// not finite, and for a step in which the motion exceeds a bound of the solver. [`JoinedError::UnknownMass`] and
+    /// scene that a force drives. [`OutOfDomain`](crate::OutOfDomain) also for a step in which the motion exceeds a
+    /// bound of the solver. [`JoinedError::Friction`] for a friction force that is negative or not finite.
+    /// [`JoinedError::UnknownMass`] and
     /// [`JoinedError::UnknownContact`] for a name that the scene does not have. After an error the stepper is
     /// unchanged, except for a velocity of the base that the input sets.
     pub fn advance(&mut self, input: JoinedInput<'_>) -> Result<usize, JoinedError> {
@@ -137,6 +138,10 @@ impl JoinedStepper<'_> {
         let mut frictions = self.frictions.clone();
         for (name, friction) in input.frictions {
             if let Some(own) = frictions.get_mut(self.joined.contact_index(name)?) {
+                if !(0.0 <= *friction && friction.is_finite()) {
+                    let given = Given::of(*friction);
+                    return Err(JoinedError::Friction((*name).to_owned(), given));
+                }
                 *own = *friction;
             }
         }

@@ -52,9 +52,13 @@ impl fmt::Display for PeriodicError {
                 );
             }
             Self::Drifts(quantity, mean) => {
+                let belt = match *quantity {
+                    "velocity" => "compute the motion of a belt in time (`drive`), or ",
+                    _ => "",
+                };
                 return write!(
                     f,
-                    "the period does not close: the mean {quantity} of the base is {mean}, so the base does not come back; subtract the mean"
+                    "the period does not close: the mean {quantity} of the base is {mean}, so the base does not come back; {belt}subtract the mean"
                 );
             }
             Self::NoHarmonics => "a sum of harmonics needs at least one harmonic",

@@ -1,7 +1,8 @@
 //! Tests of chapters 5 and 6 for a contact with a fixed wall, and of appendix A.
 
+use super::integration::run_on;
 use super::page::states;
-use super::plain::{Contact, Scene, u_g, unit};
+use super::plain::{Contact, Scene, bisect, u_g, unit};
 use super::{close, judged};
 use nalgebra::{Matrix2, Vector2};
 use std::f64::consts::PI;
@@ -120,6 +121,40 @@ fn section_6_3_2() {
     assert!((exact[1] - 1.123).abs() > 4e-3);
     let numbers = [(0.559, 3), (1.123, 3), (exact[0], 4), (exact[1], 4)];
     states("section_6_3_2", &numbers);
+}
+
+/// Checks that a mass in contact has three invariant points, although the stuck chain has two peaks.
+#[test]
+fn section_6_3_3() {
+    let scene = unit(5, Contact::Wall(2));
+    let u = |r: f64| scene.at(r).u()[2];
+    let step = 1e-3;
+    let ratios: Vec<f64> = (0..2000)
+        .map(|i| 1.0 + step * (f64::from(i) + 0.5))
+        .collect();
+    let values: Vec<(f64, f64)> = ratios.iter().map(|r| (*r, u(*r))).collect();
+    // At a resonance U changes its sign through infinity.
+    let changes = values.windows(2).filter(|pair| {
+        let (one, other) = (pair[0].1, pair[1].1);
+        one * other < 0.0 && one.abs().max(other.abs()) < 1.0
+    });
+    let points: Vec<f64> = changes
+        .map(|pair| bisect(|r| u(r) * pair[0].1 > 0.0, pair[0].0, pair[1].0))
+        .collect();
+    assert_eq!(points.len(), 3, "{points:?}");
+    for r in &points {
+        let (plain, beta) = (scene.at(*r), 0.5 * scene.limit(*r));
+        let steady = run_on(&plain, beta, 4);
+        close(steady.at(0.0).0[2].abs(), plain.v()[2].norm(), 1e-8);
+    }
+    let stuck = |r: f64| scene.at(r).stuck().0[0].re;
+    let peaks = [1.0, 3.0_f64.sqrt()];
+    for peak in peaks {
+        assert!(stuck(peak - 1e-6) > 1e5 && stuck(peak + 1e-6) < -1e5);
+    }
+    let found = points.iter().map(|point| (*point, 6));
+    let numbers: Vec<_> = found.chain(peaks.map(|peak| (peak, 4))).collect();
+    states("section_6_3_3", &numbers);
 }
 
 /// Checks that amplitude and stiffness ratio of the two-storey rig follow from its frequencies.

@@ -20,6 +20,8 @@ pub struct Steady {
     pub stops: usize,
     /// Angle of the excitation at the last maximum of z̄, in (−π, π].
     pub phi: f64,
+    /// Largest |x̄₁| at the steps of the last period.
+    pub largest: f64,
     start: State,
 }
 
@@ -77,9 +79,12 @@ fn integrate(
     mut friction: Option<f64>,
 ) -> Steady {
     let slip = |t: f64, y: &State| plain.w.dot(&y.1) + plain.s * t.sin();
-    let (mut stops, mut start) = (0, (t, y.clone()));
+    let (mut stops, mut largest, mut start) = (0, 0.0_f64, (t, y.clone()));
     let end = t + TAU * periods as f64;
     while t < end {
+        if end - TAU < t {
+            largest = largest.max(y.0[0].abs());
+        }
         let h = PI / STEPS as f64;
         let Some(force) = friction else {
             let holding = plain.holding_force(t, &y.0, &y.1);
@@ -124,6 +129,7 @@ fn integrate(
         beta,
         stops,
         phi: (t + PI).rem_euclid(TAU) - PI,
+        largest,
         start,
     }
 }

@@ -13,13 +13,15 @@ const SOURCES: [&str; 6] = [
 ];
 
 /// The corrections, each as its position in the thesis and the name of its test.
-const ROWS: [(&str, &str); 32] = [
+const ROWS: [(&str, &str); 35] = [
     ("2.31, 6.8", "eq_2_31_and_6_8"),
     ("2.4, 2.9", "eq_2_4_and_2_9"),
+    ("section 2.5.1", "section_2_5_1"),
     ("3.15", "eq_3_15"),
     ("3.33, 3.34", "eq_3_33_and_3_34"),
     ("sections 3.4.3, 3.6", "sections_3_4_3_and_3_6"),
     ("section 3.6.2", "section_3_6_2"),
+    ("section 3.6.2, figure 3.14a", "section_3_6_2_stick_slip"),
     ("4.5", "eq_4_5"),
     ("section 4.4.2", "section_4_4_2"),
     ("5.28", "eq_5_28"),
@@ -31,6 +33,7 @@ const ROWS: [(&str, &str); 32] = [
     ("6.24", "eq_6_24"),
     ("6.27", "eq_6_27"),
     ("section 6.3.2", "section_6_3_2"),
+    ("section 6.3.3", "section_6_3_3"),
     ("6.32", "eq_6_32"),
     ("section 6.5.2", "section_6_5_2"),
     ("section 6.5.3", "section_6_5_3"),

@@ -1,6 +1,6 @@
 //! Tests of chapters 2 to 4: one mass.
 
-use super::integration::run;
+use super::integration::{run, run_on};
 use super::page::states;
 use super::plain::{Contact, bisect, u_g, unit};
 use super::{close, judged};
@@ -45,6 +45,23 @@ fn eq_2_4_and_2_9() {
     // By Stribeck's law the coefficient falls with speed, but the printed coefficient rises.
     assert!(right(1.0) < right(0.5) && printed(1.0) > printed(0.5));
     states("eq_2_4_and_2_9", &[(printed(0.0), 1), (at_rest, 1)]);
+}
+
+/// Checks that friction reduces the lag where U is positive.
+#[test]
+fn section_2_5_1() {
+    let (r, scene) = (0.4, unit(1, WALL));
+    let (u, v) = (u_g(r, 0.0).0, 1.0 / (1.0 - r * r));
+    let lags = [0.02, 0.05].map(|beta: f64| {
+        assert!(beta < scene.limit(r));
+        let steady = run_on(&scene.at(r), beta, 20);
+        assert_eq!(steady.stops, 0);
+        let right = -(beta * u / v).asin();
+        // An increase of the lag, as printed, would have the other sign.
+        judged(-right, right, steady.phi, 1e-8);
+        right
+    });
+    states("section_2_5_1", &[(lags[0], 3), (lags[1], 3)]);
 }
 
 /// Checks the velocity constraint on β for one mass that rubs on the base.
@@ -159,6 +176,30 @@ fn section_3_6_2() {
     let reached = bisect(|r| unit(1, BASE).limit(r) < printed, 1.4, 1.7);
     assert!(reached > 1.52, "{reached}");
     states("section_3_6_2", &[(printed, 2), (right, 3), (reached, 3)]);
+}
+
+/// Checks where the amplitude in stick-slip motion grows from β = 1.25 to β = 1.5.
+#[test]
+fn section_3_6_2_stick_slip() {
+    let scene = unit(1, BASE);
+    let system = scene.system();
+    let amplitudes = |r: f64| {
+        [1.25, 1.5].map(|beta| {
+            let steady = run(&scene.at(r), beta, 40);
+            assert!(steady.stops > 0);
+            let orbit = system.at(r).unwrap().orbit(beta).unwrap();
+            // Between two steps, the amplitude exceeds the largest sample by up to 1e-5.
+            let own = orbit.mass("m1").unwrap().amplitude();
+            close(steady.largest, own, 2e-5);
+            steady.largest
+        })
+    };
+    // The printed range ends at r = 1.5.
+    let [low, high] = amplitudes(1.43);
+    assert!(high - low > 1e-3, "{low} {high}");
+    let [low, high] = amplitudes(1.45);
+    assert!(low - high > 1e-3, "{low} {high}");
+    states("section_3_6_2_stick_slip", &[(low, 3), (high, 3)]);
 }
 
 /// Checks that the curves of the fundamental component over r, one for each β, meet in one point.

@@ -11,6 +11,9 @@ pub enum Door {
     Text,
     /// The description is given to the macro only, because the case concerns the macro's tokens.
     Macro,
+    /// The description is given as text, and to the macro, for emitted code. A system at run time accepts the
+    /// description.
+    Emitted,
     /// The path of a file is given.
     File,
     /// A scene is built in code.
@@ -20,12 +23,12 @@ pub enum Door {
 impl Door {
     /// Returns `true` if the parser of texts gives the messages of the case.
     pub fn takes_text(self) -> bool {
-        matches!(self, Self::Every | Self::Text)
+        matches!(self, Self::Every | Self::Text | Self::Emitted)
     }
 
     /// Returns `true` if the compiler reads the case.
     pub fn takes_tokens(self) -> bool {
-        matches!(self, Self::Every | Self::Macro)
+        matches!(self, Self::Every | Self::Macro | Self::Emitted)
     }
 
     /// Returns `true` if the case has a description.
@@ -104,6 +107,7 @@ fn read(path: &Path) -> Case {
             ("cause", cause) => case.cause = cause.to_owned(),
             ("door", "text") => case.door = Door::Text,
             ("door", "macro") => case.door = Door::Macro,
+            ("door", "emitted") => case.door = Door::Emitted,
             ("door", "file") => case.door = Door::File,
             ("door", "code") => case.door = Door::Code,
             other => panic!("{name}: what is {other:?}?"),

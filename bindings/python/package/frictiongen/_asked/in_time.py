@@ -103,8 +103,7 @@ class InTime(Base):
             ends by a rule that creates no energy, and `exceeded` counts it.  0 means no budget.  The default is the
             budget of `start`, or else no budget.
 
-        Between samples a force is linear in time.  It is constant over a step if the description has
-        `provide: [stepper], input: hold`.
+        Between samples a force is linear in time.  It is constant over a step if the description has `input: hold`.
 
         >>> import frictiongen, numpy
         >>> frame = frictiongen.System(frictiongen.FRAME)

@@ -17,7 +17,7 @@ const PERIODS: f64 = 10.0;
 /// Smallest and largest number of steps in the compared run.
 const STEPS: (f64, f64) = (200.0, 10_000.0);
 /// Friction force of each contact in the compared run, divided by the largest force that this contact carries in the
-/// old scene while all contacts are stuck.
+/// old scene while it alone is stuck. If all contacts were stuck, one contact could keep the load from another.
 const FRICTION: f64 = 0.3;
 /// Friction force that keeps every contact stuck in a run, as a multiple of the load. For base motion the load is the
 /// amplitude of the base times the largest spring stiffness.
@@ -80,16 +80,17 @@ pub struct Steppers {
     pub left_out: Vec<String>,
 }
 
-/// Compares the steppers of two scenes. Returns `None` if no scene provides a stepper.
-pub fn compare([old, new]: [&System; 2], texts: &[String; 2]) -> Option<Steppers> {
+/// Compares the steppers of two scenes. Returns `None` if no scene provides a stepper, unless `alone` is true: the
+/// command then compares no other answers, and each scene has a stepper at run time.
+pub fn compare([old, new]: [&System; 2], texts: &[String; 2], alone: bool) -> Option<Steppers> {
     let provides = [old, new].map(|system| system.scene().provides(&Provide::Stepper));
     let mut found = Steppers {
         declared: (old.scene().stepping.step, new.scene().stepping.step),
         ..Steppers::default()
     };
     let only = match provides {
-        [false, false] => return None,
-        [true, true] => "",
+        [false, false] if !alone => return None,
+        [true, true] | [false, false] => "",
         [true, false] => "old",
         [false, true] => "new",
     };
@@ -256,8 +257,8 @@ fn named(
     masses.chain(contacts).collect()
 }
 
-/// Returns the amplitude of each wave in the load, and the friction force of each contact. The friction forces follow
-/// from a run of the old scene in which the contacts stick. With the friction law `stribeck`, the amplitude follows
+/// Returns the amplitude of each wave in the load, and the friction force of each contact. The friction force of a
+/// contact follows from a run of the old scene in which this contact alone sticks. With the friction law `stribeck`, the amplitude follows
 /// from a run without friction.
 fn levels(
     old: &System,
@@ -265,9 +266,14 @@ fn levels(
     (step, steps): (f64, u32),
     contacts: &[String],
 ) -> Result<(f64, Vec<(String, f64)>), String> {
-    let run = |load: &SineSum, force: f64| -> Result<Vec<[f64; 2]>, String> {
-        let named = |contact: &String| (contact.clone(), force);
-        let frictions: Vec<(String, f64)> = contacts.iter().map(named).collect();
+    // The friction force is 0 in all contacts except the contact `held`.
+    let run = |load: &SineSum, held: Option<(usize, f64)>| -> Result<Vec<[f64; 2]>, String> {
+        let force = |index| {
+            held.filter(|(held, _)| *held == index)
+                .map_or(0.0, |(_, force)| force)
+        };
+        let named = |(index, contact): (usize, &String)| (contact.clone(), force(index));
+        let frictions: Vec<(String, f64)> = contacts.iter().enumerate().map(named).collect();
         let mut run = StepperRun::start(old, load, step, &frictions)?;
         let mut largest = vec![[0.0_f64; 2]; contacts.len()];
         for _ in 0..steps {
@@ -286,7 +292,7 @@ fn levels(
     if let FrictionLaw::Stribeck(points) = &old.scene().friction
         && let Some([speed, _]) = points.last()
     {
-        let free = run(&load, 0.0)?;
+        let free = run(&load, None)?;
         let fastest = free
             .iter()
             .fold(0.0, |fastest: f64, [v, _]| fastest.max(*v));
@@ -299,8 +305,11 @@ fn levels(
         Excitation::Base => stiffest.fold(0.0, f64::max),
         Excitation::Force(_) => 1.0,
     };
-    let held = run(&load, HOLDS * stiffest * load.amplitude)?;
-    let frictions = contacts.iter().zip(held);
-    let frictions = frictions.map(|(contact, [_, force])| (contact.clone(), FRICTION * force));
-    Ok((load.amplitude, frictions.collect()))
+    let holding = HOLDS * stiffest * load.amplitude;
+    let frictions = contacts.iter().enumerate().map(|(index, contact)| {
+        let largest = run(&load, Some((index, holding)))?;
+        let force = largest.get(index).map_or(0.0, |[_, force]| *force);
+        Ok((contact.clone(), FRICTION * force))
+    });
+    Ok((load.amplitude, frictions.collect::<Result<_, String>>()?))
 }

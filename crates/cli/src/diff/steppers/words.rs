@@ -224,7 +224,7 @@ impl RunDifferences {
         writeln!(
             out,
             "    Friction force, \
-             {FRICTION} times the largest force of the stuck contact in the old scene:"
+             {FRICTION} times the largest force of the contact in the old scene while it alone sticks:"
         )?;
         writeln!(out, "      {}", frictions.join(", "))?;
         for line in [

@@ -27,18 +27,22 @@ fn types(emission: &JointsEmission<'_>) -> TokenStream {
         MAX_STEP_EVENTS
     );
     let mut types = wrapper(emission, stepper, "Stepper", &about);
+    let (of_base, of_force) = match scene.stepping.input {
+        StepInput::Linear => ("at the end of the step", "at the end of the step"),
+        StepInput::Hold => ("at the start of the step", "during the step"),
+    };
     let mut fields = Vec::new();
     if scene.excitation == Excitation::Base {
         let (displacement, velocity) = (local("displacement"), local("velocity"));
-        let about = " Displacement of the base at the end of the step.";
+        let about = format!(" Displacement of the base {of_base}.");
         fields.push(NumberField::new(about, &displacement, scalar));
         let about =
-            " Velocity of the base at the end of the step, in the unit of displacement per second.";
+            format!(" Velocity of the base {of_base}, in the unit of displacement per second.");
         fields.push(NumberField::new(about, &velocity, scalar));
     }
     fields.extend(emission.loads.iter().map(|(mass, field)| {
         let mass = scene.masses.get(*mass).map_or("", |mass| &mass.name);
-        let about = format!(" Force on mass `{mass}` at the end of the step.");
+        let about = format!(" Force on mass `{mass}` {of_force}.");
         NumberField::new(about, field, scalar)
     }));
     let about = " Kinetic friction force of each contact during the step.";

@@ -1,6 +1,7 @@
 //! Checks that a scene with several contacts rejects requests that have no result, and that the message names the
 //! reason.
 
+use super::super::JoinedInput;
 use super::{FRAME, system};
 use crate::study::scene::JointLaw;
 use crate::{System, Unsupported};
@@ -150,6 +151,16 @@ fn bad_numbers_are_refused() {
     assert!(at.orbit_from(0.1, (&[0.0], &[0.0])).is_err());
     assert!(at.orbit_from(0.1, (&[0.0, f64::NAN], &[0.0, 0.0])).is_err());
     assert!(at.simulation(0.1).expect("a motion").advance(-1.0).is_err());
+    let mut stepper = joined.stepper(0.01).expect("a step");
+    let input = JoinedInput {
+        frictions: &[("pads", -1.0)],
+        ..JoinedInput::default()
+    };
+    let told = stepper.advance(input).expect_err("a refusal").to_string();
+    assert!(
+        told.starts_with("the friction force of the contact `pads` is negative"),
+        "{told}"
+    );
     let stribeck =
         "struct B { masses: { b: 1 }, springs: { base - b: 1 }, contact: b - wall, excitation: b,
         friction: stribeck(0.1: 0.8), provide: [simulation] }";
