@@ -66,7 +66,7 @@ async function quickCurve() {
     if (told.error) return;
     points.push(...told.points);
   }
-  if (orbit) points.push([state.r, state.of === undefined ? orbit.contact : orbit.masses[state.of].drawn, regimes.indexOf(orbit.regime)]);
+  if (orbit) points.push([state.r, state.of === undefined ? orbit.contact : orbit.masses[state.of].amplitude, regimes.indexOf(orbit.regime)]);
   points.sort((a, b) => a[0] - b[0]);
   draw("curve", await fast.ask(question("line", { points })));
 }
@@ -175,7 +175,7 @@ function mark() {
   at("beta").setAttribute("aria-valuetext", at("beta-is").textContent);
   at("r").setAttribute("aria-valuetext", at("r-is").textContent);
   over("map", state.beta, best);
-  over("curve", state.of === undefined ? orbit?.contact : orbit?.masses[state.of]?.drawn, null);
+  over("curve", state.of === undefined ? orbit?.contact : orbit?.masses[state.of]?.amplitude, null);
 }
 
 function over(id, height, line) {

@@ -2,7 +2,7 @@
 
 use crate::question::{Question, picture};
 use frictiongen::study::curve::{Curve, CurveRequest, CurveStart};
-use frictiongen::{Of, Regime, System};
+use frictiongen::{Of, System};
 use frictiongen_plot::Colour;
 use frictiongen_plot::desk::{Drawn, Reading, Scales, lines, panel};
 use serde_json::{Value, json};
@@ -81,10 +81,7 @@ fn points(curve: &Curve) -> Value {
     let points = curve.pieces.iter().flat_map(|piece| &piece.points);
     let told = points.map(|point| {
         let movement = point.movements.first();
-        let amplitude = movement.map(|movement| match point.regime {
-            Regime::Stuck => movement.centred,
-            _ => movement.swing.amplitude,
-        });
+        let amplitude = movement.map(|movement| movement.swing.amplitude);
         json!([point.r, amplitude, crate::orbit::code(point.regime)])
     });
     Value::Array(told.collect())

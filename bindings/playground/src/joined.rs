@@ -2,7 +2,7 @@
 //! scene, and all answers for scenes with several contacts or dashpots.
 
 use crate::map::{REGIMES, class, top};
-use crate::orbit::{code, drawn, loop_picture};
+use crate::orbit::{code, loop_picture};
 use crate::question::{Question, picture};
 use frictiongen::study::joined::{JoinedAt, JoinedOrbit};
 use frictiongen::{Regime, System};
@@ -39,7 +39,7 @@ pub fn points(question: &Question) -> Result<Value, String> {
     let point = |r: f64| {
         let Some(joined) = &joined else {
             let response = system.at(r).ok()?.response(question.beta).ok()?;
-            let size = drawn(&response, question.motion())?;
+            let size = response.swing(question.motion())?.amplitude;
             return Some((size, class(response.regime())));
         };
         let orbit = joined.at_any(r).ok()?.orbit(question.beta).ok()?;
@@ -178,7 +178,7 @@ pub fn orbit(question: &Question, system: &System) -> Result<Value, String> {
         "stops": orbit.contacts().map(|contact| contact.stops()).sum::<usize>(),
         "stable": orbit.is_stable(),
         "marginal": orbit.is_marginal(),
-        "masses": amplitudes.map(|amplitude| json!({ "amplitude": amplitude, "drawn": amplitude, "phase": null })).collect::<Vec<_>>(),
+        "masses": amplitudes.map(|amplitude| json!({ "amplitude": amplitude, "phase": null })).collect::<Vec<_>>(),
         "contact": orbit.contacts().next().map(|contact| contact.displacement()),
         "force": orbit.contacts().map(|contact| contact.force()).fold(0.0, f64::max),
         "work": orbit.contacts().map(|contact| contact.energy()).sum::<f64>() / orbit.period() as f64,

@@ -63,11 +63,9 @@ fn numbers(system: &System, response: &SystemResponse<'_>) -> Value {
     };
     let count = system.scene().masses.len();
     let masses = (0..count).map(|index| {
-        let of = Of::Mass(index);
-        let swing = response.swing(of);
+        let swing = response.swing(Of::Mass(index));
         json!({
             "amplitude": swing.map(|swing| swing.amplitude),
-            "drawn": drawn(response, of),
             "phase": swing.and_then(|swing| swing.phase),
         })
     });
@@ -81,19 +79,10 @@ fn numbers(system: &System, response: &SystemResponse<'_>) -> Value {
         "stable": stable,
         "marginal": response.is_marginal(),
         "masses": masses.collect::<Vec<_>>(),
-        "contact": drawn(response, Of::Contact),
+        "contact": response.swing(Of::Contact).map(|swing| swing.amplitude),
         "force": response.contact_force(),
         "work": response.largest(Of::Contact, MotionQuantity::Energy),
     })
-}
-
-/// Returns the amplitude of a motion that a curve shows. If the contact is stuck, it is the amplitude about the
-/// centred position, because the contact may have stopped at many positions.
-pub fn drawn(response: &SystemResponse<'_>, of: Of) -> Option<f64> {
-    match response.regime() {
-        Regime::Stuck => response.centred_amplitude(of),
-        _ => Some(response.swing(of)?.amplitude),
-    }
 }
 
 /// Returns one period of the motion in a steady state, and the picture of the contact's hysteresis loop.

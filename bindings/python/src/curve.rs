@@ -1,8 +1,8 @@
 //! Computes responses over a frequency range, with more points where a curve bends.
 
 use crate::asked::{
-    FrequencyKeywords, FrequencyRange, FrictionKeywords, FrictionValues, LoadKeywords, MOST_POINTS,
-    MovingPart, Optional, check_size, harmonics, measure, one, parts, setting,
+    DrivenKeywords, FrequencyKeywords, FrequencyRange, FrictionKeywords, FrictionValues,
+    MOST_POINTS, MovingPart, Optional, check_size, driven, harmonics, one, parts, setting,
 };
 use crate::columns::NamedArrays;
 use crate::errors::domain;
@@ -54,15 +54,15 @@ pub fn curve<'py>(
     system: &NativeSystem,
     frequency: FrequencyKeywords<'py>,
     friction: FrictionKeywords<'py>,
-    load: LoadKeywords<'py>,
+    load: DrivenKeywords<'py>,
     of: Optional<'py>,
     fineness: Fineness<'py>,
 ) -> PyResult<Bound<'py, PyDict>> {
     let (accuracy, step, highest, rates, starts_of) = fineness;
     let starts = starts(&starts_of)?;
-    let system = &system.system;
-    let band = FrequencyRange::of(system, &frequency)?;
-    let measure = measure::of(system, &load)?;
+    let band = FrequencyRange::of(&system.system, &frequency)?;
+    let (measure, system) = driven(&system.system, &load)?;
+    let system = &*system;
     let frictions = FrictionValues::listed(&friction, &measure)?;
     let parts: Vec<MovingPart> = parts(system, "of", of.as_ref())?;
     let of: Vec<Of> = parts.iter().map(|part| part.of).collect();

@@ -1,8 +1,8 @@
 //! Computes maps of the contact's regime over frequency and friction.
 
 use crate::asked::{
-    FrequencyKeywords, FrequencyValues, FrictionKeywords, FrictionValues, LoadKeywords, Optional,
-    check_size, measure, parts, setting,
+    DrivenKeywords, FrequencyKeywords, FrequencyValues, FrictionKeywords, FrictionValues, Optional,
+    check_size, driven, parts, setting,
 };
 use crate::columns::NamedArrays;
 use crate::errors::domain;
@@ -20,17 +20,17 @@ pub fn map<'py>(
     system: &NativeSystem,
     frequency: FrequencyKeywords<'py>,
     friction: FrictionKeywords<'py>,
-    load: LoadKeywords<'py>,
+    load: DrivenKeywords<'py>,
     of: Optional<'py>,
 ) -> PyResult<Bound<'py, PyDict>> {
-    let system = &system.system;
-    let frequencies = FrequencyValues::of(system, &frequency, false)?;
+    let frequencies = FrequencyValues::of(&system.system, &frequency, load.1.is_some())?;
     if let Some(index) = frequencies.r.iter().position(|r| r.is_infinite()) {
         return Err(domain(format_args!(
             "the frequency with the index {index} is infinite, but a map needs finite frequencies"
         )));
     }
-    let measure = measure::of(system, &load)?;
+    let (measure, system) = driven(&system.system, &load)?;
+    let system = &*system;
     let frictions = FrictionValues::of(&friction, &measure)?;
     let parts = parts(system, "of", of.as_ref())?;
     let table = MapTable {

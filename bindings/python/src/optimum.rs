@@ -3,7 +3,7 @@
 //! of a quantity and its divisor.
 
 use crate::asked::{
-    FrequencyKeywords, FrequencyRange, LoadKeywords, Measure, MovingPart, measure, one, quantity,
+    DrivenKeywords, FrequencyKeywords, FrequencyRange, Measure, MovingPart, driven, one, quantity,
     setting,
 };
 use crate::columns::NamedArrays;
@@ -70,11 +70,12 @@ pub fn optimum<'py>(
     system: &NativeSystem,
     of: Bound<'py, PyAny>,
     frequency: FrequencyKeywords<'py>,
-    load: LoadKeywords<'py>,
+    load: DrivenKeywords<'py>,
     constraints: Constraints<'py>,
 ) -> PyResult<OptimumAnswer<'py>> {
-    let (system, (vary, keep)) = (&system.system, constraints);
-    let measure = measure::of(system, &load)?;
+    let (vary, keep) = constraints;
+    let (measure, system) = driven(&system.system, &load)?;
+    let system = &*system;
     let band = FrequencyRange::of(system, &frequency)?;
     if let Ok(quantities) = of.cast::<PyDict>() {
         for (given, name) in [(vary.is_some(), "vary"), (keep.is_some(), "keep")] {

@@ -1,8 +1,8 @@
 //! Computes the steady state at one frequency and one friction.
 
 use crate::asked::{
-    FrequencyKeywords, FrequencyValues, FrictionKeywords, FrictionValues, LoadKeywords, Measure,
-    MovingPart, Optional, harmonics, measure, parts, setting,
+    DrivenKeywords, FrequencyKeywords, FrequencyValues, FrictionKeywords, FrictionValues, Measure,
+    MovingPart, Optional, driven, harmonics, parts, setting,
 };
 use crate::columns::NamedArrays;
 use crate::errors::{defect, domain};
@@ -67,18 +67,17 @@ impl OrbitKeywords {
 fn question<'py>(
     system: &NativeSystem,
     (frequency, friction): (&FrequencyKeywords<'py>, &FrictionKeywords<'py>),
-    load: &LoadKeywords<'py>,
+    load: &DrivenKeywords<'py>,
     of: Option<&Bound<'py, PyAny>>,
     highest: Optional<'py>,
 ) -> PyResult<OrbitKeywords> {
-    let system = &system.system;
-    let measure = measure::of(system, load)?;
+    let (measure, system) = driven(&system.system, load)?;
     Ok(OrbitKeywords {
-        system: Arc::clone(system),
+        frequencies: FrequencyValues::of(&system, frequency, true)?,
+        parts: parts(&system, "of", of)?,
+        system,
         measure,
-        frequencies: FrequencyValues::of(system, frequency, true)?,
         frictions: FrictionValues::of(friction, &measure)?,
-        parts: parts(system, "of", of)?,
         orders: match highest {
             None => Vec::new(),
             highest => (0..=harmonics(highest.as_ref())?).collect(),
@@ -86,14 +85,14 @@ fn question<'py>(
     })
 }
 
-/// Computes the steady state that the motion from rest approaches, at one frequency and one friction.
+/// Computes the steady state that the motion from rest or from another state reaches, at one frequency and one friction.
 #[pyfunction]
 pub fn orbit<'py>(
     py: Python<'py>,
     system: &NativeSystem,
     frequency: FrequencyKeywords<'py>,
     friction: FrictionKeywords<'py>,
-    load: LoadKeywords<'py>,
+    load: DrivenKeywords<'py>,
     of: Optional<'py>,
     highest: Optional<'py>,
 ) -> PyResult<Bound<'py, PyDict>> {
@@ -112,7 +111,7 @@ pub fn states<'py>(
     system: &NativeSystem,
     frequency: FrequencyKeywords<'py>,
     friction: FrictionKeywords<'py>,
-    load: LoadKeywords<'py>,
+    load: DrivenKeywords<'py>,
     of: Optional<'py>,
     highest: Optional<'py>,
 ) -> PyResult<Vec<Bound<'py, PyDict>>> {

@@ -1,8 +1,8 @@
 //! Computes the response in every regime over frequency and friction.
 
 use crate::asked::{
-    FrequencyKeywords, FrequencyValues, FrictionKeywords, FrictionValues, LoadKeywords, Optional,
-    check_size, harmonics, measure, parts, put_grid, setting,
+    DrivenKeywords, FrequencyKeywords, FrequencyValues, FrictionKeywords, FrictionValues, Optional,
+    check_size, driven, harmonics, parts, put_grid, setting,
 };
 use crate::columns::NamedArrays;
 use crate::errors::domain;
@@ -21,13 +21,13 @@ pub fn response<'py>(
     system: &NativeSystem,
     frequency: FrequencyKeywords<'py>,
     friction: FrictionKeywords<'py>,
-    load: LoadKeywords<'py>,
+    load: DrivenKeywords<'py>,
     of: Optional<'py>,
     highest: Optional<'py>,
 ) -> PyResult<Bound<'py, PyDict>> {
-    let system = &system.system;
-    let frequencies = FrequencyValues::of(system, &frequency, false)?;
-    let measure = measure::of(system, &load)?;
+    let frequencies = FrequencyValues::of(&system.system, &frequency, load.1.is_some())?;
+    let (measure, system) = driven(&system.system, &load)?;
+    let system = &*system;
     let frictions = FrictionValues::of(&friction, &measure)?;
     let parts = parts(system, "of", of.as_ref())?;
     let orders: Vec<u32> = (1..=harmonics(highest.as_ref())?).step_by(2).collect();

@@ -2,7 +2,7 @@
 
 use crate::asked::{
     FrequencyKeywords, FrequencyValues, FrictionKeywords, FrictionValues, LoadKeywords, Measure,
-    Optional, measure, numbers, one, parts, setting, whole,
+    Optional, measure, one, parts, setting, start, whole,
 };
 use crate::columns::NamedArrays;
 use crate::errors::domain;
@@ -30,7 +30,7 @@ type RunKeywords<'py> = (
     Optional<'py>,
     Optional<'py>,
     Optional<'py>,
-    Option<(Bound<'py, PyAny>, Bound<'py, PyAny>)>,
+    Optional<'py>,
     bool,
     Optional<'py>,
 );
@@ -38,50 +38,20 @@ type RunKeywords<'py> = (
 /// The samples and the events of a motion, each as arrays by the names of the columns.
 type Arrays<'py> = (Bound<'py, PyDict>, Bound<'py, PyDict>);
 
-/// Reads displacements and velocities of all masses from Python, and returns both as non-dimensional groups.
-fn start(
-    (displacements, velocities): &(Bound<'_, PyAny>, Bound<'_, PyAny>),
-    system: &System,
-    (measure, omega): (&Measure, f64),
-) -> PyResult<(Vec<f64>, Vec<f64>)> {
-    let scale = measure.scale();
-    let half = |what: &str, given: &Bound<'_, PyAny>, ratio: &dyn Fn(f64) -> f64| {
-        let given = numbers(what, given)?.values;
-        let masses = system.scene().masses.len();
-        if given.len() != masses {
-            return Err(domain(format_args!(
-                "{what}: {masses} numbers are needed, one for each mass, but these are {}",
-                given.len()
-            )));
-        }
-        let all: Vec<f64> = given.into_iter().map(ratio).collect();
-        if let Some(value) = all.iter().find(|value| !value.is_finite()) {
-            return Err(domain(format_args!(
-                "{what}: every number must be finite, but one is {value:?}"
-            )));
-        }
-        Ok(all)
-    };
-    Ok((
-        half("start[0], the displacements", displacements, &|x| {
-            scale.map_or(x, |scale| scale.displacement_ratio(x))
-        })?,
-        half("start[1], the velocities", velocities, &|v| {
-            scale.map_or(v, |scale| scale.velocity_ratio(v, omega))
-        })?,
-    ))
-}
-
 /// Computes samples and events of the free vibration from a state, in SI units.
 fn free<'py>(
     py: Python<'py>,
     system: &Arc<System>,
-    (from, until, samples): (&(Bound<'py, PyAny>, Bound<'py, PyAny>), f64, u32),
+    (from, until, samples): (&Bound<'py, PyAny>, f64, u32),
     (friction, of): (&FrictionKeywords<'py>, Optional<'py>),
 ) -> PyResult<Arrays<'py>> {
     let measure = Measure::si(system);
     let friction = FrictionValues::of(friction, &measure)?.only()?.force();
-    let from = start(from, system, (&measure, 1.0))?;
+    let masses_at_zero = || vec![0.0; system.scene().masses.len()];
+    let from = match start::is_rest(from)? {
+        true => (masses_at_zero(), masses_at_zero()),
+        false => start::state(from, system, (&measure, 1.0))?,
+    };
     let mut at = Frequency::at(system, 1.0);
     // The history has times in s in place of phases.
     at.omega = 1.0;
@@ -195,16 +165,21 @@ pub fn simulate<'py>(
     let (frequency, friction) = (frequencies.only(system)?, frictions.only()?);
     let (r, beta, omega) = (frequency.r, friction.beta, frequency.omega);
     let parts = parts(system, "of", of.as_ref())?;
-    if steady && (cycles.is_some() || skip.is_some() || from.is_some()) {
+    if steady && (cycles.is_some() || skip.is_some()) {
         return Err(domain(
-            "steady=True gives one period of the steady state; leave out cycles, skip and start, which belong to a run",
+            "steady=True gives one period of the steady state; leave out cycles and skip, which belong to a run",
         ));
     }
+    let system = &start::started(system, from.as_ref().filter(|_| steady), &measure)?;
+    let from = match from {
+        Some(from) if !steady && !start::is_rest(&from)? => {
+            Some(start::state(&from, system, (&measure, omega))?)
+        }
+        _ => None,
+    };
     let request = HistoryRequest {
         of: parts.iter().map(|part| part.of).collect(),
-        from: from
-            .map(|from| start(&from, system, (&measure, omega)))
-            .transpose()?,
+        from,
         amplitude: measure.load().map(|load| load.amplitude()),
         skip: number("skip", &skip, 0, 0)?.into(),
         cycles: number("cycles", &cycles, 1, 10)?,

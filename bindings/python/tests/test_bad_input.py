@@ -198,7 +198,7 @@ def test_a_fault_in_an_argument_of_one_question(frame):
         (DomainError, "every number must be finite", lambda: frame.simulate(**point, start=([1, math.nan], [1, 2]))),
         (DomainError, "start: two rows are needed", lambda: frame.simulate(**point, start=[1, 2, 3])),
         (DomainError, "start: two rows are needed", lambda: frame.simulate(**point, start=3)),
-        (DomainError, "leave out cycles, skip and start", lambda: frame.simulate(**point, steady=True, cycles=3)),
+        (DomainError, "leave out cycles and skip", lambda: frame.simulate(**point, steady=True, cycles=3)),
     ]:
         with pytest.raises(kind, match=said if "|" in said else re.escape(said)):
             ask()

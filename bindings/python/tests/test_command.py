@@ -40,12 +40,12 @@ def test_limits_at_both_ends(command):
 
 def hold_response(ours, theirs):
     """Compares responses.  Where the contact is stuck, the command leaves out the contact and all harmonics.  In Python
-    the contact's centred amplitude is then 0."""
+    the contact's amplitude is then 0."""
     stuck = ours.regime == "stuck"
     left_out = [name for name in theirs.columns if name.startswith("contact.") or ".X" in name]
     assert theirs.loc[stuck, left_out].isna().all().all()
-    centred = next(name for name in left_out if name.startswith("contact.centred"))
-    assert (ours.loc[stuck, centred] == 0).all()
+    amplitude = next(name for name in left_out if name.startswith("contact.amplitude"))
+    assert (ours.loc[stuck, amplitude] == 0).all()
     ours.loc[stuck, left_out] = np.nan
     # A contact or mass that does not move has no phase, but the command prints one.
     for name in [name for name in ours.columns if ".phase" in name and ".X" not in name]:

@@ -22,6 +22,7 @@ mod file;
 mod fit;
 mod frequency;
 mod friction;
+mod from;
 mod grid;
 mod grids;
 mod hint;

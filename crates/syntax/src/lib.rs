@@ -59,7 +59,10 @@ fn read<T>(text: &str, change: impl Fn(&mut Syntax) -> T) -> Result<(Scene, T), 
     let mut problems = Problems::default();
     let scene = parse_text(text, &mut problems).and_then(|mut syntax| {
         let changed = change(&mut syntax);
-        Some((syntax.lower(MOST_MASSES, false, &mut problems)?.scene, changed))
+        Some((
+            syntax.lower(MOST_MASSES, false, &mut problems)?.scene,
+            changed,
+        ))
     });
     match scene {
         Some(scene) if problems.is_empty() => Ok(scene),

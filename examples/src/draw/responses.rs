@@ -63,9 +63,6 @@ impl<'a> Responses<'a> {
         let curve = |beta: &f64| {
             let mut curve = system.curve(&request, *beta)?;
             for piece in &mut curve.pieces {
-                if piece.regime == Regime::Stuck {
-                    centre(piece);
-                }
                 piece.points.retain(|point| {
                     let mut parts = point.movements.iter();
                     parts.all(|part| part.swing.amplitude < largest)
@@ -225,18 +222,6 @@ impl<'a> Responses<'a> {
             reading if !reading.is_phase() => (r, polar.amplitude),
             _ => (r, desk::principal(polar.lag.to_degrees())),
         })
-    }
-}
-
-/// Subtracts the offset from a stuck motion. A stuck contact stays where motion from rest has brought it, but the
-/// thesis draws the motion about its middle.
-fn centre(piece: &mut CurvePiece) {
-    let movements = piece
-        .points
-        .iter_mut()
-        .flat_map(|point| &mut point.movements);
-    for movement in movements {
-        movement.swing.amplitude = movement.centred;
     }
 }
 

@@ -313,9 +313,9 @@ impl<'a, S: Float> SystemOrbit<'a, S> {
 }
 
 impl<S: Float> SystemStuck<'_, S> {
-    /// Returns a motion as a complex amplitude and a constant displacement, for a contact that sticks at `offset`.
+    /// Returns a motion as a complex amplitude and a constant displacement, for a contact that sticks at `middle`.
     /// Returns `None` if the scene does not have the motion `of`.
-    pub(super) fn motion_at(&self, of: Of, offset: S) -> Option<(Complex<S>, S)> {
+    pub(super) fn motion_at(&self, of: Of, middle: S) -> Option<(Complex<S>, S)> {
         let (system, zero) = (*self.at().scene(), S::constant(0.0));
         if !system.has_motion(of) {
             return None;
@@ -327,25 +327,25 @@ impl<S: Float> SystemStuck<'_, S> {
             Some(compliance) => complex::scale(self.contact_force(), compliance),
         };
         if system.simplest(of) == Of::Contact {
-            return Some((contact, offset));
+            return Some((contact, middle));
         }
         if system.is_reversed_contact(of) {
-            return Some((complex::scale(contact, -one), -offset));
+            return Some((complex::scale(contact, -one), -middle));
         }
         let [re, im, constant] = system.terms(of).sum([one, zero, zero], |mass| {
             let moved = self.mass_at(mass)?;
-            Some([moved.re, moved.im, offset * static_share(system, mass)?])
+            Some([moved.re, moved.im, middle * static_share(system, mass)?])
         })?;
         Some((Complex::new(re, im), constant))
     }
 }
 
 impl SystemHeld<'_> {
-    /// Returns a motion while the contact is stuck: its complex amplitude, and the constant displacement that the
-    /// offset of the contact causes. Returns `None` if the scene does not have the motion `of`.
+    /// Returns a motion while the contact is stuck: its complex amplitude, and the constant displacement that
+    /// the middle of the contact's motion causes. Returns `None` if the scene does not have the motion `of`.
     #[must_use]
     pub fn motion_of(&self, of: Of) -> Option<(Complex<f64>, f64)> {
-        self.stuck.motion_at(of, self.offset)
+        self.stuck.motion_at(of, self.middle)
     }
 }
 

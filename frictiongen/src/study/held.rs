@@ -1,4 +1,4 @@
-//! The response while the contact is stuck, at its centre z̄ = 0 or at an offset from its centre.
+//! The response while the contact is stuck, in the middle of its interval or where an initial state leaves it.
 
 use super::motion::SystemStuck;
 use super::system::System;
@@ -6,18 +6,26 @@ use frictiongen_kernel::Float;
 use frictiongen_kernel::response::Scene as _;
 use std::ops::Deref;
 
-/// The response while the contact is stuck. The contact may have stopped at an offset from its centre z̄ = 0.
+/// The response while the contact is stuck. Without an [initial state](super::InitialState) of the system, the contact
+/// is in the middle z̄ = 0 of the interval in which it may rest.
 #[derive(Clone, Debug)]
 pub struct SystemHeld<'a> {
     pub(super) stuck: SystemStuck<'a>,
+    pub(super) middle: f64,
     pub(super) offset: f64,
     pub(super) offset_range: f64,
     pub(super) from_rest: bool,
 }
 
 impl<'a> SystemHeld<'a> {
-    /// Returns the offset of the contact: the mean of its relative displacement z̄ = z/(P/k₁) (z/Y for base motion).
-    /// The offset is 0 if the contact sticks at its centre.
+    /// Returns the middle of the contact's relative displacement z̄ = z/(P/k₁) (z/Y for base motion) in this response.
+    #[must_use]
+    pub fn middle(&self) -> f64 {
+        self.middle
+    }
+
+    /// Returns the offset of the contact: the mean z̄ at which the motion from rest, or from the initial state of the
+    /// system, leaves the contact.
     #[must_use]
     pub fn offset(&self) -> f64 {
         self.offset
@@ -30,19 +38,19 @@ impl<'a> SystemHeld<'a> {
     }
 
     /// Returns the constant part of the friction force, divided by P (by k₁Y for base motion). The springs of the
-    /// chain pull the contact back from its offset. This constant force balances them. A positive force opposes
-    /// positive sliding.
+    /// chain pull the contact back to z̄ = 0. This constant force balances them. A positive force opposes positive
+    /// sliding.
     #[must_use]
     pub fn constant_force(&self) -> f64 {
-        -(self.offset / receptance(self.stuck.at().scene()))
+        -(self.middle / receptance(self.stuck.at().scene()))
     }
 
-    /// Returns the constant displacement x̄ of a mass, which the offset of the contact causes. Returns `None` if the
+    /// Returns the constant displacement x̄ of a mass, which the middle of the contact's motion causes. Returns `None` if the
     /// scene has no mass with this index.
     #[must_use]
     pub fn mass_offset(&self, index: usize) -> Option<f64> {
         let system = *self.stuck.at().scene();
-        Some(self.offset * static_share(system, index)?)
+        Some(self.middle * static_share(system, index)?)
     }
 }
 
@@ -65,29 +73,6 @@ pub(super) fn static_share<S: Float>(system: &System<S>, mass: usize) -> Option<
         moved + *component * mode.contact / (mode.resonance * mode.resonance)
     });
     Some(moved / receptance(system))
-}
-
-/// Returns the constant part of z̄, the relative displacement of the contact, in a motion from rest in which the
-/// contact never slides. The result is 0, unless the contact is on a moving base.
-///
-/// At the start of the motion, a moving base is at its largest displacement Y. Every mass is at 0, so that z̄ is −1. A
-/// rigid contact keeps this displacement, and the function returns −1.
-///
-/// In an elastic contact, the spring has no force at z̄ = −1, but the springs of the chain pull the contact towards z̄
-/// = 0. The two constant forces are in equilibrium at z̄ = −h/(h + ρ), which the function returns. h is wᵀK̄⁻¹w (see
-/// [`receptance`]), and ρ is the compliance of the contact.
-pub(super) fn offset_from_rest<S: Float>(system: &System<S>) -> S {
-    if system.numbers().chain.on_moving_base.is_none() {
-        return S::constant(0.0);
-    }
-    let share = -S::constant(1.0);
-    match system.compliance() {
-        None => share,
-        Some(compliance) => {
-            let receptance = receptance(system);
-            share * (receptance / (receptance + compliance))
-        }
-    }
 }
 
 /// Returns wᵀK̄⁻¹w, the displacement of the contact for a constant unit force in the contact. w is the contact's

@@ -38,6 +38,7 @@ pub mod response;
 pub mod sensitivity;
 mod settled;
 pub mod simulation;
+mod start;
 mod steady_state;
 pub mod stepper;
 mod system;
@@ -65,5 +66,6 @@ pub mod table {
 }
 pub use frictiongen_model::validate::SceneError;
 pub use frictiongen_syntax::{Diagnostic, Diagnostics};
+pub use start::InitialState;
 pub use stepper::SystemInput;
 pub use system::System;

@@ -5,7 +5,6 @@
 //! spring k₁. A change of m₁ or k₁ therefore also changes r, β or the unit of displacement.
 
 use super::error::StudyError;
-use super::held::offset_from_rest;
 use super::parameter::{OperatingPoint, Parameter, Slope, parameters_of};
 use super::response::{SystemHeld, SystemResponse};
 use super::system::System;
@@ -231,33 +230,27 @@ pub(super) fn swing(
 }
 
 /// Returns amplitude and phase of a motion with their derivatives, for a response in which the contact never slides.
-///
-/// [`offset_from_rest`] gives the offset of a contact that has never slid. After a slip, the offset depends on every
-/// earlier slip. The function then fails, because it cannot differentiate this offset.
+/// Fails if an initial state has left the contact away from its middle, because the function cannot differentiate this
+/// place.
 fn stuck_swing(
     varied: &Varied,
     held: &SystemHeld<'_>,
     r: Sensitive,
     of: Of,
 ) -> Result<(Sensitive, Option<Sensitive>), StudyError> {
-    let offset = held.offset();
-    let from_rest = offset_from_rest(held.at().scene());
-    // The offset of an elastic contact is a result of the motion, and therefore has rounding errors.
-    if offset != 0.0 && !((offset - from_rest).abs() <= SAME_OFFSET * from_rest.abs()) {
+    if held.middle() != 0.0 {
         return Err(NoDerivative::Marginal.into());
     }
-    let at = varied.at(r)?;
-    let offset = match offset {
-        0.0 => Sensitive::constant(0.0),
-        _ => offset_from_rest(at.scene()),
-    };
-    let motion = at.stuck()?.motion_at(of, offset);
-    let (motion, constant) = motion.ok_or(NoDerivative::Graze)?;
+    let motion = varied
+        .at(r)?
+        .stuck()?
+        .motion_at(of, Sensitive::constant(0.0));
+    let (motion, _) = motion.ok_or(NoDerivative::Graze)?;
     if motion.re.vanishes() && motion.im.vanishes() {
-        return Ok((constant.abs(), None));
+        return Ok((Sensitive::constant(0.0), None));
     }
-    let amplitude = motion.re.hypot(motion.im) + constant.abs();
-    Ok((amplitude, Some(-(motion.im.atan2(motion.re)))))
+    let phase = -(motion.im.atan2(motion.re));
+    Ok((motion.re.hypot(motion.im), Some(phase)))
 }
 
 /// Returns r, β, and the units of length and force of an operating point. All four have derivatives with respect to
@@ -320,10 +313,6 @@ fn groups(
         }
     }
 }
-
-/// Largest relative difference at which two offsets of the contact are treated as equal. The code compares the offset
-/// of a motion with the offset of a contact that has never slid.
-const SAME_OFFSET: f64 = 1e-9;
 
 /// Largest relative derivative |p·(dX/dp)/X| that is treated as 0. If |X| exceeds 1, the code uses |p·dX/dp| instead.
 /// Rounding of numbers with 30 digits causes values of this size.

@@ -15,9 +15,7 @@ use std::f64::consts::TAU;
 
 /// The steady response of a system at one frequency ratio and one friction ratio.
 ///
-/// The motion from rest begins at a maximum of the excitation, with every mass at x = 0 and without velocity. A moving
-/// base is then at Y. A contact with the moving base therefore starts at the relative displacement −Y, and may stick
-/// there. If the contact sticks, the amplitude of its mass is up to 2Y, and the centred amplitude of this mass is Y.
+/// [`InitialState`](super::InitialState) says which of several steady states is the answer.
 ///
 /// ```
 /// use frictiongen::{Of, Regime, System};
@@ -110,8 +108,7 @@ impl SystemResponse<'_> {
             Self::Stuck(held) => {
                 let (harmonic, offset) = held.motion_of(of)?;
                 let (amplitude, phase) = polar(harmonic);
-                // The largest |x̄| occurs at one of the two extremes of the motion. It is the extreme on the side of
-                // the offset.
+                // The largest |x̄| occurs at the extreme of the motion on the side of the constant displacement.
                 Some(Swing {
                     amplitude: amplitude + offset.abs(),
                     phase: (amplitude != 0.0).then_some(phase),
@@ -122,8 +119,7 @@ impl SystemResponse<'_> {
 
     /// Returns the centred amplitude of a motion: half the distance between the least and the largest x̄, where x̄ =
     /// x/(P/k₁) (x/Y for base motion). Returns `None` if the scene does not have this motion.
-    #[must_use]
-    pub fn centred_amplitude(&self, of: Of) -> Option<f64> {
+    pub(super) fn centred_amplitude(&self, of: Of) -> Option<f64> {
         match self {
             Self::Continuous(_) => Some(self.swing(of)?.amplitude),
             Self::StickSlip(orbit) => orbit.ask_of(of, |motion| motion.centred_amplitude()),
@@ -138,8 +134,9 @@ impl SystemResponse<'_> {
         fundamental_phase(self.harmonic(of, 1)?, self.centred_amplitude(of)?)
     }
 
-    /// Returns the offset (max + min)/2 of the contact's relative motion, divided by P/k₁ (by Y for base motion). A
-    /// symmetric motion has offset 0.
+    /// Returns the offset (max z̄ + min z̄)/2 of the contact's relative motion, divided by P/k₁ (by Y for base motion). A
+    /// symmetric motion has offset 0. If the contact never slides, the offset is the place at which the motion from
+    /// rest, or from the initial state of the system, leaves the contact.
     #[must_use]
     pub fn offset(&self) -> f64 {
         match self {
@@ -249,7 +246,7 @@ impl SystemResponse<'_> {
 
     /// Returns the largest friction force in the period, divided by the load amplitude P (by k₁Y for base motion). If
     /// the contact slides without a stop, the result is β. If the contact stops and breaks away, the result is μβ. If
-    /// the contact never slides, the result is μβ*_lim plus the constant force due to the offset.
+    /// the contact never slides, the result is μβ*_lim plus the constant force of an initial state.
     #[must_use]
     pub fn contact_force(&self) -> f64 {
         match self {

@@ -1,10 +1,12 @@
 //! Selects the steady state in which the motion from rest, or from another state, ends.
 
 use super::at::SystemAt;
-use super::held::{SystemHeld, offset_from_rest};
+use super::held::SystemHeld;
 use super::motion::SystemMotion;
 use super::orbit::SystemOrbit;
 use super::response::SystemResponse;
+#[cfg(feature = "desk")]
+use super::start::InitialState;
 use crate::{Error, Given, NoOrbit, NotContinuous, OutOfDomain, Regime, StuckResonance};
 use frictiongen_kernel::oscillator::mode::{Kind, Mode};
 use frictiongen_kernel::response::Scene as _;
@@ -12,49 +14,13 @@ use frictiongen_kernel::response::Scene as _;
 /// Relative tolerance, in machine epsilons, within which √λ_i/r is treated as an even integer. √λ_i is the frequency
 /// ratio of mode i. If √λ_i/r is an even integer, an undamped mode has a Floquet multiplier on the unit circle.
 const ON_CIRCLE: f64 = 4096.0;
-
-/// The state of a steady motion at a maximum of the excitation. It consists of displacement and velocity of every mass,
-/// as non-dimensional groups.
-#[cfg(feature = "desk")]
-#[derive(Clone, Debug)]
-pub(super) struct Carried {
-    r: f64,
-    displacements: Vec<f64>,
-    velocities: Vec<f64>,
-}
-
-#[cfg(feature = "desk")]
-impl Carried {
-    /// Divides displacements and velocities by the unit of displacement at another frequency ratio r. The unit changes
-    /// with r, because the amplitude of the load is proportional to r⁻ⁿ. n is `fall`.
-    pub(super) fn under(&self, fall: i32, r: f64) -> Self {
-        let factor = (r / self.r).powi(fall);
-        let scaled = |values: &[f64]| values.iter().map(|value| value * factor).collect();
-        Self {
-            r: self.r,
-            displacements: scaled(&self.displacements),
-            velocities: scaled(&self.velocities),
-        }
-    }
-
-    fn of(orbit: &SystemOrbit<'_>, r: f64) -> Self {
-        let tau = -orbit.origin();
-        let masses = 0..orbit.system.scene().masses.len();
-        let (displacements, velocities) = masses
-            .filter_map(|mass| orbit.mass_at(mass))
-            .map(|motion| (motion.displacement(tau), motion.velocity(tau)))
-            .unzip();
-        Self {
-            r,
-            displacements,
-            velocities,
-        }
-    }
-}
+/// Friction ratio β at which a contact sticks from its initial state on, except very close to a resonance of the stuck
+/// chain.
+const LOCKED: f64 = 1e12;
 
 impl<'a> SystemAt<'a> {
     /// Returns the steady response at the friction ratio β = F/P, in any regime: the state in which the motion from
-    /// rest ends.
+    /// rest ends, or from the initial state of the system ([`InitialState`](super::InitialState)).
     ///
     /// With μ = 1 this state is the closed form for every β < β_lim. The exception is a chain without damping at r =
     /// √λ_i/(2n) with an integer n, where √λ_i is the frequency ratio of a mode that the contact drives. At these r the
@@ -68,8 +34,13 @@ impl<'a> SystemAt<'a> {
     ///
     /// # Errors
     /// [`NotContinuous::Unbounded`] and [`StuckResonance`](crate::StuckResonance) on an undamped resonance.
-    /// [`NoOrbit`](crate::NoOrbit) if no steady state exists. [`OutOfDomain`] for NaN, negative and infinite β.
+    /// [`NoOrbit`](crate::NoOrbit) if no steady state exists. [`OutOfDomain`] for NaN, negative and infinite β. For a
+    /// system with an initial state, [`OutOfDomain`] also at r = 0 and r = ∞, where the excitation has no cycle.
     pub fn response(&self, beta: f64) -> Result<SystemResponse<'a>, Error> {
+        if self.scene().start.is_some() && !self.has_cycles() {
+            let r = Given::of(self.frequency_ratio());
+            return Err(OutOfDomain::FrequencyRatioInTime(r).into());
+        }
         let motion = self.motion(beta);
         match motion {
             Ok(motion) if beta == 0.0 || self.is_unique() => Ok(SystemResponse::Continuous(motion)),
@@ -81,9 +52,7 @@ impl<'a> SystemAt<'a> {
             }
             // At r = 0 and r = ∞ the excitation has no cycle that a search could follow.
             Ok(motion) if !self.has_cycles() => Ok(SystemResponse::Continuous(motion)),
-            Err(NotContinuous::Stuck) if !self.has_cycles() => {
-                Ok(SystemResponse::Stuck(self.held(0.0, 0.0)?))
-            }
+            Err(NotContinuous::Stuck) if !self.has_cycles() => self.centred(),
             motion => {
                 let orbit = self.settled_orbit(beta)?;
                 self.told(orbit, motion.ok())
@@ -91,14 +60,16 @@ impl<'a> SystemAt<'a> {
         }
     }
 
-    /// Returns the response in which the motion from the state `start` ends, and the state of this response. Without
-    /// `start` the motion starts from rest. The next call can use the returned state as its initial state.
+    /// Returns the response in which the motion from the state `start` ends, and the state of this response. The next
+    /// call can use the returned state as its initial state. The amplitude of the load is proportional to r⁻ⁿ with n =
+    /// `fall`.
     #[cfg(feature = "desk")]
     pub(super) fn response_from(
         &self,
         beta: f64,
-        start: Option<&Carried>,
-    ) -> Result<(SystemResponse<'a>, Carried), Error> {
+        start: &InitialState,
+        fall: i32,
+    ) -> Result<(SystemResponse<'a>, InitialState), Error> {
         let motion = match self.motion(beta) {
             Err(NotContinuous::OutOfDomain) => {
                 return Err(OutOfDomain::FrictionRatio(Given::of(beta)).into());
@@ -106,16 +77,15 @@ impl<'a> SystemAt<'a> {
             motion => motion.ok(),
         };
         let r = self.frequency_ratio();
-        let orbit = match start {
-            None => self.orbit_or_last_cycles(beta)?,
-            Some(carried) => {
-                // The velocity dx/dt stays the same when the frequency changes. It is proportional to r·dx̄/dτ.
-                let factor = carried.r / r;
-                let velocities: Vec<f64> = carried.velocities.iter().map(|v| v * factor).collect();
-                self.orbit_or_last_cycles_from(beta, (&carried.displacements, &velocities))?
-            }
-        };
-        let carried = Carried::of(&orbit, r);
+        let (displacements, velocities) = start.at(r);
+        let orbit = self.orbit_or_last_cycles_from(beta, (&displacements, &velocities))?;
+        let tau = -orbit.origin();
+        let masses = 0..orbit.system.scene().masses.len();
+        let state = masses
+            .filter_map(|mass| orbit.mass_at(mass))
+            .map(|motion| (motion.displacement(tau), motion.velocity(tau)))
+            .unzip();
+        let carried = InitialState::at_ratio(state, r, fall);
         Ok((self.told(orbit, motion)?, carried))
     }
 
@@ -142,8 +112,7 @@ impl<'a> SystemAt<'a> {
     pub(super) fn contact_of(&self, orbit: &SystemOrbit<'_>) -> Option<(f64, f64)> {
         let energy = orbit.beta() * orbit.sliding_distance() / f64::from(orbit.period());
         let force = if orbit.is_settled() && orbit.never_slides() {
-            let held = self.held(orbit.offset(), 0.0).ok()?;
-            SystemResponse::Stuck(held).contact_force()
+            SystemResponse::Stuck(self.held(orbit).ok()?).contact_force()
         } else if orbit.stops() == 0 {
             orbit.beta()
         } else {
@@ -161,10 +130,7 @@ impl<'a> SystemAt<'a> {
         let slides = slides_twice(&orbit);
         match motion {
             _ if self.regime_of(&orbit) == Regime::Stuck => {
-                let range = orbit.offset_range().unwrap_or(0.0);
-                let mut held = self.held(orbit.offset(), range)?;
-                held.from_rest = orbit.is_from_rest();
-                Ok(SystemResponse::Stuck(held))
+                Ok(SystemResponse::Stuck(self.held(&orbit)?))
             }
             Some(motion) if slides && orbit.is_symmetric() => {
                 let motion = motion.with_start(orbit.is_from_rest());
@@ -176,21 +142,33 @@ impl<'a> SystemAt<'a> {
         }
     }
 
-    /// Returns the response under a friction with which the contact never leaves its initial position. The offset of
-    /// the contact is that of [`offset_from_rest`]: on a moving base it is −Y for a rigid contact, and smaller for an
-    /// elastic contact. Without a moving base in the contact, the offset is 0.
+    /// Returns the response under a friction with which the contact never leaves its initial place.
     pub(super) fn locked(&self) -> Result<SystemResponse<'a>, Error> {
-        let offset = offset_from_rest(self.scene());
-        Ok(SystemResponse::Stuck(self.held(offset, f64::INFINITY)?))
+        match self.scene().start {
+            None => self.centred(),
+            Some(_) => self.response(LOCKED),
+        }
     }
 
-    /// Returns the response while the contact is stuck at an offset.
-    fn held(&self, offset: f64, offset_range: f64) -> Result<SystemHeld<'a>, StuckResonance> {
+    /// Returns the response while the contact is stuck at z̄ = 0.
+    fn centred(&self) -> Result<SystemResponse<'a>, Error> {
+        Ok(SystemResponse::Stuck(SystemHeld {
+            stuck: self.stuck()?,
+            middle: 0.0,
+            offset: 0.0,
+            offset_range: 0.0,
+            from_rest: true,
+        }))
+    }
+
+    /// Returns the response of a steady state in which the contact never slides.
+    fn held(&self, orbit: &SystemOrbit<'_>) -> Result<SystemHeld<'a>, StuckResonance> {
         Ok(SystemHeld {
             stuck: self.stuck()?,
-            offset,
-            offset_range,
-            from_rest: true,
+            middle: orbit.middle(),
+            offset: orbit.offset(),
+            offset_range: orbit.offset_range().unwrap_or(0.0),
+            from_rest: orbit.is_from_rest(),
         })
     }
 
@@ -237,39 +215,24 @@ fn slides_twice(orbit: &SystemOrbit<'_>) -> bool {
 #[cfg(all(test, feature = "desk"))]
 #[allow(clippy::expect_used, reason = "a test may fail")]
 mod tests {
-    use super::Carried;
-    use crate::study::System;
+    use crate::study::{InitialState, System};
 
-    /// Checks a motion that starts from a state at another frequency. The displacements and the velocities dx̄/dt must
-    /// stay unchanged, so that dx̄/dτ = (dx̄/dt)/ω changes. A contact that sticks at once keeps its offset, which
-    /// depends on the initial position and velocity.
+    /// Checks that the state of a sweep keeps its displacements in m and its velocities in m/s at another frequency, so
+    /// that dx̄/dτ = (dx̄/dt)/ω changes.
     #[test]
     fn a_state_goes_over_to_another_frequency() {
         let text = "struct Block { masses: { block: 1 }, springs: { base - block: 1 }, contact: block - wall,
             excitation: block }";
         let system: System = text.parse().expect("a scene");
         let from = system.at(1.2).expect("in the domain");
-        let (_, carried) = from.response_from(0.4, None).expect("a response");
-        assert!(
-            carried
-                .velocities
-                .iter()
-                .all(|velocity| 0.1 < velocity.abs())
-        );
-        let to = system.at(0.6).expect("in the domain");
-        let (stuck, _) = to.response_from(1.5, Some(&carried)).expect("a response");
-        // The test halves the angular frequency ω, so that dx̄/dτ doubles.
-        let twice: Vec<f64> = carried
-            .velocities
-            .iter()
-            .map(|velocity| 2.0 * velocity)
-            .collect();
-        let state = (carried.displacements.as_slice(), twice.as_slice());
-        let expected = to.orbit_from(1.5, state).expect("a state").offset();
-        assert!(0.1 < expected.abs(), "{expected}");
-        assert!((stuck.offset() - expected).abs() < 1e-12);
-        let other = Carried { r: 0.6, ..carried };
-        let (other, _) = to.response_from(1.5, Some(&other)).expect("a response");
-        assert!(1e-3 < (other.offset() - expected).abs());
+        let found = from.response_from(0.4, &InitialState::rest(1), 2);
+        let (x, v) = found.expect("a response").1.at::<f64>(1.2);
+        assert!(0.1 < v[0].abs());
+        let (same, doubled) = (InitialState::at_ratio((x.clone(), v.clone()), 1.2, 0), 0.6);
+        assert_eq!(same.at(doubled), (x.clone(), vec![2.0 * v[0]]));
+        // Under a base motion of constant acceleration, half the frequency makes the unit of displacement four times as
+        // large.
+        let quarter = InitialState::at_ratio((x.clone(), v.clone()), 1.2, 2).at(doubled);
+        assert_eq!(quarter, (vec![0.25 * x[0]], vec![0.5 * v[0]]));
     }
 }

@@ -117,7 +117,8 @@ impl<S: Plain> System<S> {
         Ok((setting, parts))
     }
 
-    /// Returns the steady state that a motion from `start` reaches. `sliding` is β*_lim. If the motion does not settle
+    /// Returns the steady state that a motion from `start` reaches. The initial state of the system, if it has one,
+    /// takes the place of rest. `sliding` is β*_lim. If the motion does not settle
     /// and `last` is true, the result contains the last computed cycles.
     pub(super) fn settled_from(
         &self,
@@ -126,6 +127,11 @@ impl<S: Plain> System<S> {
         start: Start<'_, S>,
         (sliding, last): (S, bool),
     ) -> Result<SystemOrbit<'_, S>, NoOrbit> {
+        let own = self.start.as_ref().map(|state| state.at(r));
+        let start = match (&own, start) {
+            (Some((x, v)), Start::Rest) => Start::State(x, v),
+            (_, start) => start,
+        };
         if let Start::State(displacements, velocities) = start {
             self.check_state((displacements, velocities))?;
         }

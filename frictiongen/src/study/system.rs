@@ -3,6 +3,7 @@
 
 use super::error::{InvalidScene, UnknownMass};
 use super::large;
+use super::start::InitialState;
 use crate::{OutOfDomain, Unsupported};
 use frictiongen_kernel::Float;
 use frictiongen_kernel::contact::driven::DrivenModes;
@@ -54,6 +55,8 @@ pub struct System<S = f64> {
     /// Data of the modes that the contact drives, for a fast computation of the limits without a search over the
     /// cycle. `None` if [`DrivenModes`] does not support the chain or the scalar type, for example for a damped chain.
     pub(super) driven: Option<DrivenModes<S>>,
+    /// The initial state of motions to a steady state, if the user gives one.
+    pub(super) start: Option<InitialState>,
     transient: OnceLock<Transient<S>>,
     steps: OnceLock<StepperSettings<S>>,
     loses_motion: OnceLock<bool>,
@@ -140,6 +143,7 @@ impl<S: Float> System<S> {
             sliding_limit_is_one,
             resonances: all(data.resonances.clone()),
             reference: to(data.reference),
+            start: None,
             transient: OnceLock::new(),
             steps: OnceLock::new(),
             loses_motion: OnceLock::new(),

@@ -159,7 +159,7 @@ fn responses_follow_the_spring() {
     assert!((swing.amplitude - upper.norm()).abs() < 1e-14);
     // The motion in time has the same amplitude, because nothing slides.
     let orbit = at.orbit(3.0 * limit).expect("a state");
-    let amplitude = orbit.contact().centred_amplitude();
+    let amplitude = orbit.contact().amplitude();
     assert!((amplitude - upper.norm()).abs() < 1e-12, "{amplitude}");
     let curve_free = at.response(0.0).expect("a response");
     assert!(curve_free.swing(Of::Mass(0)).is_some());

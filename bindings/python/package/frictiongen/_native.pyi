@@ -8,6 +8,7 @@ from numpy.typing import NDArray
 _Frequency = tuple[Any | None, Any | None, Any | None]
 _Friction = tuple[Any | None, Any | None]
 _Load = tuple[Any | None, Any | None]
+_Driven = tuple[_Load, Any | None]
 _Columns = dict[str, Any]
 _Beginning = tuple[Any | None, Any | None, Any | None]
 
@@ -102,13 +103,13 @@ def by_contact(
     system: System, frequency: _Frequency, friction: _Friction, load: _Load, of: Any | None
 ) -> _Columns: ...
 def response(
-    system: System, frequency: _Frequency, friction: _Friction, load: _Load, of: Any | None, highest: Any | None
+    system: System, frequency: _Frequency, friction: _Friction, load: _Driven, of: Any | None, highest: Any | None
 ) -> _Columns: ...
 def orbit(
-    system: System, frequency: _Frequency, friction: _Friction, load: _Load, of: Any | None, highest: Any | None
+    system: System, frequency: _Frequency, friction: _Friction, load: _Driven, of: Any | None, highest: Any | None
 ) -> _Columns: ...
 def states(
-    system: System, frequency: _Frequency, friction: _Friction, load: _Load, of: Any | None, highest: Any | None
+    system: System, frequency: _Frequency, friction: _Friction, load: _Driven, of: Any | None, highest: Any | None
 ) -> list[_Columns]: ...
 def periodic(
     system: System, load: tuple[Any, Any, bool], friction: Any, of: Any | None, motion: bool
@@ -117,12 +118,12 @@ def curve(
     system: System,
     frequency: _Frequency,
     friction: _Friction,
-    load: _Load,
+    load: _Driven,
     of: Any | None,
     fineness: tuple[Any | None, Any | None, Any | None, bool, list[str]],
 ) -> _Columns: ...
 def map(
-    system: System, frequency: _Frequency, friction: _Friction, load: _Load, of: Any | None
+    system: System, frequency: _Frequency, friction: _Friction, load: _Driven, of: Any | None
 ) -> _Columns: ...
 def simulate(
     system: System,
@@ -130,7 +131,7 @@ def simulate(
     friction: _Friction,
     load: _Load,
     of: Any | None,
-    extent: tuple[Any | None, Any | None, Any | None, tuple[Any, Any] | None, bool, Any | None],
+    extent: tuple[Any | None, Any | None, Any | None, Any | None, bool, Any | None],
 ) -> tuple[_Columns, _Columns]: ...
 def step(
     system: System,
@@ -145,7 +146,7 @@ def optimum(
     system: System,
     of: Any,
     frequency: _Frequency,
-    load: _Load,
+    load: _Driven,
     constraints: tuple[tuple[str, float, float] | None, dict[str, float] | None],
 ) -> tuple[list[_Columns], list[tuple[str, str, dict[str, float]]]]: ...
 def sensitivities(

@@ -5,11 +5,13 @@ mod friction;
 pub mod measure;
 mod numbers;
 pub mod periodic;
+pub mod start;
 
 pub use frequency::{FrequencyKeywords, FrequencyRange, FrequencyValues};
 pub use friction::{FrictionKeywords, FrictionValues};
 pub use measure::{LoadKeywords, Measure};
 pub use numbers::{numbers, one, whole};
+pub use start::{DrivenKeywords, driven};
 
 use crate::columns::NamedArrays;
 use crate::errors::{domain, wrong_type};

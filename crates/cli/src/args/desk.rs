@@ -1,21 +1,10 @@
 //! Arguments of the commands for curves, maps, motions over time, derivatives, the best friction and features.
 
 use super::shared::{
-    FileArgument, FormatArguments, FrequencyArguments, LoadArguments, PointArguments,
+    FileArgument, FormatArguments, FrequencyArguments, FromArguments, LoadArguments, PointArguments,
 };
 use clap::{Args, ValueEnum};
 use std::path::PathBuf;
-
-/// Initial state of the motion at each point of a curve.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
-pub enum StartFrom {
-    /// Every point starts from rest.
-    Rest,
-    /// Every point starts from the state at the previous point, while the frequency increases.
-    Up,
-    /// Every point starts from the state at the previous point, while the frequency decreases.
-    Down,
-}
 
 /// The axes of a picture that are logarithmic.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, ValueEnum)]
@@ -66,10 +55,10 @@ pub struct CurveArguments {
     /// Print also the largest velocity and the largest acceleration of each motion
     #[arg(long)]
     pub rates: bool,
-    /// Initial state at each point: rest, or the state at the previous point while the frequency rises (up) or falls
-    /// (down); several with commas draw several curves [default: rest]
-    #[arg(long, value_enum, value_delimiter = ',')]
-    pub from: Vec<StartFrom>,
+    /// Initial state at each point: rest, displacements and velocities of all masses (x1,...;v1,...), or the state at
+    /// the previous point while the frequency rises (up) or falls (down); rest,up,down draws several curves
+    #[arg(long, value_name = "STATE", allow_hyphen_values = true)]
+    pub from: Vec<String>,
     /// Use logarithmic axes in a picture: the frequency axis (x), the amplitude axes (y) or both (xy)
     #[arg(long, value_enum)]
     pub log: Option<LogAxes>,
@@ -116,6 +105,9 @@ pub struct MapArguments {
     /// feature png
     #[arg(short, long, value_name = "OUT")]
     pub output: Option<PathBuf>,
+    /// Option for the initial state.
+    #[command(flatten)]
+    pub start: FromArguments,
     /// Arguments for the format of the output.
     #[command(flatten)]
     pub format: FormatArguments,
@@ -137,8 +129,8 @@ pub struct TimeArguments {
     /// in all [default: 1000]
     #[arg(long, value_name = "N", allow_hyphen_values = true)]
     pub samples: Option<String>,
-    /// Initial displacements and velocities of all masses, x1,...;v1,... in m and m/s under a load and with --until,
-    /// otherwise non-dimensional [default: rest]
+    /// Initial state of the run, or of the steady state: `rest`, or displacements and velocities of all masses,
+    /// x1,...;v1,... in m and m/s under a load and with --until, otherwise non-dimensional
     #[arg(long, value_name = "STATE", allow_hyphen_values = true)]
     pub from: Option<String>,
     /// Print the free vibration from the state --from until this time in s, without a load, in N and m. The description
@@ -153,7 +145,7 @@ pub struct TimeArguments {
     )]
     pub until: Option<String>,
     /// Print one period of the steady state instead of a run from the initial state
-    #[arg(long, conflicts_with_all = ["cycles", "skip", "from"])]
+    #[arg(long, conflicts_with_all = ["cycles", "skip"])]
     pub steady: bool,
     /// Print only this quantity: a mass, `contact`, a difference of two masses such as `roof-first`, a spring force
     /// `spring(a-b)`, the base shear `shear`; may be given more than once [default: contact and every mass]
@@ -215,6 +207,9 @@ pub struct OptimumArguments {
     /// varies the stiffness of the spring between base and lower
     #[arg(long, value_name = "NAME=a:b", allow_hyphen_values = true)]
     pub vary: Option<String>,
+    /// Option for the initial state.
+    #[command(flatten)]
+    pub start: FromArguments,
     /// Arguments for the format of the output.
     #[command(flatten)]
     pub format: FormatArguments,

@@ -26,6 +26,20 @@ Units:
 
 ";
 
+pub const FROM: &str = "\
+Steady states and their start:
+  Several steady states may exist. The answer is the one that motion from rest reaches. At rest, every
+  mass is at 0 without velocity, the excitation is at its maximum, and a moving base is at Y.
+  A contact that never slides may rest at any place within an interval. The answer is then the state in
+  the middle, without a constant force in the contact. offset is the place where motion from rest leaves
+  the contact.
+  --from rest and --from \"x1,...;v1,...\" give the state that motion reaches from there. A contact that
+  never slides then stays at offset. A state has the displacements of all masses in the order of the
+  description, a semicolon, and their velocities, in m and m/s with a load, otherwise dx/dtau. With
+  stiction 1, the start does not change a continuous response.
+
+";
+
 pub const LIMITS: &str = "\
 Quantities:
   continuous limit  beta_lim, exact. Below beta_lim a motion exists in which the contact slides all the time
@@ -41,14 +55,10 @@ Quantities:
 pub const RESPONSES: &str = "\
 Regimes:
   continuous  the contact slides all the time. Amplitudes, phases and harmonics are exact
-  stick-slip  the contact sticks and slides in turn. The values belong to the steady state that motion
-              from rest reaches
+  stick-slip  the contact sticks and slides in turn
   stuck       the contact never slides (it locks). The output has amplitude and phase of each mass
   unbounded   the excitation is on an undamped resonance, and the amplitude grows without limit. The
               contact slides if the margin is negative. Otherwise it is stuck
-  If several states exist, the answer is the state that motion from rest reaches. At rest, every mass is
-  at 0 without velocity, and the excitation is at its maximum. A moving base is then at Y, so that a
-  contact with the base may stick away from its centre.
 
 Answers:
   closed form  an exact formula, for a contact that always slides or never slides
@@ -67,10 +77,10 @@ Quantities:
   margin      beta/min(beta_lim, beta*_lim) - 1. It is negative below both limits. The closed form exists
               there, and with stiction 1 no other state exists
   offset      mean of the largest and the smallest displacement of the contact, (max + min)/2, divided
-              by P/k1 (by Y for base motion); with --force or --base, in m
+              by P/k1 (by Y for base motion); with --force or --base, in m. Of a contact that never slides,
+              the place where motion from the start leaves it
   amplitude   largest displacement in the cycle, divided by P/k1 (by Y for base motion); with --force or
               --base, in m
-  centred     half the difference between the largest and the smallest displacement
   phase       lag of the largest displacement behind the maximum of the excitation, in rad, from -pi to
               pi; with --force or --base, in degrees
   fundamental phase lag of the fundamental component X_1
@@ -103,12 +113,12 @@ Quantities:
   reversals   number of changes of the sliding direction without a stop, in a period
   stuck       fraction of the period during which the contact sticks
   offset      mean of the largest and the smallest displacement of the contact, (max + min)/2, divided
-              by P/k1 (by Y for base motion); with --force or --base, in m
+              by P/k1 (by Y for base motion); with --force or --base, in m. Of a contact that never slides,
+              the place where motion from the start leaves it
   multiplier  factor by which the deviation that dies out most slowly changes in a period (Floquet
               multiplier)
   amplitude   largest displacement in the period, divided by P/k1 (by Y for base motion); with
               --force or --base, in m
-  centred     half the difference between the largest and the smallest displacement
   phase       lag of the largest displacement behind the maximum of the excitation, in rad, from -pi to
               pi; with --force or --base, in degrees
   fundamental phase lag of the fundamental component X_1
@@ -119,9 +129,10 @@ Quantities:
 
 pub const STATES: &str = "\
 Several states:
-  --states lists every steady state that the search finds. It starts from rest, from the stuck contact,
-  from the closed form and from motions at neighbouring frictions. In CSV and JSON, from_rest marks the
-  state that motion from rest reaches, and marginal marks a state of a continuum.
+  --states lists every steady state that the search finds. It starts from rest or from --from, from the
+  stuck contact, from the closed form and from motions at neighbouring frictions. In CSV and JSON,
+  from_rest marks the state that motion from rest or from --from reaches, and marginal marks a state of a
+  continuum.
 
 ";
 
@@ -150,17 +161,11 @@ Motions:
   A description with `friction: stribeck` needs a load, --force or --base, because its speeds have units.
 
 Initial state:
-  --from \"x1,x2;v1,v2\"  displacements, then velocities of all masses in the order of the description,
-                        at a maximum of the excitation; with --force or --base, in m and m/s [default: rest]
+  A run starts from rest, or from --from. --steady gives one period of the steady state in any regime.
 
 Free vibrations:
   --from \"x1,x2;v1,v2\" --until S --friction F  the motion from this state, in m and m/s, during S seconds without
                         a load. A moving base is at rest. The output has times in s, m, m/s and N
-
-Steady states:
-  --steady works in any regime. If the chain is undamped or has several steady states, the output is the
-  state that motion from rest reaches. Motion from rest also determines the position of a stuck
-  contact.
 
 Events:
   The events are stop, break-away, and reversal (the contact changes its direction without a stop). The
@@ -190,7 +195,8 @@ Curves:
   Points are closer where a curve bends and at its peaks. Lines join only points of the same piece. A
   piece ends where the regime changes, at a pole, at a jump, and at a point without an answer.
   --from up and --from down sweep the frequency, as in a laboratory. Each point starts from the state of
-  the previous point, with the same displacements and velocities. --from up,down gives both sweeps.
+  the previous point, with the same displacements and velocities, the first point from rest. A contact
+  that never slides stays where the motion leaves it. --from up,down gives both sweeps.
   answer   closed form; orbit; or last 64 cycles, of a motion that does not become periodic. Any other
            word is the reason why there is no answer. `orbit --help` explains these words
   force    largest friction force in the cycle, divided by P (by k1 Y for base motion); with --force
@@ -217,7 +223,7 @@ Regions:
   subharmonic       the motion repeats after several cycles of the excitation
   unsettled         the motion does not repeat
   any other word is the reason why there is no answer. `orbit --help` explains these words
-A map shows the state in which motion from rest ends. With stiction 1 the boundaries of the continuous
+With stiction 1 the boundaries of the continuous
 and the stuck region are the exact limits. With a larger stiction, motion from rest may continue to
 slide above both limits. --boundaries finds the boundaries of the other regions by bisection. Each additional
 digit takes longer than the one before, because the motion settles more slowly near a boundary. Pictures use 3 digits.

@@ -18,13 +18,13 @@ pub use code::{
 };
 pub use desk::{
     CurveArguments, FeaturesArguments, MapArguments, OptimumArguments, SensitivityArguments,
-    StartFrom, TimeArguments,
+    TimeArguments,
 };
 #[cfg(feature = "pictures")]
 pub use desk::{LogAxes, ShadeArgument};
 use help::{
-    CURVES, DIFFERENCES, EXPORTS, FEATURES, GRIDS, GRIDS_IN_TIME, LIMITS, MAPS, ONE_POINT, OPTIMA,
-    ORBITS, RANGES, RESPONSES, SENSITIVITIES, STATES, TABLES, TIMES, UNITS,
+    CURVES, DIFFERENCES, EXPORTS, FEATURES, FROM, GRIDS, GRIDS_IN_TIME, LIMITS, MAPS, ONE_POINT,
+    OPTIMA, ORBITS, RANGES, RESPONSES, SENSITIVITIES, STATES, TABLES, TIMES, UNITS,
 };
 use periodic::PERIODICS;
 pub use periodic::PeriodicArguments;
@@ -37,8 +37,8 @@ use recorded::{DRIVES, FITS, IDENTIFICATIONS, RECORDINGS};
 #[cfg(feature = "report")]
 pub use report::ReportArguments;
 pub use shared::{
-    FileArgument, FormatArguments, FrequencyArguments, FrictionArguments, LoadArguments,
-    PointArguments,
+    FileArgument, FormatArguments, FrequencyArguments, FrictionArguments, FromArguments,
+    LoadArguments, PointArguments,
 };
 
 /// Exact solutions of mass-spring chains with one Coulomb friction contact.
@@ -57,25 +57,25 @@ pub enum Command {
     #[command(after_help = format!("{LIMITS}{UNITS}{GRIDS}"))]
     Limits(LimitsArguments),
     /// Print regime, amplitude, phase and harmonics of the response over frequency and friction
-    #[command(after_help = format!("{RESPONSES}{UNITS}{GRIDS}"))]
+    #[command(after_help = format!("{RESPONSES}{FROM}{UNITS}{GRIDS}"))]
     Response(ResponseArguments),
-    /// Print the steady state that motion from rest reaches, in every regime
-    #[command(after_help = format!("{ORBITS}{STATES}{UNITS}{GRIDS_IN_TIME}"))]
+    /// Print the steady state at each frequency and friction, in every regime
+    #[command(after_help = format!("{ORBITS}{STATES}{FROM}{UNITS}{GRIDS_IN_TIME}"))]
     Orbit(OrbitArguments),
     /// Print the steady state under any periodic load, given as a table of one period or as harmonics
     #[command(after_help = PERIODICS)]
     Periodic(PeriodicArguments),
     /// Draw or print responses over frequency in every regime, with more points where a curve bends
-    #[command(after_help = format!("{CURVES}{UNITS}{RANGES}"))]
+    #[command(after_help = format!("{CURVES}{FROM}{UNITS}{RANGES}"))]
     Curve(CurveArguments),
     /// Draw or print a map of the regimes over frequency and friction
-    #[command(after_help = format!("{MAPS}{UNITS}{GRIDS}"))]
+    #[command(after_help = format!("{MAPS}{FROM}{UNITS}{GRIDS}"))]
     Map(MapArguments),
     /// Draw or print displacements, velocities, the friction force and events over time, and spectra
-    #[command(after_help = format!("{TIMES}{UNITS}{ONE_POINT}"))]
+    #[command(after_help = format!("{TIMES}{FROM}{UNITS}{ONE_POINT}"))]
     Time(TimeArguments),
     /// Find the friction with which the largest amplitude over a frequency band is smallest
-    #[command(after_help = format!("{OPTIMA}{UNITS}"))]
+    #[command(after_help = format!("{OPTIMA}{FROM}{UNITS}"))]
     Optimum(OptimumArguments),
     /// List resonances, thresholds, invariant points, sliding ranges, regimes and peaks of a scene
     #[command(after_help = format!("{FEATURES}{UNITS}"))]

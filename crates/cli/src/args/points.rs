@@ -1,7 +1,7 @@
 //! Arguments of the commands that compute at each point of a grid: limits, responses and steady states.
 
 use super::shared::{
-    FileArgument, FormatArguments, FrequencyArguments, LoadArguments, PointArguments,
+    FileArgument, FormatArguments, FrequencyArguments, FromArguments, LoadArguments, PointArguments,
 };
 use clap::Args;
 use std::path::PathBuf;
@@ -36,6 +36,9 @@ pub struct ResponseArguments {
     /// Print also the odd harmonics X_1, X_3, ... of each motion up to order N, for example 5
     #[arg(long, value_name = "N", allow_hyphen_values = true)]
     pub harmonics: Option<String>,
+    /// Option for the initial state.
+    #[command(flatten)]
+    pub start: FromArguments,
     /// Arguments for the format of the output.
     #[command(flatten)]
     pub format: FormatArguments,
@@ -58,6 +61,9 @@ pub struct OrbitArguments {
     /// reaches
     #[arg(long)]
     pub states: bool,
+    /// Option for the initial state.
+    #[command(flatten)]
+    pub start: FromArguments,
     /// Arguments for the format of the output.
     #[command(flatten)]
     pub format: FormatArguments,

@@ -83,6 +83,15 @@ pub struct LoadArguments {
     pub unbalance: Option<String>,
 }
 
+/// Option for the initial state of the motions to a steady state.
+#[derive(Debug, Args)]
+pub struct FromArguments {
+    /// Answer with the steady state that motion reaches from rest (`rest`) or from displacements and velocities of all
+    /// masses (x1,...;v1,..., in m and m/s under a load), with the contact where that motion leaves it
+    #[arg(long, value_name = "STATE", allow_hyphen_values = true)]
+    pub from: Option<String>,
+}
+
 /// Options for the scene, the frequencies, the frictions and the load.
 #[derive(Debug, Args)]
 pub struct PointArguments {

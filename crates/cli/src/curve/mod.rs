@@ -4,13 +4,14 @@
 mod draw;
 mod report;
 
-use crate::args::{CurveArguments, StartFrom};
+use crate::args::CurveArguments;
 use crate::asked::{self, CONTACT, MovingPart};
 use crate::destination::Destination;
 use crate::destination::OutputFormat;
 use crate::failure::Failure;
 use crate::frequency::{Band, Frequencies};
 use crate::friction::Frictions;
+use crate::from;
 use crate::interrupt;
 use crate::joined;
 use crate::measure;
@@ -74,6 +75,8 @@ pub fn run(arguments: &CurveArguments, out: &mut dyn Write) -> Result<(), Failur
         one_row_of_contact(&mut parts, system.scene());
     }
     let measure = measure::of(&arguments.point.load, &system)?;
+    let (starts, state) = starts(&arguments.from)?;
+    let system = from::started(state, system, &measure)?;
     let band = band.under(&measure);
     let frictions = frictions.under(&measure)?;
     let of: Vec<_> = parts.iter().map(|part| part.of).collect();
@@ -91,7 +94,6 @@ pub fn run(arguments: &CurveArguments, out: &mut dyn Write) -> Result<(), Failur
     if let Some(text) = &arguments.accuracy {
         request.accuracy = asked::number("--accuracy", text)?;
     }
-    let starts = starts(&arguments.from)?;
     let of_friction =
         |friction: FrictionSetting| starts.iter().map(move |start| (friction, *start));
     let asked: Vec<(FrictionSetting, CurveStart)> = frictions.all().flat_map(of_friction).collect();
@@ -182,17 +184,27 @@ fn stopped(done: usize, all: usize) -> Failure {
     ))
 }
 
-/// Returns the initial states of the curves, each once, in the order of the options.
-fn starts(asked: &[StartFrom]) -> Result<Vec<CurveStart>, Failure> {
-    let mut starts = Vec::new();
-    for from in asked {
-        let start = match from {
-            StartFrom::Rest => CurveStart::Rest,
-            StartFrom::Up => CurveStart::Up,
-            StartFrom::Down => CurveStart::Down,
+/// Returns the initial states of the curves, each once, in the order of the options. The second result is the state
+/// that the curves which start at rest have instead of the default.
+fn starts(asked: &[String]) -> Result<(Vec<CurveStart>, Option<&str>), Failure> {
+    if let Some(state) = asked.iter().find(|text| text.contains(';')) {
+        return match asked {
+            [_] => Ok((vec![CurveStart::Rest], Some(state))),
+            _ => Err(Failure::new(format_args!(
+                "--from `{state}`: give a state alone, without another --from"
+            ))),
         };
+    }
+    let mut starts = Vec::new();
+    for word in asked.iter().flat_map(|text| text.split(',')).map(str::trim) {
+        let all = [CurveStart::Rest, CurveStart::Up, CurveStart::Down];
+        let start = all.into_iter().find(|start| words::start(*start) == word);
+        let start = start.ok_or_else(|| {
+            Failure::new(format_args!(
+                "--from `{word}`: write rest, up, down, or x1,...;v1,...: the displacements of all masses, a semicolon, their velocities"
+            ))
+        })?;
         if starts.contains(&start) {
-            let word = words::start(start);
             return Err(Failure::new(format_args!(
                 "--from: `{word}` is given twice"
             )));
@@ -200,7 +212,7 @@ fn starts(asked: &[StartFrom]) -> Result<Vec<CurveStart>, Failure> {
         starts.push(start);
     }
     if starts.is_empty() {
-        starts.push(CurveStart::Rest);
+        return Ok((vec![CurveStart::Rest], None));
     }
-    Ok(starts)
+    Ok((starts, Some(from::REST)))
 }

@@ -33,6 +33,7 @@ pub fn optimum(
 ) -> Result<(), Failure> {
     refused(&[
         (!arguments.keep.is_empty(), "--keep"),
+        (arguments.start.from.is_some(), "--from"),
         (1 < arguments.of.len(), "a second --of"),
     ])?;
     let system = System::try_from(scene).map_err(Failure::new)?;

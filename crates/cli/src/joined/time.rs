@@ -3,11 +3,12 @@
 use super::{Asked, Question};
 use crate::destination::OutputFormat;
 use crate::failure::Failure;
+use crate::from::state;
 use crate::layout::Layout;
 use crate::output::{self, ResultTable, Visitor};
 #[cfg(feature = "pictures")]
 use crate::picture::short;
-use crate::time::asked::{TimeRequest as Length, state};
+use crate::time::asked::TimeRequest as Length;
 use frictiongen::study::columns::{Column, Frequency, JoinedEventRow, JoinedSample};
 use frictiongen::study::joined::JoinedHistory;
 use frictiongen::study::scene::Scene;

@@ -12,6 +12,7 @@ use crate::destination::OutputFormat;
 use crate::failure::Failure;
 use crate::frequency::Frequencies;
 use crate::friction::Frictions;
+use crate::from;
 use crate::grids::Grids;
 use crate::interrupt;
 use crate::joined;
@@ -43,11 +44,13 @@ pub fn run(arguments: &MapArguments, out: &mut dyn Write) -> Result<(), Failure>
         .map(|text| asked::whole("--boundaries", text, 1..=MOST_DIGITS))
         .transpose()?;
     let frequencies = Frequencies::parse(&arguments.point.frequency, false)?;
+    let from = from::given(&arguments.start, &frequencies)?;
     let frictions = Frictions::of_map(&arguments.point.friction, &frequencies)?;
     let description = arguments.point.file.any(&SizeLimits::RUN_TIME)?;
     if description.scene.is_joined() {
         joined::refused(&[
             (digits.is_some(), "--boundaries"),
+            (from.is_some(), "--from"),
             (arguments.shade == ShadeArgument::Stuck, "--shade stuck"),
         ])?;
         let asked = joined::Asked::of(&arguments.point, frequencies, frictions, &arguments.of);
@@ -65,6 +68,7 @@ pub fn run(arguments: &MapArguments, out: &mut dyn Write) -> Result<(), Failure>
     let parts = asked::parts(&system, &arguments.of)?;
     asked::without_rates(&parts)?;
     let measure = measure::of(&arguments.point.load, &system)?;
+    let system = from::started(from, system, &measure)?;
     let frequencies = frequencies.under(&measure);
     let frictions = frictions.under(&measure)?;
     let request = MapRequest {

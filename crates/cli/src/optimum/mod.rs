@@ -8,6 +8,7 @@ use crate::args::OptimumArguments;
 use crate::asked::{self, MovingPart};
 use crate::failure::Failure;
 use crate::frequency::Band;
+use crate::from;
 use crate::interrupt;
 use crate::joined;
 use crate::measure::{self, Measure};
@@ -39,6 +40,7 @@ pub fn run(arguments: &OptimumArguments, out: &mut dyn Write) -> Result<(), Fail
         ));
     }
     let measure = measure::of(&arguments.load, &system)?;
+    let system = from::started(arguments.start.from.as_deref(), system, &measure)?;
     let several = arguments.several(&system, &measure)?;
     let part = arguments.first(&system, &several)?;
     let band = band.under(&measure);

@@ -10,6 +10,7 @@ use crate::destination::Destination;
 use crate::failure::Failure;
 use crate::frequency::Frequencies;
 use crate::friction::Frictions;
+use crate::from;
 use crate::grids::Grids;
 use crate::joined;
 use crate::measure;
@@ -45,7 +46,10 @@ pub fn run(arguments: &OrbitArguments, out: &mut dyn Write) -> Result<(), Failur
     };
     let description = arguments.point.file.any(&SizeLimits::RUN_TIME)?;
     if description.scene.is_joined() {
-        joined::refused(&[(!orders.is_empty(), "--harmonics")])?;
+        joined::refused(&[
+            (!orders.is_empty(), "--harmonics"),
+            (arguments.start.from.is_some(), "--from"),
+        ])?;
         let asked = joined::Asked::of(&arguments.point, frequencies, frictions, &arguments.of);
         return destination.write(out, |out| {
             #[cfg(feature = "pictures")]
@@ -65,6 +69,7 @@ pub fn run(arguments: &OrbitArguments, out: &mut dyn Write) -> Result<(), Failur
     let parts = asked::contact_and(&system, &arguments.of)?;
     frequencies.check(&system)?;
     let measure = measure::of(&arguments.point.load, &system)?;
+    let system = from::started(arguments.start.from.as_deref(), system, &measure)?;
     let frequencies = frequencies.under(&measure);
     let frictions = frictions.under(&measure)?;
     #[cfg(feature = "pictures")]

@@ -18,27 +18,9 @@ pub type FoundMotion = Result<(Regime, Swing), Error>;
 /// contact is stuck at every frequency.
 pub fn found(asked: &ReportRequest, r: f64, beta: f64, of: Of) -> FoundMotion {
     let at = asked.system.at(r)?;
-    let rest = Swing::REST;
-    // A rigid stuck contact is at rest. A stuck elastic contact moves with its spring, and the code below computes its
-    // motion.
-    if beta == STUCK && !asked.is_elastic() {
-        let stuck = at.stuck()?;
-        let swing = match of {
-            Of::Mass(index) => stuck.mass_at(index).map_or(rest, |harmonic| {
-                let (amplitude, phase) = units::polar(harmonic);
-                Swing {
-                    amplitude,
-                    phase: (0.0 < amplitude).then_some(phase),
-                }
-            }),
-            // The page contains only motions of the contact and of masses.
-            _ => rest,
-        };
-        return Ok((Regime::Stuck, swing));
-    }
     let response = at.response(beta)?;
     let turned = asked.words.measure.turns_contact() && of == Of::Contact;
-    let mut swing = response.swing(of).unwrap_or(rest);
+    let mut swing = response.swing(of).unwrap_or(Swing::REST);
     if turned {
         swing.phase = swing.phase.map(|phase| match &response {
             SystemResponse::StickSlip(orbit) => orbit.reversed_contact_phase(),

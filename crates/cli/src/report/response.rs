@@ -261,7 +261,6 @@ impl Responses {
                 p {
                     "The steady response from " (words.frequency(asked.band.from)) " to " (words.frequency(asked.band.to)) ". " (line_styles(asked.is_elastic())) " \
                      Where a line changes its style, the friction is equal to a limit. An amplitude is the largest displacement of a cycle. \
-                     A dotted line is drawn about the middle of the motion, without the offset of a contact that came to rest away from its centre. \
                      A phase is the lag of that maximum behind the maximum of the load."
                     @if asked.parts.iter().any(|part| part.of == Of::Contact) {
                         " “contact” is the relative motion in the contact."

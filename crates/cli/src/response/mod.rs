@@ -7,6 +7,7 @@ use crate::asked;
 use crate::failure::Failure;
 use crate::frequency::Frequencies;
 use crate::friction::Frictions;
+use crate::from;
 use crate::grids::Grids;
 use crate::joined;
 use crate::measure;
@@ -20,6 +21,7 @@ use std::io::Write;
 /// Runs `frictiongen response`.
 pub fn run(arguments: &ResponseArguments, out: &mut dyn Write) -> Result<(), Failure> {
     let frequencies = Frequencies::parse(&arguments.point.frequency, false)?;
+    let from = from::given(&arguments.start, &frequencies)?;
     let frictions = Frictions::parse(&arguments.point.friction, Some(&frequencies))?;
     let orders = match asked::harmonics(arguments.harmonics.as_deref())? {
         Some(highest) => (1..=highest).step_by(2).collect(),
@@ -27,7 +29,10 @@ pub fn run(arguments: &ResponseArguments, out: &mut dyn Write) -> Result<(), Fai
     };
     let description = arguments.point.file.any(&SizeLimits::RUN_TIME)?;
     if description.scene.is_joined() {
-        joined::refused(&[(!orders.is_empty(), "--harmonics")])?;
+        joined::refused(&[
+            (!orders.is_empty(), "--harmonics"),
+            (from.is_some(), "--from"),
+        ])?;
         let asked = joined::Asked::of(&arguments.point, frequencies, frictions, &arguments.of);
         return asked.write(description.scene, false, arguments.format.checked()?, out);
     }
@@ -35,6 +40,7 @@ pub fn run(arguments: &ResponseArguments, out: &mut dyn Write) -> Result<(), Fai
     let parts = asked::contact_and(&system, &arguments.of)?;
     frequencies.check(&system)?;
     let measure = measure::of(&arguments.point.load, &system)?;
+    let system = from::started(from, system, &measure)?;
     let frequencies = frequencies.under(&measure);
     let frictions = frictions.under(&measure)?;
     let summary = Summary::of(&system, frequencies.are_physical(), measure);

@@ -16,11 +16,12 @@ use crate::destination::{Destination, OutputFormat};
 use crate::failure::Failure;
 use crate::frequency::Frequencies;
 use crate::friction::Frictions;
+use crate::from;
 use crate::joined;
 use crate::measure::{self, Measure};
 use crate::output;
 use crate::summary::Summary;
-use asked::{TimeRequest, start};
+use asked::TimeRequest;
 use course::RunSettings;
 use frictiongen::System;
 use frictiongen::study::columns::{Frequency, FrequencyUnit};
@@ -69,12 +70,17 @@ pub fn run(arguments: &TimeArguments, out: &mut dyn Write) -> Result<(), Failure
     let frictions = Frictions::parse(&arguments.point.friction, Some(&frequencies))?;
     let file = &arguments.point.file;
     let description = file.maybe_joined(&SizeLimits::RUN_TIME, arguments.steady)?;
+    let from = arguments.from.as_deref();
+    let run_from = from.filter(|text| !arguments.steady && text.trim() != from::REST);
     if description.scene.is_joined() {
-        joined::refused(&[(arguments.spectrum, "--spectrum")])?;
+        joined::refused(&[
+            (arguments.spectrum, "--spectrum"),
+            (arguments.steady && from.is_some(), "--from"),
+        ])?;
         let point = joined::Asked::of(&arguments.point, frequencies, frictions, &arguments.of);
         let of_time = joined::OfTime {
             asked,
-            from: arguments.from.as_deref(),
+            from: run_from,
             until: None,
             events: arguments.events,
         };
@@ -94,6 +100,7 @@ pub fn run(arguments: &TimeArguments, out: &mut dyn Write) -> Result<(), Failure
             measure::option(&measure)
         )));
     }
+    let system = from::started(from.filter(|_| arguments.steady), system, &measure)?;
     let frequencies = frequencies.under(&measure);
     let frictions = frictions.under(&measure)?;
     let frequency = frequencies.only(&system)?;
@@ -108,9 +115,9 @@ pub fn run(arguments: &TimeArguments, out: &mut dyn Write) -> Result<(), Failure
         parts,
         in_seconds: frequencies.are_physical() || measure.scale().is_some(),
     };
-    let from = arguments.from.as_deref();
-    let from = from.map(|text| start(text, &system, &course)).transpose()?;
-    let motion = RunMotion::of(course, &asked, from)?;
+    let (scale, omega) = (measure.scale(), frequency.omega);
+    let run_from = run_from.map(|text| from::state(text, &system, scale, omega));
+    let motion = RunMotion::of(course, &asked, run_from.transpose()?)?;
     destination.write(out, |out| write(&motion, arguments, (form, &summary), out))
 }
 
@@ -180,7 +187,7 @@ fn free(
         parts,
         in_seconds: true,
     };
-    let from = start(from.unwrap_or_default(), &system, &course)?;
+    let from = from::state(from.unwrap_or_default(), &system, measure.scale(), 1.0)?;
     let motion = RunMotion::free(course, (from, until), asked.samples)?;
     destination.write(out, |out| write(&motion, arguments, (form, &summary), out))
 }

@@ -1,9 +1,10 @@
 //! A motion over time in non-dimensional groups, with the units of the output.
 
-use super::asked::{InitialState, TimeRequest};
+use super::asked::TimeRequest;
 use super::course::RunSettings;
 use crate::asked::MOST_HARMONICS;
 use crate::failure::Failure;
+use crate::from::StateGroups;
 use crate::number::{Cell, Lossless as _, computed};
 use frictiongen::study::{
     history::{FreeRequest, History, HistoryError, HistoryRequest, Spectrum},
@@ -31,7 +32,7 @@ impl<'a> RunMotion<'a> {
     pub fn of(
         course: RunSettings<'a>,
         asked: &TimeRequest,
-        from: Option<InitialState>,
+        from: Option<StateGroups>,
     ) -> Result<Self, Failure> {
         let system = course.system;
         let (r, beta) = (course.frequency.r, course.friction.beta);

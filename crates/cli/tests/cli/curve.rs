@@ -62,18 +62,12 @@ fn points_are_responses() {
             response[1][place].clone()
         };
         assert_eq!(there("regime"), row[place("regime")], "{row:?}");
-        // The offset of a stuck contact depends on every earlier slip, and so on the last digit of the frequency.
-        let size = if row[place("regime")] == "stuck" {
-            "upper.centred_m"
-        } else {
-            "upper.amplitude_m"
-        };
+        let size = "upper.amplitude_m";
         let amplitude = number(&there(size));
         assert!(
             (amplitude - number(&row[place(size)])).abs() < 1e-9 * amplitude.max(1e-6),
             "{row:?}"
         );
-        // A contact that sticks off its centre has an amplitude but no phase.
         assert_eq!(row[phase].is_empty(), there("upper.phase_deg").is_empty());
         if amplitude > 1e-9 && !row[phase].is_empty() {
             let lag = number(&there("upper.phase_deg")) - number(&row[phase]);
@@ -171,7 +165,7 @@ fn maps_and_their_boundaries() {
     assert_eq!(
         map[0].join(","),
         "r,beta,regime,region,period,stops,reversals,stuck_fraction,offset,marginal,from_rest,\
-         upper.amplitude,upper.centred"
+         upper.amplitude"
     );
     let boundaries = lines(&[&["map", "--csv", "--boundaries", "4"][..], &grid].concat());
     assert_eq!(boundaries[0].join(","), "r,beta,width,below,above");

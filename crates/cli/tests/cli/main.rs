@@ -16,6 +16,7 @@ mod export;
 mod features;
 mod first_hour;
 mod first_steps;
+mod from;
 mod hints;
 mod joined;
 mod limits;

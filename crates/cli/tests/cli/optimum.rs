@@ -58,7 +58,7 @@ fn in_units_and_in_three_formats() {
     }
     let table = output(BLOCK, &split(&line));
     assert!(
-        table.contains("equal peaks") && table.contains("converged"),
+        table.contains("stuck: more friction changes nothing") && table.contains("converged"),
         "{table}"
     );
 }

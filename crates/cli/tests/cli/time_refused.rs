@@ -60,7 +60,7 @@ fn what_cannot_be_asked() {
         ),
         (
             "--r 0.5 --beta 1 --from 1,2",
-            "--from `1,2`: write x1,...;v1,...: the displacements of all masses, a semicolon, their velocities",
+            "--from `1,2`: write rest, or x1,...;v1,...: the displacements of all masses, a semicolon, their velocities",
         ),
         (
             "--r 0.5 --beta 1 --from 1,2,3;1,2",

@@ -117,6 +117,12 @@ where
             (Settled::Not(error), None) if !question.last => return Err(error),
             (settled, _) => settled,
         };
+        let (settled, left_at) = match settled {
+            Settled::Stuck(offset) if start == Start::Rest => {
+                (Settled::Stuck(zero), Some(setting.mean_at(offset)))
+            }
+            settled => (settled, None),
+        };
         let mut record = OrbitRecord::new(&mut marks, states, 2 * modes);
         let found = followed(&mut cycle_map, &mut workspace, settled, &mut record)?;
         let RecordedPeriod {
@@ -138,6 +144,7 @@ where
             symmetric: found.symmetric,
             marginal: found.marginal,
             settled: found.settled,
+            left_at,
             offset_range: None,
             origin: origin.0,
             origin_cycle: origin.1,

@@ -148,7 +148,11 @@ where
         let mut marks = [SegmentStart::empty(); MAX_SEGMENTS];
         let mut record = OrbitRecord::new(&mut marks, states, 2 * modes);
         if plain.never_slides() {
-            let offset = plain.offset_without_slip()?;
+            // Away from the middle, the place of a stuck contact depends on every earlier slip.
+            if !plain.middle().is_zero() {
+                return Err(NoDerivative::Marginal);
+            }
+            let offset = S::constant(0.0);
             stuck(&mut cycle_map, &mut workspace, offset)?;
             record.stuck(&cycle_map, offset);
         } else {
@@ -178,6 +182,7 @@ where
             symmetric: plain.symmetric,
             marginal: plain.marginal,
             settled: true,
+            left_at: plain.left_at.map(|offset| S::constant(offset.to_f64())),
             offset_range: None,
             origin: origin.0,
             origin_cycle: origin.1,
@@ -215,19 +220,6 @@ where
     pub fn never_slides(&self) -> bool {
         let mut marks = self.marks().iter();
         self.stops == 0 && marks.all(|mark| mark.contact_state.contact == Contact::Stuck)
-    }
-
-    /// Returns the relative displacement z̄ of a contact that sticks all the time and has never slid since the start.
-    /// The contact is then at z̄ = 0. A contact on a moving base may also be at z̄ = −1, because the base is at its
-    /// amplitude at the start from rest. After a slip the offset depends on every earlier slip. The function then
-    /// returns an error, because the steady state is marginal.
-    fn offset_without_slip<U: Float>(&self) -> Result<U, NoDerivative> {
-        let offset = self.offset();
-        if offset.is_zero() || offset == -self.setting.base {
-            Ok(U::constant(offset.to_f64()))
-        } else {
-            Err(NoDerivative::Marginal)
-        }
     }
 
     /// Returns true if the closed form describes this steady motion. In the closed form the contact slides all the

@@ -14,10 +14,17 @@ where
     C: AsRef<[Complex<S>]> + AsMut<[Complex<S>]>,
     K: ContactChain<S>,
 {
-    /// Returns the offset of the steady state, in units of P/k₁ (of the base amplitude Y for base motion). The offset
-    /// is the middle of the contact's relative motion, (max z̄ + min z̄)/2. It is 0 for a symmetric motion. For a stuck
-    /// contact it is the constant z̄.
+    /// Returns the offset of the contact, in units of P/k₁ (of the base amplitude Y for base motion). The offset is the
+    /// [`middle`](Self::middle) of the contact's relative motion. If the contact never slides and the motion started
+    /// from rest, the steady state itself has its middle at 0. The offset is then the place at which the motion from
+    /// rest leaves the contact.
     pub fn offset(&self) -> S {
+        self.left_at.unwrap_or_else(|| self.middle())
+    }
+
+    /// Returns the middle of the contact's relative motion, (max z̄ + min z̄)/2, in units of P/k₁ (of the base amplitude
+    /// Y for base motion). It is 0 for a symmetric motion.
+    pub fn middle(&self) -> S {
         if self.symmetric {
             return S::constant(0.0);
         }

@@ -13,7 +13,11 @@ impl<T: ProvidesOrbit> At<T> {
     ///
     /// At the start the excitation is at its maximum, and every mass has the displacement x̄ = 0 and no velocity. A
     /// moving base is then at its amplitude Y. A contact with the moving base therefore starts at the relative
-    /// displacement z = −Y, and may stick at this displacement.
+    /// displacement z = −Y.
+    ///
+    /// If the contact never slides, the contact may rest at any place within an interval. The steady state is then the
+    /// one in the middle of this interval. Its contact force has no constant part. `offset()` returns the place at which
+    /// the motion from rest leaves the contact, and [`orbit_from`](Self::orbit_from) the steady state at that place.
     ///
     /// # Errors
     /// [`NoOrbit`] gives the reason why there is no steady state.
@@ -36,7 +40,8 @@ impl<T: ProvidesOrbit> At<T> {
     }
 
     /// Returns the steady state that the motion from a given state reaches. The state consists of the displacement x̄
-    /// and the velocity dx̄/dτ of every mass, at a maximum of the excitation.
+    /// and the velocity dx̄/dτ of every mass, at a maximum of the excitation. A contact that never slides stays at the
+    /// place at which this motion leaves it.
     ///
     /// # Errors
     /// [`NoOrbit`] gives the reason why there is no steady state. The function also returns an error if the state does

@@ -14,7 +14,8 @@ const NEIGHBOURING: u32 = 64;
 /// Initial state of a motion. The excitation is then at its maximum.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Start<'s, S> {
-    /// Every mass has the displacement x̄ = 0 and no velocity.
+    /// Every mass has the displacement x̄ = 0 and no velocity. A contact that never slides is then answered in the
+    /// middle of its interval, as [`At::orbit`](crate::response::At::orbit) describes.
     Rest,
     /// The masses have the given displacements x̄ (first slice) and velocities dx̄/dτ (second slice).
     State(&'s [S], &'s [S]),

@@ -90,6 +90,9 @@ pub struct Orbit<'a, S, P, V, C, K = Chain<S>> {
     pub(super) symmetric: bool,
     pub(super) marginal: bool,
     pub(super) settled: bool,
+    /// Relative displacement z̄ at which the motion from rest leaves a contact that never slides. The steady state is
+    /// then the one with z̄ = 0 in the middle. `None` for every other steady state.
+    pub(super) left_at: Option<S>,
     /// Largest absolute offset of the contact in the continuum to which this steady state belongs, if known.
     pub(super) offset_range: Option<S>,
     /// Phase of the excitation at τ = 0, in half-turns (π rad). At τ = 0 the relative displacement z̄ leaves its

@@ -14,8 +14,7 @@ use frictiongen::{Of, Regime};
 /// The quantity of a motion that a curve shows over frequency: amplitude, phase, a [`MotionQuantity`], or one harmonic.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Reading {
-    /// The amplitude of the motion. For a stuck contact, this amplitude assumes the centred position of the contact.
-    /// The contact may have stopped at other positions, with other amplitudes.
+    /// The amplitude of the motion.
     Amplitude,
     /// The phase of the motion in degrees.
     Phase,
@@ -86,17 +85,7 @@ impl Reading {
 
     /// Returns the amplitude of a motion (or its [`MotionQuantity`]) at a point of the curve, in the unit of its axis.
     /// `part` is the index of the motion among the requested motions.
-    fn size(
-        self,
-        piece: &CurvePiece,
-        point: &CurvePoint,
-        part: usize,
-        scales: &Scales,
-    ) -> Option<f64> {
-        if self == Self::Amplitude && piece.regime == Regime::Stuck {
-            let centred = point.movements.get(part)?.centred;
-            return Some(scales.length_at(point.r, centred));
-        }
+    fn size(self, point: &CurvePoint, part: usize, scales: &Scales) -> Option<f64> {
         let (size, _) = self.polar(point, part)?;
         Some(match self {
             Self::Rate(of) => scales.rate_at(of, point.r, size),
@@ -145,7 +134,7 @@ fn traced(
         } else {
             let points = piece.points.iter();
             let placed = points.filter_map(|point| {
-                let size = reading.size(piece, point, part, scales)?;
+                let size = reading.size(point, part, scales)?;
                 Some((scales.frequency(point.r), size))
             });
             vec![placed.collect()]
@@ -223,11 +212,11 @@ pub fn lines(
             .pieces
             .iter()
             .filter(|piece| piece.points.len() == 1);
-        let points = lone.flat_map(|piece| piece.points.iter().map(move |point| (piece, point)));
+        let points = lone.flat_map(|piece| &piece.points);
         let placed: Vec<Point> = points
-            .filter(|(_, point)| !point.settled)
-            .filter_map(|(piece, point)| {
-                let size = reading.size(piece, point, part, scales)?;
+            .filter(|point| !point.settled)
+            .filter_map(|point| {
+                let size = reading.size(point, part, scales)?;
                 Some((scales.frequency(point.r), size))
             })
             .collect();
@@ -270,9 +259,8 @@ pub fn panel(
         };
         let sizes = drawn.iter().flat_map(|drawn| {
             let pieces = drawn.curve.pieces.iter();
-            let points =
-                pieces.flat_map(|piece| piece.points.iter().map(move |point| (piece, point)));
-            points.filter_map(|(piece, point)| reading.size(piece, point, part, scales))
+            let points = pieces.flat_map(|piece| &piece.points);
+            points.filter_map(|point| reading.size(point, part, scales))
         });
         scales.amplitude_axis(label, top(drawn, part, reading, scales), sizes)
     };
@@ -309,8 +297,7 @@ fn top(drawn: &[Drawn<'_>], part: usize, reading: Reading, scales: &Scales) -> f
             .any(|piece| piece.start == PieceEnd::Pole || piece.end == PieceEnd::Pole);
         let points = || {
             pieces.iter().flat_map(|piece| {
-                let read =
-                    |point: &CurvePoint| Some((point.r, reading.size(piece, point, part, scales)?));
+                let read = |point: &CurvePoint| Some((point.r, reading.size(point, part, scales)?));
                 piece.points.iter().filter_map(read)
             })
         };

@@ -69,7 +69,6 @@ impl MotionRow for CurveRow {
         let movement = point.movements.get(part)?;
         Some(PartMotion {
             swing: Some(movement.swing),
-            centred: Some(movement.centred),
             fundamental_phase: movement.fundamental_phase,
             monoharmonic: None,
             rates: movement.rates,

@@ -194,9 +194,6 @@ impl<'a> MapTable<'a> {
             columns.number(Head::of("amplitude", named.dimension()), move |row| {
                 row.point()?.amplitudes.get(part).copied()
             });
-            columns.number(Head::of("centred", named.dimension()), move |row| {
-                row.point()?.centred.get(part).copied()
-            });
         }
         columns.done()
     }

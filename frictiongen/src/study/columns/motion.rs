@@ -14,9 +14,6 @@ use crate::study::units::polar;
 pub struct PartMotion<'r> {
     /// Largest displacement (amplitude), divided by P/k₁ (by Y for base motion), and its phase in rad.
     pub swing: Option<Swing>,
-    /// Centred amplitude: half the distance between the least and the largest displacement, divided by P/k₁ (by Y for
-    /// base motion).
-    pub centred: Option<f64>,
     /// Lag of the motion's fundamental component behind the excitation, in rad.
     pub fundamental_phase: Option<f64>,
     /// Monoharmonic estimate of the amplitude, divided by P/k₁ (by Y for base motion).
@@ -86,9 +83,6 @@ pub fn motions<'a, R: MotionRow + 'a>(
         }
         columns.number(Head::of("amplitude", size), move |row: &R| {
             Some(row.motion(part)?.swing?.amplitude)
-        });
-        columns.number(Head::of("centred", size), move |row| {
-            row.motion(part)?.centred
         });
         columns.number(Head::of("phase", Angle), move |row| {
             row.motion(part)?.swing?.phase

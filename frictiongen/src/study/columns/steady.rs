@@ -9,19 +9,18 @@ pub use response::{ResponseRow, ResponseTable};
 use super::motion::PartMotion;
 use super::setting::MovingPart;
 use crate::Complex;
+use crate::Regime;
 use crate::study::units::{fundamental_phase, reversed_phase};
 use crate::study::{
     orbit::SystemOrbitMotion,
     response::{MotionQuantity, Swing, SystemResponse},
 };
-use crate::{Of, Regime};
 
 /// The motion of the contact or of a mass in a row, in non-dimensional groups. A quantity is `None` if the result does
 /// not contain it.
 #[derive(Clone, Debug, Default)]
 struct MotionGroups {
     swing: Option<Swing>,
-    centred: Option<f64>,
     fundamental_phase: Option<f64>,
     monoharmonic: Option<f64>,
     rates: Option<(f64, f64)>,
@@ -44,7 +43,6 @@ impl MotionGroups {
         let harmonics = orders.iter().map(|order| response.harmonic(of, *order));
         Self {
             swing: response.swing(of),
-            centred: response.centred_amplitude(of),
             fundamental_phase: response.fundamental_phase(of),
             monoharmonic: response.monoharmonic(of),
             rates: if part.has_rate() { rates() } else { None },
@@ -67,7 +65,6 @@ impl MotionGroups {
                 amplitude,
                 phase: Some(phase),
             }),
-            centred: Some(centred),
             fundamental_phase: fundamental_phase(motion.harmonic(1), centred),
             monoharmonic: None,
             rates: Some((motion.largest_velocity(), motion.largest_acceleration())),
@@ -95,7 +92,6 @@ impl MotionGroups {
         if let Some(swing) = &mut self.swing {
             swing.amplitude = settled(swing.amplitude);
         }
-        self.centred = self.centred.map(settled);
         self.monoharmonic = self.monoharmonic.map(settled);
         for harmonic in &mut self.harmonics {
             *harmonic = Complex::new(settled(harmonic.re), settled(harmonic.im));
@@ -109,19 +105,22 @@ impl MotionGroups {
         }
     }
 
-    /// Removes the quantities that give no information while the contact is stuck: the contact's own motion, and the
-    /// harmonics. A stuck response has only its fundamental component.
-    fn leave_out_stuck(&mut self, of: Of) {
-        match of {
-            Of::Contact => *self = Self::default(),
-            _ => self.harmonics.clear(),
+    /// Removes the quantities that give no information while the contact is stuck: the harmonics, because a stuck
+    /// response has only its fundamental component, and the motion of a contact that is at rest.
+    fn leave_out_stuck(&mut self, at_rest: bool) {
+        self.harmonics.clear();
+        if at_rest {
+            let contact = self.contact;
+            *self = Self {
+                contact,
+                ..Self::default()
+            };
         }
     }
 
     fn view(&self) -> PartMotion<'_> {
         PartMotion {
             swing: self.swing,
-            centred: self.centred,
             fundamental_phase: self.fundamental_phase,
             monoharmonic: self.monoharmonic,
             rates: self.rates,

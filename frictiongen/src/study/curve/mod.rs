@@ -52,7 +52,7 @@ impl System {
     ///
     /// With [`CurveStart::Up`] and [`CurveStart::Down`] the motion at each point starts from the steady state of the
     /// previous point, as in a laboratory sweep. When the frequency changes, displacements and velocities of the masses
-    /// stay unchanged. If the steady state ceases to exist and the motion settles in another state, the curve has a cut
+    /// stay unchanged. A stuck contact stays where the motion has left it. If the steady state ceases to exist and the motion settles in another state, the curve has a cut
     /// with [`PieceEnd::Jump`].
     ///
     /// ```

@@ -23,7 +23,8 @@ pub struct CurvePoint {
     /// True if the motion from the requested initial state ends in this state. False if that motion does not settle,
     /// and this state is another steady state.
     pub from_rest: bool,
-    /// Offset (max z̄ + min z̄)/2 of the contact's relative motion, divided by P/k₁ (by Y for base motion).
+    /// Offset of the contact, divided by P/k₁ (by Y for base motion), as
+    /// [`SystemResponse::offset`](crate::study::response::SystemResponse::offset) defines it.
     pub offset: f64,
     /// The motions that the request lists, in the order of the request.
     pub movements: Vec<Movement>,
@@ -38,9 +39,9 @@ pub struct CurvePoint {
 pub struct Movement {
     /// Amplitude and phase of the motion: the largest |x̄|, and the lag of this maximum behind the excitation, in rad.
     pub swing: Swing,
-    /// Centred amplitude, half the distance between the least and the largest x̄, where x̄ = x/(P/k₁) (x/Y for base
-    /// motion).
-    pub centred: f64,
+    /// Half the distance between the least and the largest x̄. The refinement of a curve compares it where the place of
+    /// a stuck contact jumps.
+    pub(super) centred: f64,
     /// Lag of the fundamental component behind the excitation, in rad, in (−π, π]. `None` if the contact or mass does
     /// not move.
     pub fundamental_phase: Option<f64>,

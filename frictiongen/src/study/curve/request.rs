@@ -10,14 +10,15 @@ const WORK: usize = 200_000;
 /// The initial state of the motion at each point of a curve.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
 pub enum CurveStart {
-    /// Each point starts from rest: every mass is at x = 0 without velocity, and the excitation is at its maximum.
+    /// Each point starts from rest, or from the initial state of the system
+    /// ([`InitialState`](crate::study::InitialState)).
     #[default]
     Rest,
     /// Each point starts from the steady state of the previous point, while the frequency increases. The first point
-    /// starts from rest.
+    /// starts from rest, or from the initial state of the system.
     Up,
     /// Each point starts from the steady state of the previous point, while the frequency decreases. The first point
-    /// starts from rest.
+    /// starts from rest, or from the initial state of the system.
     Down,
 }
 

@@ -13,8 +13,8 @@ pub(super) struct Straight {
     /// For each motion, a lower bound on the amplitude to which the tolerance is relative. The bound keeps small
     /// motions from needing many points.
     pub scales: Vec<f64>,
-    /// True if μ > 1 or if the chain has no damping. The offset of a stuck contact then depends on every earlier slip,
-    /// and jumps from point to point. The criteria then use the centred amplitude (without the offset), because more
+    /// True if μ > 1 or if the chain has no damping. The place where the motion leaves a stuck contact then depends on
+    /// every earlier slip, and jumps from point to point. The criteria then use the centred amplitude, because more
     /// points would not remove the jumps.
     pub offsets_jump: bool,
     /// Exponent n of the load: its amplitude is proportional to r⁻ⁿ.

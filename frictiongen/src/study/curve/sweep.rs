@@ -9,7 +9,7 @@ use super::point::CurvePoint;
 use super::refine::{NARROW, NARROW_PATTERN, NARROW_SCATTERED, Refine, spent};
 use super::request::CurveStart;
 use super::straight::alike;
-use crate::study::settled::Carried;
+use crate::study::start::InitialState;
 use crate::study::work::work;
 use crate::{Error, OutOfDomain};
 
@@ -20,7 +20,7 @@ const MOST_JUMPS: u32 = 4;
 /// A point of a sweep, with the state from which the next point starts.
 struct SweepStep {
     node: CurveNode,
-    carried: Option<Carried>,
+    carried: InitialState,
 }
 
 impl Refine<'_> {
@@ -48,7 +48,7 @@ impl Refine<'_> {
         let mut left = sweep.request.work.checked_sub(spent(&coarse));
         let mut steps: Vec<SweepStep> = Vec::new();
         if let Some(first) = places.first() {
-            steps.push(sweep.step(first.r, None));
+            steps.push(sweep.step(first.r, &sweep.first()));
         }
         for (place, pole) in places.iter().skip(1).zip(poles) {
             sweep.reach(place.r, pole, &mut steps, &mut left);
@@ -69,29 +69,33 @@ impl Refine<'_> {
     /// Returns only the points at the first frequency ratios, without refinement. The amplitudes at these points give
     /// the scale of each motion.
     fn coarse(&self, places: &[CurvePlace]) -> Vec<CurveNode> {
-        let mut carried = None;
+        let mut carried = self.first();
         let nodes = places.iter().map(|place| {
-            let step = self.step(place.r, carried.as_ref());
+            let step = self.step(place.r, &carried);
             carried.clone_from(&step.carried);
             step.node
         });
         nodes.collect()
     }
 
-    /// Returns the response at the frequency ratio r, for a motion from the state `start`, or from rest without this
-    /// state.
-    fn step(&self, r: f64, start: Option<&Carried>) -> SweepStep {
+    /// Returns the state from which the sweep starts.
+    fn first(&self) -> InitialState {
+        let rest = || InitialState::rest(self.system.scene().masses.len());
+        self.system.start.clone().unwrap_or_else(rest)
+    }
+
+    /// Returns the response at the frequency ratio r, for a motion from the state `start`.
+    fn step(&self, r: f64, start: &InitialState) -> SweepStep {
         let found = self.system.at(r).map_err(Error::from).and_then(|at| {
             let beta = self.request.beta_at(self.beta, r);
-            let start = start.map(|state| state.under(self.request.fall, r));
-            let (response, carried) = at.response_from(beta, start.as_ref())?;
+            let (response, carried) = at.response_from(beta, start, self.request.fall)?;
             let point = CurvePoint::of(r, &response, self.request).ok_or(OutOfDomain::Mass)?;
             Ok((point, carried, work(self.system, r, Ok(&response))))
         });
         let (answer, carried, work) = match found {
-            Ok((point, carried, work)) => (Ok(point), Some(carried), work),
+            Ok((point, carried, work)) => (Ok(point), carried, work),
             // If there is no response at r, the next point starts from the state of the last point with a response.
-            Err(error) => (Err(error), start.cloned(), work(self.system, r, Err(error))),
+            Err(error) => (Err(error), start.clone(), work(self.system, r, Err(error))),
         };
         SweepStep {
             node: CurveNode {
@@ -126,15 +130,15 @@ impl Refine<'_> {
                 || width <= narrow * target
                 || !(least < middle && middle < least + width)
             {
-                let step = self.step(target, last.carried.as_ref());
+                let step = self.step(target, &last.carried);
                 last.node.cut = self.cut(&last.node, &step.node, pole);
                 jumps += u32::from(last.node.cut == Some(PieceEnd::Jump));
                 steps.push(step);
                 targets.pop();
                 continue;
             }
-            let between = self.step(middle, last.carried.as_ref());
-            let end = self.step(target, between.carried.as_ref());
+            let between = self.step(middle, &last.carried);
+            let end = self.step(target, &between.carried);
             *left = left.and_then(|left| left.checked_sub(between.node.work + end.node.work));
             let done = match (&last.node.answer, &between.node.answer, &end.node.answer) {
                 (Ok(a), Ok(m), Ok(b)) => {

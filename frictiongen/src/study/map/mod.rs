@@ -51,12 +51,11 @@ pub struct MapPoint {
     /// True if the motion from rest ends in this state. False if the motion from rest does not settle, and this state
     /// is another steady state.
     pub from_rest: bool,
-    /// Offset (max z̄ + min z̄)/2 of the contact's relative motion, divided by P/k₁ (by Y for base motion).
+    /// Offset of the contact, divided by P/k₁ (by Y for base motion), as
+    /// [`SystemResponse::offset`](crate::study::response::SystemResponse::offset) defines it.
     pub offset: f64,
     /// The requested amplitudes, in the order of the request, divided by P/k₁ (by Y for base motion).
     pub amplitudes: Vec<f64>,
-    /// The centred amplitudes (max − min)/2 of the requested motions, in the order and unit of `amplitudes`.
-    pub centred: Vec<f64>,
 }
 
 /// A column of a map: the responses at one frequency ratio, one for each friction ratio.
@@ -125,10 +124,6 @@ impl MapPoint {
             from_rest: response.is_from_rest(),
             offset: response.offset(),
             amplitudes: of.iter().map(amplitude).collect::<Option<_>>()?,
-            centred: of
-                .iter()
-                .map(|of| response.centred_amplitude(*of))
-                .collect::<Option<_>>()?,
         })
     }
 }
@@ -275,8 +270,7 @@ impl Map {
             column.limits = scaled(column.limits, factor);
             for point in column.points.iter_mut().flatten() {
                 point.offset *= factor;
-                let all = point.amplitudes.iter_mut().chain(&mut point.centred);
-                all.for_each(|size| *size *= factor);
+                point.amplitudes.iter_mut().for_each(|size| *size *= factor);
             }
             column
         });

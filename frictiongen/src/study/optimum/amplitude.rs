@@ -92,9 +92,21 @@ impl<'s> Amplitude<'s> {
     fn response(&self, r: f64, friction: FrictionAmount) -> Result<SystemResponse<'s>, Error> {
         let at = self.system.at(r)?;
         match friction {
-            FrictionAmount::Ratio(friction) => at.response(self.objective.beta(friction, r)),
+            FrictionAmount::Ratio(friction) => {
+                let beta = self.objective.beta(friction, r);
+                if self.locks() && !(beta < at.sliding_limit()) {
+                    return at.locked();
+                }
+                at.response(beta)
+            }
             FrictionAmount::Locked => at.locked(),
         }
+    }
+
+    /// Returns true if the contact is locked, at the same place, with every friction from β*_lim on. With μ > 1 the
+    /// motion from rest may still slide. An initial state leaves the contact at a place that depends on friction.
+    pub(super) fn locks(&self) -> bool {
+        self.system.scene().stiction <= 1.0 && self.system.start.is_none()
     }
 
     /// Sets the caller's function that can stop the search.

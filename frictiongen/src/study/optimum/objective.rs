@@ -47,13 +47,6 @@ impl Objective {
         }
     }
 
-    /// Returns true if the quantity is a force in springs. The force may depend on the offset of a stuck contact, and
-    /// may pass through 0 as friction changes. The force at one friction therefore does not bound the force at another
-    /// friction.
-    pub fn depends_on_offset(&self) -> bool {
-        self.of.is_force()
-    }
-
     /// Returns the friction ratio β at the frequency ratio r. `friction` is the friction force divided by the amplitude
     /// P that the load has at r = 1 (by k₁Y for base motion).
     pub fn beta(&self, friction: f64, r: f64) -> f64 {

@@ -128,9 +128,9 @@ impl<'s> OptimumProblem<'s> {
             return Err(OptimumError::AtRest);
         }
         let beta = least.at.beta;
-        let monotone = self.system.scene().stiction <= 1.0;
         band.amplitude.allow(WORK_OF_A_REPORT);
-        let friction = if least.kind == MinimumKind::Held && monotone && least.locked_from <= beta {
+        let locked = band.amplitude.locks() && least.locked_from <= beta;
+        let friction = if least.kind == MinimumKind::Held && locked {
             FrictionAmount::Locked
         } else {
             FrictionAmount::Ratio(beta)

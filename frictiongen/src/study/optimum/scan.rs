@@ -14,7 +14,8 @@ const GEOMETRIC: usize = 24;
 /// band.
 const LEAST: f64 = 0.02;
 /// Additional friction ratios of the scan, divided by the smallest friction ratio with a stuck state over the whole
-/// band. With μ > 1 a motion from rest may still slide at these friction ratios.
+/// band. With μ > 1 a motion from rest may still slide at these friction ratios, and from another initial state the
+/// place of a stuck contact still depends on them.
 const BEYOND: [f64; 6] = [1.05, 1.15, 1.3, 1.6, 2.5, 4.0];
 /// Relative step in β of the finite difference for a peak that moves with friction.
 const DIFFERENCE: f64 = 1e-6;
@@ -79,7 +80,6 @@ pub(super) fn best(scan: &[Scanned]) -> f64 {
 /// Computes the scan: the largest amplitude over the band at a list of friction ratios. The list begins at 0. The list
 /// ends at a friction ratio above which more friction no longer reduces the amplitude.
 pub(super) fn scanned(band: &AmplitudeBand<'_>, free_to: f64, locked_from: f64) -> Vec<Scanned> {
-    let system = band.amplitude.system;
     let unbounded_to = unbounded_to(band);
     let mut top = if locked_from.is_finite() {
         locked_from
@@ -113,7 +113,7 @@ pub(super) fn scanned(band: &AmplitudeBand<'_>, free_to: f64, locked_from: f64) 
                 break;
             }
         }
-    } else if system.scene().stiction <= 1.0 {
+    } else if band.amplitude.locks() {
         let peaks = band.peaks(FrictionAmount::Locked);
         scan.push(Scanned {
             beta: top,

@@ -79,7 +79,7 @@ pub(super) fn least(band: &AmplitudeBand<'_>, work: usize) -> Option<Least> {
     let best = if 1.0 < band.amplitude.system.scene().stiction {
         band.amplitude.follow_from_rest();
         band.amplitude.allow(work);
-        let best = verified(band, &mut scan)?;
+        let best = verified(band, &mut scan, locked_from)?;
         band.amplitude.allow(work / OF_A_CHECK);
         raise(band, &mut scan, HIGHEST_TOLERANCE * best.at.value);
         best
@@ -204,10 +204,9 @@ fn kind(band: &AmplitudeBand<'_>, least: &Scanned, locked_from: f64) -> MinimumK
             .regime(peak.r, FrictionAmount::Ratio(least.beta))
             == Regime::Stuck
     };
-    let monotone = band.amplitude.system.scene().stiction <= 1.0;
     if least.beta == 0.0 {
         MinimumKind::Without
-    } else if (monotone && locked_from <= least.beta)
+    } else if (band.amplitude.locks() && locked_from <= least.beta)
         || (least.slope == 0.0 && equal.iter().all(stuck))
     {
         MinimumKind::Held

@@ -12,6 +12,7 @@ use super::look::Closely;
 use super::minima::minima;
 use super::peaks::AmplitudeBand;
 use super::scan::{Scanned, scanned_at, slope, with_slope};
+use std::cmp::Ordering;
 
 /// Largest number of friction ratios that one round evaluates on the grid.
 const MOST: usize = 24;
@@ -42,6 +43,8 @@ struct VerifiedFrictions<'b, 's> {
     band: &'b AmplitudeBand<'s>,
     open: Vec<Bounded>,
     best: Option<Scanned>,
+    /// Smallest friction ratio at which a stuck state exists at every frequency of the band.
+    locked_from: f64,
     /// The search checks a friction ratio only if its lower bound, divided by the lowest checked amplitude, is below
     /// this number.
     better: f64,
@@ -64,8 +67,16 @@ impl VerifiedFrictions<'_, '_> {
         let below = self.better * self.level();
         let open = self.open.iter().enumerate();
         let open = open.filter(|(_, of)| !of.at.whole && of.at.complete && of.at.value < below);
-        let least = open.min_by(|(_, a), (_, b)| a.at.value.total_cmp(&b.at.value));
+        let least = open.min_by(|(_, a), (_, b)| self.order(&a.at, &b.at));
         least.map(|(index, _)| index)
+    }
+
+    /// Orders friction ratios by their bounds. A contact that is stuck over the whole band has the same amplitude at
+    /// many friction ratios. The first of these is then the one closest to the friction that locks the contact.
+    fn order(&self, a: &Scanned, b: &Scanned) -> Ordering {
+        let far = |of: &Scanned| (of.beta - self.locked_from).abs();
+        let order = a.value.total_cmp(&b.value);
+        order.then(far(a).total_cmp(&far(b)))
     }
 
     /// Checks friction ratios until no bound is below the lowest checked amplitude.
@@ -178,11 +189,13 @@ impl VerifiedFrictions<'_, '_> {
 pub(super) fn verified(
     band: &AmplitudeBand<'_>,
     scan: &mut Vec<Scanned>,
+    locked_from: f64,
 ) -> Option<FrictionCandidate> {
     let mut checks = VerifiedFrictions {
         band,
         open: Vec::new(),
         best: None,
+        locked_from,
         better: BETTER,
     };
     for at in scan.drain(..) {
@@ -200,7 +213,7 @@ pub(super) fn verified(
     }
     *scan = checks.scan();
     let complete = scan.iter().filter(|at| at.complete && at.value.is_finite());
-    let lowest = complete.min_by(|a, b| a.value.total_cmp(&b.value)).cloned();
+    let lowest = complete.min_by(|a, b| checks.order(a, b)).cloned();
     let mut at = checks.best.clone().or(lowest)?;
     if at.value == 0.0 {
         band.amplitude.allow(WORK_OF_TRIVIAL);

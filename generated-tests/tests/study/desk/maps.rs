@@ -34,9 +34,6 @@ fn points_are_responses() {
                         point.amplitudes[1], amplitude,
                         "{name}, r = {r}, β = {beta}"
                     );
-                    let centred = |of: &Of| response.centred_amplitude(*of).unwrap();
-                    let centred: Vec<f64> = request().of.iter().map(centred).collect();
-                    assert_eq!(point.centred, centred, "{name}, r = {r}, β = {beta}");
                     assert_eq!(
                         (point.offset, point.pattern.period == 0),
                         (response.offset(), !response.is_settled()),

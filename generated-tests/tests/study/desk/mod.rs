@@ -1,6 +1,7 @@
 //! Tests of responses in any regime, curves, maps, states and sweeps.
 
 mod curves;
+mod locked;
 mod maps;
 mod responses;
 mod states;

@@ -53,16 +53,16 @@ class Response(Grid):
     * `regime`: continuous, stick-slip, stuck or unbounded.
     * `margin`: friction over the lower of both limits, minus 1.
     * `answer`: the method that found the motion, or the reason why there is none.  Without a motion amplitudes are NaN.
-    * `offset` (`offset_m`): mean of the contact's largest and smallest displacement.
+    * `offset` (`offset_m`): mean of the contact's largest and smallest displacement.  Of a contact that never slides, the
+      place where motion from the start leaves it.
     * `marginal`: whether the state belongs to a continuum of steady states.
-    * `from_rest`: whether motion from rest reaches the state.
+    * `from_rest`: whether motion from rest, or from the given start, reaches the state.
 
     `response[name]` is the :class:`Motion` of a mass or of the `contact`:
 
     * `amplitude` (`amplitude_m`): largest displacement.
     * `phase` (`phase_deg`): lag of that maximum behind the load's.  It is NaN for a part that does not move.
     * `amplitude_monoharmonic`: estimate from the fundamental alone.
-    * `centred`: half the distance between the smallest and the largest displacement.
     * `fundamental_phase`: lag of X1.
     """
 

@@ -104,16 +104,14 @@ class Motion(Columns):
     >>> import frictiongen
     >>> frame = frictiongen.System(frictiongen.FRAME)
     >>> lower = frame.response(r=0.9, beta=0.3, harmonics=3)["lower"]
-    >>> lower.keys()[:5]
-    ['amplitude', 'centred', 'phase', 'fundamental_phase', 'amplitude_monoharmonic']
+    >>> lower.keys()[:4]
+    ['amplitude', 'phase', 'fundamental_phase', 'amplitude_monoharmonic']
     >>> bool(lower["X3"].amplitude < lower.amplitude)
     True
     """
 
     amplitude: Floats
     amplitude_m: Floats
-    centred: Floats
-    centred_m: Floats
     phase: Floats
     phase_deg: Floats
     fundamental_phase: Floats

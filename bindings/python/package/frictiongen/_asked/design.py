@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING
 from .. import _native
 from .._answers.design import Optimum, Sensitivities
 from .._answers.features import Features
-from .base import Base, names
+from .base import Base, names, state
 
 if TYPE_CHECKING:
     from numpy.typing import ArrayLike
@@ -30,6 +30,7 @@ class Design(Base):
         base: float | str | None = None,
         vary: tuple[str, float, float] | None = None,
         keep: Mapping[str, float] | None = None,
+        start: str | tuple[ArrayLike, ArrayLike] | None = None,
     ) -> Optimum:
         """Finds the friction that minimises the largest value of a quantity over a frequency band.
 
@@ -44,6 +45,7 @@ class Design(Base):
             It needs a single quantity.
         :param keep: upper bounds, as a dict of quantities and values above 0.  The result is the best friction with which
             no quantity exceeds its bound over the band.  It needs a single quantity as `of`.
+        :param start: the initial state at each frequency and friction, as for :meth:`orbit`.
 
         >>> import frictiongen
         >>> frame = frictiongen.System(frictiongen.FRAME)
@@ -62,7 +64,9 @@ class Design(Base):
         """
         asked = dict(of) if isinstance(of, Mapping) else of
         bounds = None if keep is None else dict(keep)
-        columns, quantities = _native.optimum(self._native, asked, (r, hz, omega), (force, base), (vary, bounds))
+        columns, quantities = _native.optimum(
+            self._native, asked, (r, hz, omega), ((force, base), state(start)), (vary, bounds)
+        )
         return Optimum(*columns, several=quantities)
 
     def sensitivities(

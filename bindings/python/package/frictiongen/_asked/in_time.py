@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING
 from .. import _native
 from .._answers.in_time import History, Steps
 from .._recording import Recording
-from .base import Base, names
+from .base import Base, names, state
 
 if TYPE_CHECKING:
     from numpy.typing import ArrayLike
@@ -33,7 +33,7 @@ class InTime(Base):
         cycles: int | None = None,
         skip: int | None = None,
         samples: int | None = None,
-        start: tuple[ArrayLike, ArrayLike] | None = None,
+        start: str | tuple[ArrayLike, ArrayLike] | None = None,
         steady: bool = False,
         until: float | None = None,
     ) -> History:
@@ -46,8 +46,8 @@ class InTime(Base):
         :param skip: number of cycles before the first sample, 0 by default.
         :param samples: number of samples in a cycle, an even number, 200 by default.  With `until`, the number of
             samples in all, 1000 by default.
-        :param start: initial displacements and velocities of all masses, in m and m/s with a load and with `until`.  The
-            default is rest.
+        :param start: initial displacements and velocities of all masses, in m and m/s with a load and with `until`, or
+            "rest".  A run starts from rest by default.  For a steady state, :meth:`orbit` describes the default.
         :param steady: whether to return one period of the steady state instead of a run.
         :param until: end of the free vibration in s.
 
@@ -69,7 +69,7 @@ class InTime(Base):
                 (beta, friction),
                 (force, base),
                 names(of),
-                (cycles, skip, samples, None if start is None else _halves(start), bool(steady), until),
+                (cycles, skip, samples, state(start), bool(steady), until),
             )
         )
 
@@ -165,17 +165,5 @@ class InTime(Base):
         )
 
 
-def _halves(start: tuple[ArrayLike, ArrayLike]) -> tuple[ArrayLike, ArrayLike]:
-    try:
-        displacements, velocities = start
-    except (TypeError, ValueError):
-        raise _native.DomainError(
-            "start: two rows are needed, the displacements of all masses and their velocities"
-        ) from None
-    return displacements, velocities
-
-
 def _start(start: tuple[ArrayLike, ArrayLike] | Steps | None) -> tuple[ArrayLike, ArrayLike] | _native.StepState | None:
-    if isinstance(start, Steps):
-        return start.end
-    return None if start is None else _halves(start)
+    return start.end if isinstance(start, Steps) else state(start)

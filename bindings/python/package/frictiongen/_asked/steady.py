@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING
 
 from .. import _native
 from .._answers.steady import ByContact, Curve, Limits, Map, Orbit, Periodic, Response
-from .base import Base, names
+from .base import Base, names, state
 
 if TYPE_CHECKING:
     from numpy.typing import ArrayLike
@@ -79,6 +79,7 @@ class Steady(Base):
         base: float | str | None = None,
         of: str | Iterable[str] | None = None,
         harmonics: int | None = None,
+        start: str | tuple[ArrayLike, ArrayLike] | None = None,
     ) -> Response:
         """Computes regime, amplitudes and phases over frequency and friction, in every regime.
 
@@ -88,18 +89,19 @@ class Steady(Base):
 
         :param of: names of the motions to return: masses, or `contact`.  The default is all motions.
         :param harmonics: the order up to which the harmonics X1, X3, ... are returned too.
+        :param start: the initial state, as for :meth:`orbit`.
 
         >>> import frictiongen
         >>> frame = frictiongen.System(frictiongen.FRAME)
         >>> response = frame.response(r=0.9, beta=[0.3, 0.7, 1.0])
         >>> response.regime.tolist()
         ['continuous', 'stick-slip', 'stuck']
-        >>> response["upper"].centred.round(3).tolist()
+        >>> response["upper"].amplitude.round(3).tolist()
         [1.098, 0.07, 0.0]
         """
         return Response(
             _native.response(
-                self._native, (r, hz, omega), (beta, friction), (force, base), names(of), harmonics
+                self._native, (r, hz, omega), (beta, friction), ((force, base), state(start)), names(of), harmonics
             )
         )
 
@@ -150,12 +152,19 @@ class Steady(Base):
         base: float | str | None = None,
         of: str | Iterable[str] | None = None,
         harmonics: int | None = None,
+        start: str | tuple[ArrayLike, ArrayLike] | None = None,
     ) -> Orbit:
-        """Computes the steady state that motion from rest reaches, at one frequency and one friction.
+        """Computes the steady state at one frequency and one friction.
 
-        The answer contains the stops and the stability of the state.
+        The answer contains the stops and the stability of the state.  If several states exist, it is the state that
+        motion from rest reaches.  A contact that never slides may rest at any place within an interval.  The answer is
+        then the state in the middle of the interval, without a constant force in the contact.  `offset` is the place
+        where motion from rest leaves the contact.
 
         :param harmonics: the order up to which the harmonics X0, X1, ... are returned too.
+        :param start: "rest", or displacements and velocities of all masses at a maximum of the excitation, in m and m/s
+            with a load.  The answer is the state that motion reaches from there.  A contact that never slides then stays
+            where that motion leaves it.
 
         >>> import frictiongen
         >>> frame = frictiongen.System(frictiongen.FRAME)
@@ -166,7 +175,9 @@ class Steady(Base):
         (2, 2)
         """
         return Orbit(
-            _native.orbit(self._native, (r, hz, omega), (beta, friction), (force, base), names(of), harmonics)
+            _native.orbit(
+                self._native, (r, hz, omega), (beta, friction), ((force, base), state(start)), names(of), harmonics
+            )
         )
 
     def states(
@@ -181,14 +192,16 @@ class Steady(Base):
         base: float | str | None = None,
         of: str | Iterable[str] | None = None,
         harmonics: int | None = None,
+        start: str | tuple[ArrayLike, ArrayLike] | None = None,
     ) -> list[Orbit]:
         """Finds steady states at one frequency and one friction, from a fixed list of initial states.
 
-        The initial states are rest, the stuck contact, the closed form and motions at neighbouring frictions.
-        `from_rest` marks the state that motion from rest reaches.  With stiction 1 there is one state, or one
-        continuum.
+        The initial states are rest or `start`, the stuck contact, the closed form and motions at neighbouring frictions.
+        `from_rest` marks the state that motion from rest or from `start` reaches.  With stiction 1 there is one state,
+        or one continuum.
 
         :param harmonics: the order up to which the harmonics X0, X1, ... are returned too.
+        :param start: the initial state, as for :meth:`orbit`.
 
         >>> import frictiongen
         >>> block = frictiongen.System('''struct Block {
@@ -197,8 +210,10 @@ class Steady(Base):
         >>> sorted(str(state.regime) for state in block.states(r=1.1, beta=0.65))
         ['continuous', 'stuck']
         """
-        found = _native.states(self._native, (r, hz, omega), (beta, friction), (force, base), names(of), harmonics)
-        return [Orbit(state) for state in found]
+        found = _native.states(
+            self._native, (r, hz, omega), (beta, friction), ((force, base), state(start)), names(of), harmonics
+        )
+        return [Orbit(columns) for columns in found]
 
     def periodic(
         self,
@@ -260,7 +275,7 @@ class Steady(Base):
         step: float | None = None,
         harmonics: int | None = None,
         rates: bool = False,
-        start: str | Iterable[str] = "rest",
+        start: str | Iterable[str] | tuple[ArrayLike, ArrayLike] | None = None,
     ) -> Curve:
         """Computes responses along frequency over a band (from, to), with more points where a curve bends.
 
@@ -269,8 +284,9 @@ class Steady(Base):
         :param step: largest distance between neighbouring points, in the unit of the frequency.
         :param harmonics: the order up to which the harmonics X1, X2, ... are returned too.
         :param rates: whether to return also the largest velocities and accelerations.
-        :param start: "rest", "up", "down" or several of them.  With "rest" each point starts from rest.  With "up" or
-            "down" each point starts from the state of the previous point, as in a frequency sweep in a laboratory.
+        :param start: the initial state, as for :meth:`orbit`; or "rest", "up", "down" or several of these texts.  With
+            "up" or "down" each point starts from the state of the previous point, as in a frequency sweep in a
+            laboratory.
 
         >>> import frictiongen
         >>> frame = frictiongen.System(frictiongen.FRAME)
@@ -278,14 +294,19 @@ class Steady(Base):
         >>> round(float(1e3 * curve["lower"].amplitude_m.max()), 2)  # mm
         12.77
         """
+        words = [start] if isinstance(start, str) else start
+        if isinstance(words, (list, tuple)) and all(isinstance(word, str) for word in words):
+            start = "rest"
+        else:
+            words, start = ["rest"], state(start)
         return Curve(
             _native.curve(
                 self._native,
                 (r, hz, omega),
                 (beta, friction),
-                (force, base),
+                ((force, base), start),
                 names(of),
-                (accuracy, step, harmonics, bool(rates), [start] if isinstance(start, str) else list(start)),
+                (accuracy, step, harmonics, bool(rates), list(words)),
             )
         )
 
@@ -300,11 +321,14 @@ class Steady(Base):
         force: float | str | None = None,
         base: float | str | None = None,
         of: str | Iterable[str] | None = None,
+        start: str | tuple[ArrayLike, ArrayLike] | None = None,
     ) -> Map:
         """Computes the regime of the contact at every pair of a frequency and a friction, on all cores.
 
         A tuple (from, to) is a band, which 161 frequencies or 81 frictions cover.  A list or an array has the points
         themselves.
+
+        :param start: the initial state, as for :meth:`orbit`.
 
         >>> import frictiongen, numpy
         >>> frame = frictiongen.System(frictiongen.FRAME)
@@ -315,5 +339,5 @@ class Steady(Base):
         (161, 2)
         """
         return Map(
-            _native.map(self._native, (r, hz, omega), (beta, friction), (force, base), names(of)),
+            _native.map(self._native, (r, hz, omega), (beta, friction), ((force, base), state(start)), names(of)),
         )

@@ -87,6 +87,13 @@ impl<S: Float, K: ContactChain<S>> MotionSetting<'_, S, K> {
         (self.law().grip() - steady).max(S::constant(0.0)) * receptance
     }
 
+    /// Returns the mean of the relative displacement z̄ while the contact sticks. `place` is the displacement of the
+    /// slider. A rigid contact has the same displacement as its slider.
+    pub(crate) fn mean_at(&self, place: S) -> S {
+        let receptance = self.receptance - self.dynamics.chain.compliance();
+        place * (receptance / self.receptance)
+    }
+
     /// Returns the complex amplitude of the force in a contact that never slides, divided by P. [`MotionSetting::new`]
     /// prepares `parts`, the oscillators. Returns `None` on an undamped resonance of the stuck chain.
     pub fn stuck_force(&self, parts: &[Part<S>]) -> Option<Complex<S>> {

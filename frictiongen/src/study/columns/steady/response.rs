@@ -9,7 +9,7 @@ use crate::study::columns::setting::{
     AtFrequency, AtFriction, Frequency, FrictionSetting, Setting,
 };
 use crate::study::{SystemAt, words};
-use crate::{Limits, OutOfDomain};
+use crate::{Limits, Of, OutOfDomain};
 
 /// A row of the table: the response at one frequency and one friction.
 #[derive(Clone, Debug)]
@@ -39,7 +39,7 @@ pub struct ResponseTable<'a> {
     /// Orders n of the harmonics that the table contains.
     pub orders: &'a [u32],
     /// True if rows with a stuck contact contain all motions. If false, rows with a stuck contact contain no harmonics
-    /// and no motion of the contact, which is at rest.
+    /// and no motion of a rigid contact, which is at rest.
     pub stuck: bool,
 }
 
@@ -101,6 +101,7 @@ impl<'a> ResponseTable<'a> {
         };
         let response = response.ok();
         let measure = &self.setting.measure;
+        let rigid = self.setting.system.scene().stiffness.is_none();
         let motions = self.setting.parts.iter().map(|part| {
             let Some(response) = &response else {
                 return MotionGroups::default();
@@ -114,7 +115,9 @@ impl<'a> ResponseTable<'a> {
             }
             match self.stuck {
                 true if frequency.r.is_infinite() => motion.leave_out_phase(),
-                false if is_stuck(response) => motion.leave_out_stuck(part.of),
+                false if is_stuck(response) => {
+                    motion.leave_out_stuck(rigid && part.of == Of::Contact)
+                }
                 _ => {}
             }
             motion

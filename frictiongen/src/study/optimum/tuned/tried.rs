@@ -2,6 +2,7 @@
 //! respect to that number.
 
 use super::answer::Tuning;
+use crate::Of;
 use crate::study::optimum::amplitude::{FrictionAmount, KeepGoing};
 use crate::study::optimum::peaks::AmplitudeBand;
 use crate::study::optimum::problem::{OptimumProblem, equal_peaks, slope, weights};
@@ -152,8 +153,18 @@ impl<'s> TunedSearch<'s> {
     }
 
     pub(super) fn with(&self, value: f64) -> Result<System, OptimumError> {
-        let varied = self.described.with_value(self.tuning.of, value);
-        varied.map_err(OptimumError::Scene)
+        let described = self.described;
+        let varied = described.with_value(self.tuning.of, value);
+        let mut varied = varied.map_err(OptimumError::Scene)?;
+        let displacement = OptimumRequest {
+            of: Of::Contact,
+            size: MotionQuantity::Displacement,
+            ..self.request.clone()
+        };
+        let units = GroupRatios::new(&displacement, described, &varied);
+        let start = described.start.as_ref();
+        varied.start = start.map(|start| start.in_units(units.length, units.r));
+        Ok(varied)
     }
 
     /// Returns the request with the same band of frequencies in Hz, but as frequency ratios r of the varied scene.
