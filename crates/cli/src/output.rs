@@ -11,6 +11,9 @@ use crate::{csv, json, table};
 use frictiongen::study::columns::Column;
 use std::io::{BufWriter, Write};
 
+/// Largest number of notes below a printed table.
+const MOST_NOTES: usize = 3;
+
 /// Function that receives the rows of a table, one after the other.
 pub type Visitor<'a, P> = &'a mut dyn FnMut(&P) -> Result<(), Failure>;
 
@@ -44,6 +47,10 @@ pub trait ResultTable {
     }
     /// Returns the name and the value of an additional JSON field for a row, or `None`.
     fn more(&self, _row: &Self::Row) -> Option<(&'static str, serde_json::Value)> {
+        None
+    }
+    /// Returns a note on a row, which a printed table contains below its rows, or `None`.
+    fn note(&self, _row: &Self::Row) -> Option<String> {
         None
     }
     /// Returns the lines of the printed table for one row.
@@ -105,13 +112,24 @@ pub fn write<T: ResultTable>(
         let (columns, left) = fit.chosen(columns, layout);
         let titles = layout.titles(&columns);
         table::header(&mut out, &titles)?;
+        let (mut notes, mut more) = (Vec::new(), 0);
         report.each(&mut |row| {
             progress.step();
             for line in report.lines(&columns, row) {
                 table::row(&mut out, &titles, &line)?;
             }
+            match report.note(row) {
+                Some(note) if notes.len() < MOST_NOTES => notes.push(note),
+                note => more += usize::from(note.is_some()),
+            }
             Ok(())
         })?;
+        if more > 0 {
+            notes.push(format!("{more} more lines have a note of this kind."));
+        }
+        for note in notes {
+            fit.wrapped(&format!("\n{note}\n"), &mut out)?;
+        }
         fit.note(&left, &mut out)?;
     }
     drop(progress);

@@ -62,6 +62,8 @@ pub struct SystemOrbit<'a, S = f64> {
     pub(super) system: &'a System<S>,
     pub(super) orbit: SystemOrbitState<'a, S>,
     pub(super) from_rest: bool,
+    /// Number of cycles after which the motion from the initial state has not settled.
+    pub(super) unsettled: Option<u32>,
     /// True if the contact slides all the time in this state, although this state is not the closed form. The state and
     /// the closed form then belong to one continuum of steady states, and the regime of the state is continuous.
     pub(super) slides: bool,
@@ -99,6 +101,17 @@ impl<S> SystemOrbit<'_, S> {
     #[must_use]
     pub fn is_from_rest(&self) -> bool {
         self.from_rest
+    }
+
+    /// Returns the number of cycles over which the search followed the motion from the initial state without seeing it
+    /// settle. Returns `None` if the motion settles.
+    ///
+    /// If the result is a number and [`is_settled`](Orbit::is_settled) is true, this state is a stable steady state
+    /// that Newton's method found from the states that the motion visited. [`is_from_rest`](Self::is_from_rest) is then
+    /// false. If `is_settled` is false, this state contains the last 64 cycles of the motion.
+    #[must_use]
+    pub fn cycles_followed(&self) -> Option<u32> {
+        self.unsettled
     }
 
     pub(super) fn sliding(mut self) -> Self {

@@ -28,9 +28,9 @@ impl<'a> SystemAt<'a> {
     /// closed form and to the stuck state. The call then computes the motion from event to event.
     ///
     /// If the motion from rest does not settle, the call searches for another stable steady state. The search starts
-    /// from the closed form, from a neighbouring friction ratio or from the stuck state. If the search finds a state,
-    /// the call returns it, and [`SystemOrbit::is_from_rest`] is false. If the search finds no state, the call returns
-    /// the last 64 cycles of the motion from rest.
+    /// from the states that the motion visits, then from the closed form, from neighbouring friction ratios and from
+    /// the stuck state. If the search finds a state, the call returns it, and [`SystemOrbit::is_from_rest`] is false.
+    /// If the search finds no state, the call returns the last 64 cycles of the motion from rest.
     ///
     /// # Errors
     /// [`NotContinuous::Unbounded`] and [`StuckResonance`](crate::StuckResonance) on an undamped resonance.
@@ -179,7 +179,7 @@ impl<'a> SystemAt<'a> {
         if last.is_settled() {
             return Ok(last);
         }
-        let mut others = self.states(beta)?;
+        let mut others = self.states(beta)?.without_rest();
         let other = others.find(|orbit| orbit.is_stable());
         Ok(other.map_or(last, SystemOrbit::not_from_rest))
     }

@@ -118,8 +118,9 @@ impl<S: Plain> System<S> {
     }
 
     /// Returns the steady state that a motion from `start` reaches. The initial state of the system, if it has one,
-    /// takes the place of rest. `sliding` is β*_lim. If the motion does not settle
-    /// and `last` is true, the result contains the last computed cycles.
+    /// takes the place of rest. `sliding` is β*_lim. If the motion does not settle, the result is a stable steady state
+    /// that the search found on the way. If the search found none and `last` is true, the result contains the last
+    /// computed cycles.
     pub(super) fn settled_from(
         &self,
         r: S,
@@ -147,16 +148,20 @@ impl<S: Plain> System<S> {
             start,
             last,
         };
-        let orbit = Orbit::answer(
+        let mut unsettled = None;
+        let orbit = Orbit::answer_at_length(
             &question,
             self.parts(),
             vec![zero; numbers],
             vec![Complex::new(zero, zero); size],
+            &mut unsettled,
         )?;
+        let is_its_own = unsettled.is_none() || !orbit.is_settled();
         Ok(SystemOrbit {
             system: self,
             orbit,
-            from_rest: matches!(start, Start::Rest | Start::State(..)),
+            from_rest: matches!(start, Start::Rest | Start::State(..)) && is_its_own,
+            unsettled,
             slides: false,
         })
     }

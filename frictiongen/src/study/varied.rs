@@ -163,7 +163,8 @@ impl Varied {
         Ok(SystemOrbit {
             system: &self.system,
             orbit,
-            from_rest: true,
+            from_rest: plain.from_rest,
+            unsettled: plain.unsettled,
             slides: false,
         })
     }

@@ -48,7 +48,7 @@ Quantities:
   per mode          lower bound on beta_lim, from the sum of the largest velocity constraints of each mode
   sliding limit     beta*_lim. At or above it a steady state exists in which the contact never slides
   With stiction 1 the contact slides all the time below beta_lim, and is stuck from beta*_lim on. With
-  a larger stiction other states may exist as well. `orbit --states` lists them.
+  a larger stiction other states may exist as well. `orbit --states` searches for them.
 
 ";
 
@@ -104,7 +104,12 @@ States:
   unstable   small deviations grow in every steady state that the search found
   unsettled  motion from rest does not repeat after any number of cycles up to 64. The values belong to
              its last 64 cycles, and the amplitude is the largest of these cycles
-  crowded    between two events the contact slides or sticks, and a cycle has more than 64 such segments
+  crowded    between two events the contact slides or sticks, and a cycle has more than 4096 such segments
+  With a stiction above 1, motion from rest may take long to settle, or wander for ever. After 1024 cycles
+  the search follows it further, for up to 4096 cycles. Newton's method then starts from the states that
+  the motion visits. If the motion still has not settled, the answer is the stable state that Newton's
+  method found, if any. In CSV and JSON, from_rest is then false, and cycles_followed is the number of
+  followed cycles. A note below a printed table has this number.
 
 Quantities:
   period      number of cycles of the excitation after which the motion repeats: 1, or more for a
@@ -129,10 +134,11 @@ Quantities:
 
 pub const STATES: &str = "\
 Several states:
-  --states lists every steady state that the search finds. It starts from rest or from --from, from the
-  stuck contact, from the closed form and from motions at neighbouring frictions. In CSV and JSON,
-  from_rest marks the state that motion from rest or from --from reaches, and marginal marks a state of a
-  continuum.
+  --states lists the stable steady states that a search finds. The search starts from rest or from --from,
+  from the stuck contact, from the closed form and from motions at neighbouring frictions. It may miss other
+  states. It looks neither for unstable states nor for the mirror image of an asymmetric state. In CSV and
+  JSON, from_rest marks the state that motion from rest or from --from reaches, and marginal marks a state of
+  a continuum. If the search finds no state, the list has one line for the motion, whose state is the reason.
 
 ";
 

@@ -4,8 +4,12 @@
 use crate::failure::Failure;
 use crate::grids::Grids;
 use crate::layout::Layout;
+use crate::number::computed;
 use crate::output::{ResultTable, Visitor};
 use frictiongen::study::columns::{Column, OrbitRow, OrbitTable};
+
+/// Explains a steady state in which motion from rest does not end.
+const VISITED: &str = "The line belongs to a stable state that Newton's method found from the states that this motion visited.";
 
 /// Steady states over frequency and friction, with the options for the output.
 pub struct OrbitReport {
@@ -39,18 +43,14 @@ impl ResultTable for OrbitReport {
         for frequency in grids.frequencies.all(&grids.system) {
             let at = grids.system.at(frequency.r).map_err(Failure::new)?;
             for friction in grids.frictions.all() {
-                let mut rows = Vec::new();
-                if self.states {
-                    rows = table
-                        .states(&at, frequency, friction)
-                        .map_err(Failure::new)?;
-                }
-                // If the search finds no steady state, the table has a line with the reason.
-                if rows.is_empty() {
-                    let row = table.row(&at, frequency, friction);
-                    rows.push(row.map_err(Failure::new)?);
-                }
-                rows.iter().try_for_each(&mut *visit)?;
+                let rows = if self.states {
+                    table.states(&at, frequency, friction)
+                } else {
+                    table.row(&at, frequency, friction).map(|row| vec![row])
+                };
+                rows.map_err(Failure::new)?
+                    .iter()
+                    .try_for_each(&mut *visit)?;
             }
         }
         Ok(())
@@ -66,5 +66,29 @@ impl ResultTable for OrbitReport {
 
     fn has_motions(&self, row: &OrbitRow) -> bool {
         row.is_known()
+    }
+
+    fn note(&self, row: &OrbitRow) -> Option<String> {
+        let followed = row.cycles_followed();
+        let mut said = Vec::new();
+        if let Some(cycles) = followed {
+            said.push(format!(
+                "motion from rest does not settle in {cycles} cycles."
+            ));
+        }
+        if row.is_settled() {
+            followed?;
+            said.push(VISITED.to_owned());
+        } else if self.states {
+            let starts = if self.grids.system.scene().stiction > 1.0 {
+                "from rest, from the stuck contact, from the closed form and from motions at neighbouring frictions"
+            } else {
+                "from rest; with stiction 1 no other state exists"
+            };
+            said.push(format!("No search ends in a stable state: {starts}."));
+        }
+        let at = |value| computed(value).trim().to_owned();
+        let (r, beta) = (at(row.frequency.r), at(row.friction.beta));
+        (!said.is_empty()).then(|| format!("r {r}, beta {beta}: {}", said.join(" ")))
     }
 }

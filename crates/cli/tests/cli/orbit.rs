@@ -45,7 +45,7 @@ fn stops_and_reversals_are_counted() {
 fn a_point_without_a_steady_state_says_why() {
     let text = output(BLOCK, &["orbit", "--r", "1", "--beta", "0.4", "--csv"]);
     let line = text.lines().nth(1).unwrap();
-    assert_eq!(line, "1.0,0.4,unbounded,unbounded,,,,,,,,,,,,,,,");
+    assert_eq!(line, "1.0,0.4,unbounded,unbounded,,,,,,,,,,,,,,,,");
     let text = output(BLOCK, &["orbit", "--r", "1", "--beta", "0.4", "--json"]);
     let point = &json(&text)["points"][0];
     assert_eq!(point["state"], "unbounded");
@@ -155,6 +155,50 @@ fn states_beside_each_other() {
     let alone = json(&output(STUBBORN, &asked));
     assert_eq!(alone["points"].as_array().unwrap().len(), 1);
     assert_eq!(alone["points"][0], points[0]);
+}
+
+/// Checks motions from rest that do not settle. If the search finds a stable state, the output says so. If it finds
+/// none, the list of `--states` contains the reason.
+#[test]
+fn motion_from_rest_that_does_not_settle() {
+    let beside = "struct Block { masses: { m: 2.0236 }, springs: { base - m: 2.1892 }, contact: m - base, excitation: m,
+        damping: modal[0.01283], stiction: 2.0819 }";
+    let alone =
+        "struct Block { masses: { block: 1 }, springs: { base - block: 1 }, contact: block - base,
+        excitation: base, stiction: 3 }";
+    let stable = "The line belongs to a stable state that Newton's method found";
+    let none =
+        "No search ends in a stable state: from rest, from the stuck contact, from the closed form";
+    for (scene, r, beta, state, most, note) in [
+        (
+            beside,
+            "0.2721313546000634",
+            "0.15681663485432779",
+            "stable",
+            4096,
+            stable,
+        ),
+        (
+            alone,
+            "0.3333333333333333",
+            "0.01395",
+            "unsettled",
+            2048,
+            none,
+        ),
+    ] {
+        let asked = ["orbit", "--r", r, "--beta", beta, "--states"];
+        let found = json(&output(scene, &[&asked[..], &["--json"]].concat()));
+        let points = found["points"].as_array().unwrap();
+        assert_eq!(points.len(), 1, "{found}");
+        assert_eq!(points[0]["state"], state);
+        assert_eq!(points[0]["from_rest"], state == "unsettled");
+        let cycles = points[0]["cycles_followed"].as_u64().unwrap();
+        assert!((most..most + 256).contains(&cycles), "{cycles}");
+        let text = output(scene, &asked);
+        let told = format!("motion from rest does not settle in {cycles} cycles. {note}");
+        assert!(text.contains(&told), "{text}");
+    }
 }
 
 /// Amplitude over Y of the closed form, from z̄₀² = V² − β²U² at r = 1.1, β = 0.65, with the load r²Y.

@@ -57,7 +57,8 @@ pub struct StuckResonance;
 pub enum NoOrbit {
     /// The frequency ratio r, the friction ratio β or the initial state is outside its domain.
     OutOfDomain(OutOfDomain),
-    /// A cycle of the excitation has more than 64 segments between events of the contact (stop, slip or reversal).
+    /// A cycle of the excitation has too many segments between events of the contact (stop, slip or reversal): more than
+    /// 64 in emitted code, and more than 4096 in a run-time system.
     TooManyEvents,
     /// The excitation is on an undamped resonance, with too little friction to bound the amplitude.
     Unbounded,
@@ -112,9 +113,9 @@ impl fmt::Display for NoOrbit {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
             Self::OutOfDomain(error) => error.fmt(f),
-            Self::TooManyEvents => {
-                f.write_str("no steady state: a cycle has more than 64 segments")
-            }
+            Self::TooManyEvents => f.write_str(
+                "no steady state: a cycle has too many segments, more than 64 in emitted code or 4096 in a run-time system",
+            ),
             Self::Unbounded => f.write_str("no steady state: on an undamped resonance this friction ratio does not bound the amplitude"),
             Self::Undamped(mode) => write!(
                 f,

@@ -1,13 +1,14 @@
 //! Computes the steady state of a scene at a frequency ratio r and a friction ratio β.
 
 use super::candidate::{FoundState, ON_CIRCLE};
-use super::cycle_map::CycleMap;
+use super::cycle_map::{CycleMap, MOST_EVENTS};
 use super::newton::{PeriodMap, Workspace, multipliers, same};
 use super::question::OrbitQuestion;
 use super::record::{OrbitRecord, RecordedPeriod};
-use super::shooting::{Settled, settle};
+use super::shooting::{FollowedMotion, Settled, settle};
 use super::start::Start;
-use super::types::{MAX_SEGMENTS, MAX_STEPS, Orbit, SegmentStart};
+use super::types::{MAX_CYCLES, MAX_SEGMENTS, MAX_STEPS, Orbit, SegmentStart};
+use super::wander::wander;
 use crate::errors::{NoOrbit, OutOfDomain, Slice};
 use crate::motion::{ContactChain, ContactState, Dynamics, Law, MotionSetting, Part, leap};
 use crate::number::complex::Complex;
@@ -67,14 +68,52 @@ where
     /// `OutOfDomain`.
     pub fn answer(
         question: &OrbitQuestion<'a, '_, S, K>,
-        mut parts: P,
-        mut numbers: V,
-        mut multipliers: C,
+        parts: P,
+        numbers: V,
+        multipliers: C,
     ) -> Result<Self, NoOrbit>
     where
         S: Plain,
     {
-        let zero = S::constant(0.0);
+        Self::search::<false>(question, parts, numbers, multipliers, &mut None)
+    }
+
+    /// Computes the steady state of [`answer`](Self::answer) with a longer search, if the motion does not settle in
+    /// [`MAX_CYCLES`] cycles. With μ > 1 the search then follows the motion for up to
+    /// [`MAX_CYCLES_FOLLOWED`](super::MAX_CYCLES_FOLLOWED) cycles. Newton's method starts from the states that the
+    /// motion visits. A cycle may have more than [`MAX_SEGMENTS`] segments.
+    ///
+    /// If the motion still does not settle, `unsettled` receives the number of cycles that the search has followed. The
+    /// result is then a stable steady state that Newton's method found.
+    ///
+    /// # Errors
+    /// The errors of [`answer`](Self::answer).
+    pub fn answer_at_length(
+        question: &OrbitQuestion<'a, '_, S, K>,
+        parts: P,
+        numbers: V,
+        multipliers: C,
+        unsettled: &mut Option<u32>,
+    ) -> Result<Self, NoOrbit>
+    where
+        S: Plain,
+    {
+        Self::search::<true>(question, parts, numbers, multipliers, unsettled)
+    }
+
+    /// Computes the steady state of [`answer`](Self::answer), or of [`answer_at_length`](Self::answer_at_length) if
+    /// `AT_LENGTH` is true. Emitted code calls the function only with `false`, and then does not contain the code of
+    /// the longer search.
+    fn search<const AT_LENGTH: bool>(
+        question: &OrbitQuestion<'a, '_, S, K>,
+        mut parts: P,
+        mut numbers: V,
+        mut multipliers: C,
+        unsettled: &mut Option<u32>,
+    ) -> Result<Self, NoOrbit>
+    where
+        S: Plain,
+    {
         let (dynamics, beta, start) = (question.dynamics, question.beta, question.start);
         let setting = MotionSetting::new(dynamics, question.r, beta, parts.as_mut())?;
         let (modes, size) = (dynamics.modes.len(), dynamics.state_size());
@@ -94,7 +133,7 @@ where
         }
         let clean = parts.clone();
         let (own, stuck_modes) = setting.split(parts.as_mut());
-        let contact_state = setting.contact_state(own, zero);
+        let contact_state = setting.contact_state(own, S::constant(0.0));
         let mut cycle_map = CycleMap::new(&setting, (own, stuck_modes), contact_state);
         let (states, mut workspace) =
             Workspace::divided(numbers.as_mut(), multipliers.as_mut(), (modes, size));
@@ -102,28 +141,29 @@ where
         start
             .checked(holding.is_some())?
             .set_start(&mut cycle_map, &mut workspace)?;
-        let settled = match (beta.is_zero() || start == Start::Stuck, holding) {
-            (true, None) => Settled::Found(linear(&mut cycle_map, &mut workspace)?),
-            // β = 0 in this case means that β*_lim is 0. The load then does not move the contact.
-            (true, Some(_)) => Settled::Stuck(zero),
-            _ => {
-                let spare = states.get_mut(..2 * size).unwrap_or_default();
-                let most = start.most_cycles();
-                settle(&mut cycle_map, &mut workspace, holding, most, spare)?
-            }
-        };
+        let spare = states.get_mut(..2 * size).unwrap_or_default();
+        let asked = (start, holding);
+        let settled =
+            reach::<AT_LENGTH, _, _>(&mut cycle_map, &mut workspace, asked, spare, unsettled)?;
         let settled = match (settled, unbounded) {
             (Settled::Not(_), Some(error)) => return Err(error),
+            (_, Some(error)) if AT_LENGTH && unsettled.is_some() => return Err(error),
             (Settled::Not(error), None) if !question.last => return Err(error),
             (settled, _) => settled,
         };
         let (settled, left_at) = match settled {
-            Settled::Stuck(offset) if start == Start::Rest => {
-                (Settled::Stuck(zero), Some(setting.mean_at(offset)))
-            }
+            Settled::Stuck(offset) if start == Start::Rest => (
+                Settled::Stuck(S::constant(0.0)),
+                Some(setting.mean_at(offset)),
+            ),
             settled => (settled, None),
         };
-        let mut record = OrbitRecord::new(&mut marks, states, 2 * modes);
+        let most = if AT_LENGTH {
+            MOST_EVENTS as usize
+        } else {
+            MAX_SEGMENTS
+        };
+        let mut record = OrbitRecord::new(&mut marks, states, 2 * modes, most);
         let found = followed(&mut cycle_map, &mut workspace, settled, &mut record)?;
         let RecordedPeriod {
             count,
@@ -153,6 +193,37 @@ where
         let range = steady.map(|force| setting.offset_range(force));
         orbit.offset_range = range.or(found.reach.map(|reach| orbit.offset().abs() * reach));
         Ok(orbit)
+    }
+}
+
+/// Follows the motion from its initial state `start` to a steady state. If a stuck state exists, `holding` is the
+/// amplitude of its contact force |V/H|. With `AT_LENGTH` the function can search longer, and `unsettled` receives the
+/// number of followed cycles if the motion does not settle. `spare` is working memory for two states.
+fn reach<const AT_LENGTH: bool, S: Float, K: ContactChain<S>>(
+    cycle_map: &mut CycleMap<'_, '_, S, K>,
+    workspace: &mut Workspace<'_, S>,
+    (start, holding): (Start<'_, S>, Option<S>),
+    spare: &mut [S],
+    unsettled: &mut Option<u32>,
+) -> Result<Settled<S>, NoOrbit> {
+    let setting = cycle_map.setting;
+    match (setting.beta.is_zero() || start == Start::Stuck, holding) {
+        (true, None) => return Ok(Settled::Found(linear(cycle_map, workspace)?)),
+        // β = 0 in this case means that β*_lim is 0. The load then does not move the contact.
+        (true, Some(_)) => return Ok(Settled::Stuck(S::constant(0.0))),
+        _ => {}
+    }
+    let most = start.most_cycles();
+    let mut motion = FollowedMotion::new(holding, setting.law().is_contraction());
+    let settled = settle(cycle_map, workspace, &mut motion, most, spare)?;
+    match settled {
+        Settled::Not(failure) if AT_LENGTH && most == MAX_CYCLES => {
+            let followed = (&mut motion, holding);
+            let (found, reached) = wander(cycle_map, workspace, followed, failure, spare);
+            *unsettled = (!reached).then_some(motion.cycles);
+            Ok(found)
+        }
+        settled => Ok(settled),
     }
 }
 

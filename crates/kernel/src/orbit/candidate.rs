@@ -85,6 +85,11 @@ pub(super) enum CandidateVerdict<S> {
     /// The fixed point belongs to a continuum of steady states. The search must follow the motion further, because the
     /// motion selects one state of the continuum.
     Wait,
+    /// The fixed point is stable, but the motion does not approach it. `far` is the distance of the motion from the
+    /// fixed point, divided by the size of the fixed point's state.
+    Apart {
+        far: S,
+    },
     No,
 }
 
@@ -144,12 +149,12 @@ impl<S: Float> Candidate<S> {
                 reach: None,
             }));
         }
-        Ok(CandidateVerdict::No)
+        Ok(CandidateVerdict::Apart { far: far / scale })
     }
 
     /// Returns true if the motion keeps its events and approaches the fixed point as fast as the multipliers predict.
-    /// With μ > 1 other steady states may be close, so that a small distance proves nothing. The cycle map must be at
-    /// the fixed point before the call. If the result is true, the cycle map is at the fixed point after the call too.
+    /// With μ > 1 other steady states may be close, so that a small distance proves nothing. The cycle map is at the
+    /// fixed point before and after the call.
     fn attracts<K: ContactChain<S>>(
         &mut self,
         cycle_map: &mut CycleMap<'_, '_, S, K>,
@@ -190,11 +195,8 @@ impl<S: Float> Candidate<S> {
         // the motions. The sticking times show the difference.
         let change = (cycle_map.stuck - stuck).abs();
         let alike = change <= S::constant(STICKS_ALIKE) * cycle_map.stuck.max(stuck);
-        if !keeps || !alike || !(after <= enough * before.sqrt()) {
-            return Ok(false);
-        }
         cycle_map.restore(workspace.other, &fixed);
-        Ok(true)
+        Ok(keeps && alike && after <= enough * before.sqrt())
     }
 
     /// Tests a fixed point that belongs to a continuum of steady states. The motion itself selects one state of the

@@ -8,7 +8,7 @@
 
 use super::build::{record_period, stuck};
 use super::closed;
-use super::cycle_map::CycleMap;
+use super::cycle_map::{CycleMap, MOST_EVENTS};
 use super::newton::{PeriodMap, Workspace, newton};
 use super::record::{OrbitRecord, RecordedPeriod};
 use super::types::{MAX_SEGMENTS, MAX_STEPS, Orbit, SegmentStart};
@@ -146,7 +146,9 @@ where
         let mut cycle_map = CycleMap::new(&setting, oscillators, contact_state);
         let (states, mut workspace) = Workspace::divided(numbers.as_mut(), &mut [], (modes, size));
         let mut marks = [SegmentStart::empty(); MAX_SEGMENTS];
-        let mut record = OrbitRecord::new(&mut marks, states, 2 * modes);
+        // The search for the steady state `plain` has already checked the number of segments.
+        let most = MOST_EVENTS as usize;
+        let mut record = OrbitRecord::new(&mut marks, states, 2 * modes, most);
         if plain.never_slides() {
             // Away from the middle, the place of a stuck contact depends on every earlier slip.
             if !plain.middle().is_zero() {

@@ -32,6 +32,7 @@ mod shooting;
 mod start;
 mod states;
 mod types;
+mod wander;
 
 pub use candidate::MAX_PERIOD;
 pub use carrying::{CarryingStorage, NoDerivative};
@@ -41,6 +42,7 @@ pub use scene::{KnownState, ProvidesOrbit};
 pub use start::Start;
 pub use states::States;
 pub use types::{MAX_CYCLES, MAX_SEGMENTS, MAX_STEPS, Orbit};
+pub use wander::MAX_CYCLES_FOLLOWED;
 
 use crate::combination::Combination;
 use crate::contact::sums::Chain;

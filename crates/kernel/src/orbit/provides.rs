@@ -73,12 +73,15 @@ impl<T: ProvidesOrbit> At<T> {
         T::settled(self, beta, start, true)
     }
 
-    /// Returns stable steady states at the friction ratio β, one at a time. The search starts from a fixed list of
-    /// initial states.
+    /// Returns the stable steady states that a search finds at the friction ratio β, one at a time. The search starts
+    /// from a fixed list of initial states, so that it may miss other steady states.
     ///
     /// The initial states are rest, the stuck state, the closed form, and motions at neighbouring friction ratios. If
-    /// the motion from rest settles, the first result is the state that [`orbit`](Self::orbit) returns. With μ = 1 only
-    /// one steady state, or one continuum of steady states, exists.
+    /// the motion from rest settles, the first result is the state that [`orbit`](Self::orbit) returns. The search
+    /// looks neither for unstable states nor for the mirror image of an asymmetric state. With μ = 1 only one steady
+    /// state, or one continuum of steady states, exists, and the search starts from rest only.
+    ///
+    /// The list may be empty. [`States::reason`] then returns the reason.
     ///
     /// # Errors
     /// [`OutOfDomain`] for NaN, negative and infinite β.

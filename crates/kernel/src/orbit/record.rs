@@ -19,6 +19,8 @@ pub(super) struct OrbitRecord<'s, S> {
     states: &'s mut [S],
     /// Number of scalars in a state of the oscillators.
     size: usize,
+    /// Largest number of segments in a cycle.
+    most: usize,
     /// Number of segments from one mark to the next.
     stride: u32,
     segments: usize,
@@ -41,17 +43,20 @@ pub(super) struct RecordedPeriod<S> {
 }
 
 impl<'s, S: Float> OrbitRecord<'s, S> {
-    /// Creates an empty record. `size` is the number of scalars in a state.
+    /// Creates an empty record. `size` is the number of scalars in a state. `most` is the largest number of segments in
+    /// a cycle.
     pub(super) fn new(
         marks: &'s mut [SegmentStart<S>; MAX_SEGMENTS],
         states: &'s mut [S],
         size: usize,
+        most: usize,
     ) -> Self {
         Self {
             marks,
             count: 0,
             states,
             size,
+            most,
             stride: 1,
             segments: 0,
             stops: 0,
@@ -91,7 +96,7 @@ impl<'s, S: Float> OrbitRecord<'s, S> {
     ) -> Result<(), NoOrbit> {
         let zero = S::constant(0.0);
         let mut left = (S::pi() + S::pi()) * S::constant(f64::from(period));
-        let most = MAX_SEGMENTS * period as usize;
+        let most = self.most * period as usize;
         let mut cycle = zero;
         while slack::<S>() < left {
             if self.segments == most {

@@ -9,12 +9,12 @@ use super::relaxed::relax;
 use super::start::Start;
 use super::types::MAX_CYCLES;
 use crate::errors::NoOrbit;
-use crate::motion::{ContactChain, Law};
+use crate::motion::ContactChain;
 use crate::number::scalar::Float;
 
 /// Largest number of cycles that the search follows from an initial state that may be near a steady state. Initial
 /// states of this kind are the stuck state, the closed form, and a motion at a neighbouring friction ratio.
-const MAX_CYCLES_NEAR: u32 = 128;
+pub(super) const MAX_CYCLES_NEAR: u32 = 128;
 /// Largest number of possible periods that one search for a subharmonic state tests.
 const MOST_TRIED: u32 = 3;
 /// Number of cycles that the search follows before it first tests for a subharmonic state.
@@ -47,106 +47,168 @@ pub(super) enum Settled<S> {
     Not(NoOrbit),
 }
 
-/// Follows the motion until it reaches a steady state. Afterwards the cycle map contains the steady state if the search
-/// found one. Otherwise it contains the last state of the motion.
-///
-/// If β is large enough for a stuck state, `holding` is |V/H|, the amplitude of the contact force in the stuck state.
-/// Otherwise `holding` is `None`. The search follows at most `most` cycles. `spare` is working memory for two states.
-pub(super) fn settle<S: Float, K: ContactChain<S>>(
-    cycle_map: &mut CycleMap<'_, '_, S, K>,
-    workspace: &mut Workspace<'_, S>,
-    holding: Option<S>,
-    most: u32,
-    spare: &mut [S],
-) -> Result<Settled<S>, NoOrbit> {
-    let monotone = cycle_map.setting.law().is_contraction();
-    let mut hold = holding.map(|steady| Hold::new(steady, monotone));
-    if let Some(offset) = hold
-        .as_mut()
-        .and_then(|hold| hold.lasting_offset(cycle_map))
-    {
-        return Ok(Settled::Stuck(offset));
+/// Motion that the search follows: the number of its cycles, and the events of its last half cycles.
+pub(super) struct FollowedMotion<S> {
+    /// Observer of a contact that may stick for ever. `None` if β is too small for a stuck state.
+    hold: Option<Hold<S>>,
+    /// True if the stiction μ is 1. The distance between two motions then never grows.
+    pub monotone: bool,
+    /// Number of excitation cycles that the search has followed.
+    pub cycles: u32,
+    halves: [EventPattern; 4],
+    /// Numbers of successive half cycles with unchanged events. The first number counts half cycles with the events of
+    /// the previous half cycle. The second number counts half cycles with the events of the half cycle one cycle
+    /// earlier.
+    settled: [u32; 2],
+}
+
+impl<S: Float> FollowedMotion<S> {
+    /// Creates the record of a motion that has not moved yet. If β is large enough for a stuck state, `holding` is
+    /// |V/H|, the amplitude of the contact force in the stuck state. Otherwise `holding` is `None`.
+    pub(super) fn new(holding: Option<S>, monotone: bool) -> Self {
+        Self {
+            hold: holding.map(|steady| Hold::new(steady, monotone)),
+            monotone,
+            cycles: 0,
+            halves: [EventPattern::default(); 4],
+            settled: [0; 2],
+        }
     }
-    let mut failure = NoOrbit::Unsettled;
-    let (mut cycles, mut wanted) = (0, 2);
-    let mut halves = [EventPattern::default(); 4];
-    // Numbers of successive half cycles with unchanged events. The first number counts half cycles with the events of
-    // the previous half cycle. The second number counts half cycles with the events of the half cycle one cycle
-    // earlier.
-    let mut settled = [0u32; 2];
-    while cycles < most {
-        while cycles < wanted {
+
+    /// Returns the offset z̄ of a contact that sticks for ever, or `None`.
+    fn lasting_offset<K: ContactChain<S>>(
+        &mut self,
+        cycle_map: &mut CycleMap<'_, '_, S, K>,
+    ) -> Option<S> {
+        let hold = self.hold.as_mut()?;
+        hold.lasting_offset(cycle_map)
+    }
+
+    /// Follows the motion until it has `wanted` cycles. If the contact starts to stick for ever, the function returns
+    /// the contact's offset z̄.
+    pub(super) fn follow<K: ContactChain<S>>(
+        &mut self,
+        cycle_map: &mut CycleMap<'_, '_, S, K>,
+        wanted: u32,
+    ) -> Result<Option<S>, NoOrbit> {
+        while self.cycles < wanted {
             for _ in 0..2 {
                 let half = cycle_map.advance_half(None)?;
-                let [a, b, c, _] = halves;
-                halves = [half, a, b, c];
-                settled[0] = if half == a { settled[0] + 1 } else { 0 };
-                settled[1] = if half == b { settled[1] + 1 } else { 0 };
-                if let Some(hold) = &mut hold {
+                let [a, b, c, _] = self.halves;
+                self.halves = [half, a, b, c];
+                let count = |same: bool, count: u32| if same { count + 1 } else { 0 };
+                self.settled = [
+                    count(half == a, self.settled[0]),
+                    count(half == b, self.settled[1]),
+                ];
+                if let Some(hold) = &mut self.hold {
                     hold.note(half);
                     if let Some(offset) = hold.lasting_offset(cycle_map) {
-                        return Ok(Settled::Stuck(offset));
+                        return Ok(Some(offset));
                     }
                 }
             }
-            cycles += 1;
+            self.cycles += 1;
         }
-        if monotone && hold.is_some() {
+        Ok(None)
+    }
+
+    /// Returns the candidate for a steady state that repeats after one cycle. The search starts at the present state of
+    /// the motion, which the function saves in `workspace.state`.
+    pub(super) fn candidate<K: ContactChain<S>>(
+        &self,
+        cycle_map: &CycleMap<'_, '_, S, K>,
+        workspace: &mut Workspace<'_, S>,
+        symmetric: bool,
+    ) -> Candidate<S> {
+        cycle_map.save(workspace.state);
+        let [last, before, ..] = self.halves;
+        Candidate {
+            map: PeriodMap {
+                period: 1,
+                symmetric,
+            },
+            wanted: if symmetric { last } else { last.and(before) },
+            recent: last.and(before),
+            alike: self.settled[1],
+            monotone: self.monotone,
+            cycles: self.cycles,
+            here: cycle_map.contact_state,
+        }
+    }
+}
+
+/// Moves the section (the phase at which the map starts) to the middle of the longest segment, far from all events.
+pub(super) fn place_section<S: Float, K: ContactChain<S>>(
+    cycle_map: &mut CycleMap<'_, '_, S, K>,
+) -> Result<(), NoOrbit> {
+    let middle = cycle_map.middle * S::pi();
+    cycle_map.advance(middle, None)?;
+    Ok(())
+}
+
+/// Follows the motion until it reaches a steady state. Afterwards the cycle map contains the steady state if the search
+/// found one. Otherwise it contains the last state of the motion.
+///
+/// The search follows at most `most` cycles. `spare` is working memory for two states.
+pub(super) fn settle<S: Float, K: ContactChain<S>>(
+    cycle_map: &mut CycleMap<'_, '_, S, K>,
+    workspace: &mut Workspace<'_, S>,
+    motion: &mut FollowedMotion<S>,
+    most: u32,
+    spare: &mut [S],
+) -> Result<Settled<S>, NoOrbit> {
+    let monotone = motion.monotone;
+    if let Some(offset) = motion.lasting_offset(cycle_map) {
+        return Ok(Settled::Stuck(offset));
+    }
+    let mut failure = NoOrbit::Unsettled;
+    let mut wanted = 2;
+    while motion.cycles < most {
+        if let Some(offset) = motion.follow(cycle_map, wanted)? {
+            return Ok(Settled::Stuck(offset));
+        }
+        if monotone && motion.hold.is_some() {
             // With μ = 1 the distance between two motions never grows. Because a stuck state exists, no other state can
             // be steady.
-            wanted = cycles * 2;
+            wanted = motion.cycles * 2;
             continue;
         }
-        // The section is the phase at which the map starts. The code places the section at the middle of the longest
-        // segment, far from all events.
-        let middle = cycle_map.middle * S::pi();
-        cycle_map.advance(middle, None)?;
-        let [last, before, ..] = halves;
+        place_section(cycle_map)?;
         for symmetric in [true, false] {
-            let steady = if symmetric { settled[0] } else { settled[1] };
+            let [in_half, in_cycle] = motion.settled;
+            let steady = if symmetric { in_half } else { in_cycle };
             if !monotone && steady == 0 {
                 continue;
             }
-            cycle_map.save(workspace.state);
-            let mut candidate = Candidate {
-                map: PeriodMap {
-                    period: 1,
-                    symmetric,
-                },
-                wanted: if symmetric { last } else { last.and(before) },
-                recent: last.and(before),
-                alike: settled[1],
-                monotone,
-                cycles,
-                here: cycle_map.contact_state,
-            };
+            let mut candidate = motion.candidate(cycle_map, workspace, symmetric);
             let verdict = candidate.try_from(cycle_map, workspace);
-            cycles = candidate.cycles;
+            motion.cycles = candidate.cycles;
             match verdict {
                 Ok(CandidateVerdict::Found(found)) => return Ok(Settled::Found(found)),
                 Ok(CandidateVerdict::Wait) => {
                     cycle_map.restore(workspace.state, &candidate.here);
                     break;
                 }
-                Ok(CandidateVerdict::No) => {}
+                Ok(CandidateVerdict::Apart { .. } | CandidateVerdict::No) => {}
                 Err(error) => failure = error,
             }
             cycle_map.restore(workspace.state, &candidate.here);
         }
         // With μ = 1 the distance between two motions never grows. A motion that repeats only after several cycles
         // therefore belongs to a continuum of steady states.
-        if FIRST_ASKED <= cycles && (!monotone || most <= cycles * 2) {
-            match several(cycle_map, workspace, &mut cycles, failure)? {
+        if FIRST_ASKED <= motion.cycles && (!monotone || most <= motion.cycles * 2) {
+            match several(cycle_map, workspace, &mut motion.cycles, failure)? {
                 Settled::Not(error) => failure = error,
                 found => return Ok(found),
             }
         }
-        wanted = cycles * 2;
+        wanted = motion.cycles * 2;
     }
     if monotone
-        && hold.is_none()
+        && motion.hold.is_none()
         && cycle_map.remembered() == 0
-        && let Some(found) = slow(cycle_map, workspace, halves, spare)
+        && let Some(found) = slow(cycle_map, workspace, motion.halves, spare)
     {
         return Ok(Settled::Found(found));
     }
@@ -186,7 +248,7 @@ fn slow<S: Float, K: ContactChain<S>>(
 
 /// Finds a steady state close to the motion that repeats after several cycles. If the function finds no steady state,
 /// the cycle map keeps the state of the motion.
-fn several<S: Float, K: ContactChain<S>>(
+pub(super) fn several<S: Float, K: ContactChain<S>>(
     cycle_map: &mut CycleMap<'_, '_, S, K>,
     workspace: &mut Workspace<'_, S>,
     cycles: &mut u32,

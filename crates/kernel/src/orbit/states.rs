@@ -2,7 +2,7 @@
 
 use super::scene::{KnownState, Print, ProvidesOrbit};
 use super::start::Start;
-use crate::errors::OutOfDomain;
+use crate::errors::{NoOrbit, OutOfDomain};
 use crate::motion::{ContactChain, Law};
 use crate::number::scalar::{Float, Scalar};
 use crate::response::{At, Scene};
@@ -17,14 +17,17 @@ const FORMER: [f64; 2] = [0.98, 0.5];
 /// states of the search.
 const NEIGHBOURS: [f64; 4] = [0.97, 1.03, 0.8, 1.25];
 
-/// Iterator over the steady states at one friction ratio, which [`At::states`] returns. The iterator searches for a
-/// state when the caller requests the next item.
+/// Iterator over the steady states that a search finds at one friction ratio, which [`At::states`] returns. The
+/// iterator searches for a state when the caller requests the next item. [`reason`](Self::reason) explains an empty
+/// list.
 pub struct States<T: Scene> {
     at: At<T>,
     beta: T::Scalar,
     starts: [Option<Start<'static, T::Scalar>>; STARTS],
     seen: [Option<Print<T::Scalar>>; STARTS],
     next: usize,
+    /// Reason why motion from rest reaches no steady state, once the search has found it.
+    reason: Option<NoOrbit>,
 }
 
 impl<T: Scene> fmt::Debug for States<T> {
@@ -69,6 +72,23 @@ impl<T: ProvidesOrbit> States<T> {
         Ok(Self::from_starts(at, beta, starts))
     }
 
+    /// Returns the reason why motion from rest reaches no steady state. If the iterator returns no state at all, this
+    /// is also the reason why the list is empty. Returns `None` if motion from rest reaches a steady state, and before
+    /// the caller requests the first item.
+    #[must_use]
+    pub fn reason(&self) -> Option<NoOrbit> {
+        self.reason
+    }
+
+    /// Leaves out the motion from rest, if the caller has already followed this motion.
+    #[must_use]
+    pub fn without_rest(self) -> Self {
+        Self {
+            next: self.next.max(1),
+            ..self
+        }
+    }
+
     fn from_starts(
         at: At<T>,
         beta: T::Scalar,
@@ -81,6 +101,7 @@ impl<T: ProvidesOrbit> States<T> {
             starts,
             seen,
             next: 0,
+            reason: None,
         }
     }
 }
@@ -96,8 +117,14 @@ where
             let start = *self.starts.get(self.next)?;
             self.next += 1;
             let Some(start) = start else { continue };
-            let Ok(orbit) = T::settled(&self.at, self.beta, start, false) else {
-                continue;
+            let orbit = match T::settled(&self.at, self.beta, start, false) {
+                Ok(orbit) => orbit,
+                Err(reason) => {
+                    if start == Start::Rest {
+                        self.reason = Some(reason);
+                    }
+                    continue;
+                }
             };
             let print = orbit.print();
             if self.seen.iter().flatten().any(|seen| seen.is_alike(&print)) {

@@ -1,7 +1,7 @@
 //! Compares the states that motion from rest reaches, for β below and above β*_lim, with runs of the integrator
 //! [`Plain`].
 
-use super::plain::Plain;
+use super::plain::{Plain, Run};
 use frictiongen::study::{SystemAt, orbit::SystemOrbit};
 use frictiongen::{Of, Regime, System};
 use fuzzing::Random;
@@ -86,6 +86,11 @@ struct Settled {
 fn settled(plain: &Plain, masses: usize, nudge: f64) -> Option<Settled> {
     let mut run = plain.rest();
     run.state[0] += nudge;
+    settles(run, masses, MOST)
+}
+
+/// Follows a run for at most `most` cycles, until it has settled.
+fn settles(mut run: Run<'_>, masses: usize, most: usize) -> Option<Settled> {
     let mut states = vec![run.state.clone()];
     let apart = |states: &[DVector<f64>], period: usize| {
         let last = states.len() - 1;
@@ -101,7 +106,7 @@ fn settled(plain: &Plain, masses: usize, nudge: f64) -> Option<Settled> {
         let period = (1..=LONGEST).find(|period| apart(states, *period) < APART)?;
         (apart(states, period) < SETTLED).then_some(period)
     };
-    for _ in 0..MOST {
+    for _ in 0..most {
         run.cycle();
         states.push(run.state.clone());
         if let Some(period) = period(&states) {
@@ -253,6 +258,104 @@ fn long() {
     println!("{counts:?}");
     for line in told {
         println!("{line}");
+    }
+}
+
+/// Motions from rest that do not settle in the first 1024 cycles, with μ > 1: scene, r and β.
+const LATE: [(&str, f64, f64); 2] = [
+    (
+        "struct Late { masses: { m1: 1.9312, m2: 0.8426, m3: 2.1029 },
+            springs: { base - m1: 0.7829, m1 - m2: 0.4534, m2 - m3: 2.5535 }, contact: m1 - base,
+            excitation: base, damping: modal[0.00554, 0.01146, 0.03719], stiction: 1.4197 }",
+        0.106_504_694_525_991_68,
+        0.021_171_964_623_000_368,
+    ),
+    (
+        "struct Late { masses: { m1: 0.3520, m2: 1.7202, m3: 1.5650, m4: 0.4278 },
+            springs: { base - m1: 0.3820, m1 - m2: 0.4127, m2 - m3: 2.4208, m3 - m4: 0.9872 },
+            contact: m4 - base, excitation: base, stiction: 1.4514 }",
+        0.197_407_997_017_730_49,
+        0.310_714_027_527_257,
+    ),
+];
+/// Motions from rest that wander for ever beside a stable steady state, with the stops and reversals of this state.
+const WANDERING: [(&str, f64, f64, [usize; 2]); 3] = [
+    (
+        "struct Block { masses: { m: 2.0236 }, springs: { base - m: 2.1892 }, contact: m - base, excitation: m,
+            damping: modal[0.01283], stiction: 2.0819 }",
+        0.272_131_354_600_063_4,
+        0.156_816_634_854_327_79,
+        [2, 0],
+    ),
+    (
+        "struct Pair { masses: { m1: 0.5439, m2: 0.3043 }, springs: { base - m1: 0.3149, m1 - m2: 1.0213 },
+            contact: m1 - m2, excitation: base, stiction: 1.711 }",
+        0.181_598_908_568_390_42,
+        0.009_099_744_038_539_328,
+        [4, 0],
+    ),
+    (
+        "struct Pair { masses: { m1: 1.8418, m2: 0.3275 }, springs: { base - m1: 0.4389, m1 - m2: 0.7116 },
+            contact: m1 - wall, excitation: base, stiction: 1.9165 }",
+        1.225_881_152_073_909_2,
+        0.521_136_158_233_311_7,
+        [0, 2],
+    ),
+];
+
+/// Checks a motion from rest that settles only after more than 1024 cycles. The run settles in the same state.
+#[test]
+fn after_a_long_time() {
+    for (text, r, beta) in LATE {
+        let system: System = text.parse().expect("a scene");
+        let masses = system.scene().masses.len();
+        let orbit = system.at(r).expect("in the domain").orbit(beta);
+        let orbit = orbit.unwrap_or_else(|error| panic!("{text}: {error}"));
+        let run = settles(Plain::new(system.scene(), r, beta).rest(), masses, 4096);
+        let run = run.unwrap_or_else(|| panic!("{text}: the run does not settle"));
+        assert!(
+            difference(&answered(&orbit, masses), &run) < TOLERANCE,
+            "{text}: {run:?}"
+        );
+        assert!(
+            orbit.is_from_rest() && orbit.cycles_followed().is_none(),
+            "{text}"
+        );
+    }
+}
+
+/// Checks stable states beside a motion from rest that does not settle. A run that starts close to such a state comes
+/// back to the state.
+#[test]
+fn beside_a_motion_that_wanders() {
+    for (text, r, beta, events) in WANDERING {
+        let system: System = text.parse().expect("a scene");
+        let masses = system.scene().masses.len();
+        let orbit = system.at(r).expect("in the domain").orbit(beta);
+        let orbit = orbit.unwrap_or_else(|error| panic!("{text}: {error}"));
+        assert_eq!([orbit.stops(), orbit.reversals()], events, "{text}");
+        assert!(
+            !orbit.is_from_rest() && orbit.is_stable() && !orbit.is_marginal(),
+            "{text}"
+        );
+        assert!(
+            orbit.cycles_followed().is_some_and(|cycles| cycles >= 4096),
+            "{text}"
+        );
+        let largest = orbit.multipliers().iter().map(|value| value.norm());
+        assert!(largest.fold(0.0, f64::max) < 1.0, "{text}");
+        let motions = || (0..masses).map(|mass| orbit.mass_at(mass).expect("a mass"));
+        let tau = -orbit.origin();
+        let start = motions().map(|motion| motion.displacement(tau) + 1e-6);
+        let start: Vec<f64> = start
+            .chain(motions().map(|motion| motion.velocity(tau)))
+            .collect();
+        let plain = Plain::new(system.scene(), r, beta);
+        let run = settles(plain.from(&start), masses, 4096).expect("it settles");
+        assert!(
+            difference(&answered(&orbit, masses), &run) < TOLERANCE,
+            "{text}: {run:?}"
+        );
     }
 }
 

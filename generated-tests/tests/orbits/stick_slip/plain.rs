@@ -210,11 +210,23 @@ impl Plain {
 
     /// Returns a run that starts at rest at a maximum of the excitation.
     pub fn rest(&self) -> Run<'_> {
+        self.from(&vec![0.0; 2 * self.masses])
+    }
+
+    /// Returns a run that starts at a maximum of the excitation with the given displacements and velocities. The contact
+    /// slides, or has no velocity.
+    pub fn from(&self, start: &[f64]) -> Run<'_> {
         let mut state = DVector::zeros(2 * self.masses + 3);
+        state.rows_mut(0, start.len()).copy_from_slice(start);
         (state[2 * self.masses], state[2 * self.masses + 2]) = (1.0, 1.0);
-        let force = self.holding.dot(&state);
-        let holds = force.abs() <= self.grip;
-        let way = if holds { 0 } else { force.signum() as i32 };
+        let (rate, force) = (self.rate.dot(&state), self.holding.dot(&state));
+        let way = if rate != 0.0 {
+            rate.signum() as i32
+        } else if force.abs() <= self.grip {
+            0
+        } else {
+            force.signum() as i32
+        };
         let (stops, reversals, stuck, largest) = (0, 0, 0.0, None);
         Run {
             plain: self,

@@ -197,6 +197,8 @@ class Orbit(Table):
 
     * `state`: stable, marginal, unstable or unsettled, or the reason why there is no steady state.  Without one,
       numbers are NaN and counts are -1.
+    * `cycles_followed`: number of cycles after which motion from rest has not settled, or -1 if it settles.  The state
+      is then another stable one (`from_rest` is false), or unsettled.
     * `multipliers`: Floquet multipliers.
     * `sticking_intervals`: start and length of each stop in tau, one line for each.
     * `longest_stop_s`, `sticking_intervals_s`: in seconds, with a load or a frequency in a unit.
@@ -214,6 +216,7 @@ class Orbit(Table):
     offset_m: float
     marginal: bool
     from_rest: bool
+    cycles_followed: int
     multipliers: NDArray[np.complex128]
     sticking_intervals: Floats
     longest_stop_s: float

@@ -194,11 +194,12 @@ class Steady(Base):
         harmonics: int | None = None,
         start: str | tuple[ArrayLike, ArrayLike] | None = None,
     ) -> list[Orbit]:
-        """Finds steady states at one frequency and one friction, from a fixed list of initial states.
+        """Finds stable steady states at one frequency and one friction, from a fixed list of initial states.
 
         The initial states are rest or `start`, the stuck contact, the closed form and motions at neighbouring frictions.
-        `from_rest` marks the state that motion from rest or from `start` reaches.  With stiction 1 there is one state,
-        or one continuum.
+        The search may miss other states.  It looks neither for unstable states nor for the mirror image of an asymmetric
+        state.  `from_rest` marks the state that motion from rest or from `start` reaches.  With stiction 1 there is one
+        state, or one continuum.  If the search finds no state, the list has one entry, whose `state` is the reason.
 
         :param harmonics: the order up to which the harmonics X0, X1, ... are returned too.
         :param start: the initial state, as for :meth:`orbit`.

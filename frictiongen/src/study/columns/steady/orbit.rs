@@ -33,6 +33,8 @@ struct SteadyData {
     /// Cycles, symmetry, stops and reversals of the motion. `None` if the motion does not repeat.
     period: Option<Period>,
     from_rest: bool,
+    /// Number of cycles after which motion from rest has not settled. `None` if this motion settles.
+    cycles_followed: Option<usize>,
     marginal: bool,
     offset: f64,
     stuck_fraction: f64,
@@ -109,6 +111,19 @@ impl OrbitRow {
         self.steady.is_some()
     }
 
+    /// Returns true if the row contains a motion that repeats.
+    #[must_use]
+    pub fn is_settled(&self) -> bool {
+        self.period().is_some()
+    }
+
+    /// Returns the number of cycles over which the search followed the motion from rest without seeing it settle.
+    /// Returns `None` if this motion settles.
+    #[must_use]
+    pub fn cycles_followed(&self) -> Option<usize> {
+        self.steady.as_ref()?.cycles_followed
+    }
+
     fn period(&self) -> Option<Period> {
         self.steady.as_ref()?.period
     }
@@ -155,7 +170,8 @@ impl<'a> OrbitTable<'a> {
         }
     }
 
-    /// Computes one table row for every steady state that the search finds.
+    /// Computes one table row for every steady state that the search finds. If the search finds no steady state, the
+    /// result is the [`row`](Self::row) of the motion from rest, which contains the reason.
     ///
     /// # Errors
     /// [`OutOfDomain`] for a friction outside the domain.
@@ -165,10 +181,14 @@ impl<'a> OrbitTable<'a> {
         frequency: Frequency,
         friction: FrictionSetting,
     ) -> Result<Vec<OrbitRow>, OutOfDomain> {
-        let friction = friction.at(&self.setting.measure, frequency);
-        let states = at.states(friction.beta)?;
-        let rows = states.map(|orbit| self.found(at, (frequency, friction), &orbit));
-        Ok(rows.collect())
+        let under_load = friction.at(&self.setting.measure, frequency);
+        let states = at.states(under_load.beta)?;
+        let rows = states.map(|orbit| self.found(at, (frequency, under_load), &orbit));
+        let rows: Vec<OrbitRow> = rows.collect();
+        if rows.is_empty() {
+            return Ok(vec![self.row(at, frequency, friction)?]);
+        }
+        Ok(rows)
     }
 
     fn found(
@@ -214,6 +234,7 @@ impl<'a> OrbitTable<'a> {
                 reversals: orbit.reversals(),
             }),
             from_rest: orbit.is_from_rest(),
+            cycles_followed: orbit.cycles_followed().map(|cycles| cycles as usize),
             marginal: orbit.is_marginal(),
             offset: measure.sign() * orbit.offset(),
             stuck_fraction: orbit.stuck_fraction(),
@@ -257,6 +278,7 @@ impl<'a> OrbitTable<'a> {
         columns.show(Shown::Files);
         columns.flag("marginal", |row| Some(row.steady.as_ref()?.marginal));
         columns.flag("from_rest", |row| Some(row.steady.as_ref()?.from_rest));
+        columns.count("cycles_followed", OrbitRow::cycles_followed);
         self.lists(&mut columns, in_seconds);
         columns.show(Shown::Everywhere);
         let extent = MotionColumns {

@@ -230,19 +230,22 @@ fn largest_seen(point: &Point) -> f64 {
     cycles[2500..].iter().fold(0.0, |most, one| most.max(one.1))
 }
 
+/// Compares states with more segments in a cycle than emitted code can record.
 #[test]
-fn too_many_events() {
+fn many_events() {
     let beyond = |point: &Point| {
         point.expected["segments"]
             .as_u64()
             .is_some_and(|count| count > 64)
     };
     let points = points(|point| beyond(point) && count(&point.expected["period"]) == 1);
+    let mut tally = Tally::default();
     for point in &points {
-        let found = point.orbit().map(|orbit| orbit.stops());
-        assert_eq!(found, Err(NoOrbit::TooManyEvents), "{}", point.what);
+        all_values(point, &mut tally);
     }
     println!("{} states of more than 64 segments", points.len());
+    assert!(!points.is_empty());
+    tally.end(bars);
 }
 
 /// Compares states that a motion approaches while its stops become ever shorter.
