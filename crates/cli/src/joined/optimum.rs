@@ -15,7 +15,8 @@ use crate::summary::Summary;
 use crate::vary::Vary;
 use frictiongen::System;
 use frictiongen::study::columns::{
-    Column, Frequency, FrictionSetting, JoinedRow, JoinedTable, Measure, Setting,
+    Column, Frequency, FrictionSetting, JoinedRow, JoinedTable, Measure, PhysicalQuantity, Setting,
+    TableRow,
 };
 use frictiongen::study::joined::{
     Joined, JoinedDistribution, JoinedError, JoinedOptimum, ShareRange,
@@ -172,6 +173,25 @@ impl OptimumReport<'_> {
         let names = names.iter().map(String::as_str);
         names.zip(best.shares.iter().copied()).collect()
     }
+
+    /// Returns in words how the search ended, what it has compared, and what it can miss.
+    fn end(&self) -> String {
+        let JoinedOptimum {
+            frequencies,
+            frictions,
+            evaluations,
+            is_complete,
+            ..
+        } = self.found;
+        let end = match is_complete {
+            true => "all comparisons done",
+            false => "the best so far: the search was stopped",
+        };
+        format!(
+            "{end}; {frequencies} frequencies of the band, {frictions} frictions, {evaluations} steady states; a narrower \
+             peak or minimum between them is not excluded"
+        )
+    }
 }
 
 impl ResultTable for OptimumReport<'_> {
@@ -205,6 +225,7 @@ impl ResultTable for OptimumReport<'_> {
                 self.measure.length(self.found.amplitude).into(),
             ),
             ("steady_states".to_owned(), self.found.evaluations.into()),
+            ("end".to_owned(), self.end().into()),
         ];
         if let Some((_, best)) = &self.shares {
             let shares = self.shares().into_iter();
@@ -220,19 +241,32 @@ impl ResultTable for OptimumReport<'_> {
     }
 
     fn preamble(&self) -> Vec<(&'static str, String)> {
-        let (friction, amplitude) = (
-            computed(self.measure.force(self.found.friction)),
-            computed(self.measure.length(self.found.amplitude)),
-        );
-        let text = format!(
-            "{friction}, with the largest amplitude {amplitude} of {} in the band; {} steady states",
-            self.name, self.found.evaluations
-        );
-        let mut lines = vec![("best common friction", text)];
+        let value = |dimension: PhysicalQuantity, ratio: f64| {
+            let value = computed(self.measure.convert(dimension, ratio, self.row.omega()));
+            let unit = self.measure.unit_or_reference(dimension);
+            format!("{value} {unit}").trim_end().to_owned()
+        };
+        let amplitude = |amplitude: f64| value(PhysicalQuantity::Length, amplitude);
+        let found = &self.found;
+        let mut lines = vec![
+            (
+                "best common friction",
+                value(PhysicalQuantity::Force, found.friction),
+            ),
+            (
+                "largest amplitude",
+                format!(
+                    "{} of {} over the band",
+                    amplitude(found.amplitude),
+                    self.name
+                ),
+            ),
+            ("how the search ended", self.end()),
+        ];
         if let Some((_, best)) = &self.shares {
             let shares = self.shares().into_iter();
             let shares = shares.map(|(name, share)| format!("{name} {}", computed(share)));
-            let before = computed(self.measure.length(best.before.amplitude));
+            let before = amplitude(best.before.amplitude);
             let text = format!(
                 "{}; with the shares of the description, the largest amplitude is {before}",
                 shares.collect::<Vec<_>>().join(", ")

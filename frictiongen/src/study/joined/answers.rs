@@ -36,8 +36,13 @@ impl<'a> LinearResponse<'a> {
     /// [`UnknownMass`] if no mass has this name.
     pub fn mass(&self, name: &str) -> Result<Complex<f64>, UnknownMass> {
         let mass = self.joined.mass_index(name)?;
+        Ok(self.displacement(mass))
+    }
+
+    /// Returns the complex amplitude X of the mass with this index.
+    pub(super) fn displacement(&self, mass: usize) -> Complex<f64> {
         let found = self.displacements.get(mass).copied();
-        Ok(found.unwrap_or_default() / self.units.length)
+        found.unwrap_or_default() / self.units.length
     }
 
     /// Returns displacement and velocity of every mass at a maximum of the load. `omega` is the angular frequency of

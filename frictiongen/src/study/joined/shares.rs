@@ -1,14 +1,12 @@
 //! Finds the best common friction together with the best shares of the contacts.
 
 use super::error::JoinedError;
-use super::optimum::{BandAccuracy, Early, FrictionSearch, JoinedOptimum};
+use super::optimum::{Early, FrictionSearch, JoinedOptimum};
 use super::scene::Joined;
 use frictiongen_model::scene::Scene;
 
-/// First step of the search on the grid of frequencies. A step is a factor on a share or on the friction.
+/// First step of the search. A step is a factor on a share or on the friction.
 const FIRST: f64 = 1.6;
-/// First step of the search with refined peaks. A step is a factor on a share or on the friction.
-const REFINED: f64 = 1.25;
 /// Lower bound of the steps. The search ends when the next step is not above this bound. A step is a factor on a share
 /// or on the friction.
 const LAST: f64 = 1.02;
@@ -56,9 +54,7 @@ impl<'a> Joined<'a> {
     /// largest amplitude. If a round has reduced this amplitude, the search also tries all changes of the round a second
     /// time, together. Otherwise it reduces the factor, from 1.6 down to 1.02.
     ///
-    /// In this first pass, the search compares the largest amplitudes at 25 equally spaced frequencies of the band. In
-    /// the second pass, it begins with a factor of 1.25, and includes the peaks between these frequencies. The result
-    /// is a local minimum. Another distribution far from the description may be better.
+    /// The result is a local minimum. Another distribution far from the description may be better.
     ///
     /// # Errors
     /// Same errors as [`optimum_watched`](Self::optimum_watched). [`JoinedError::Shares`] for an interval that does
@@ -83,7 +79,6 @@ impl<'a> Joined<'a> {
             search: FrictionSearch::new(self, mass, band, watch)?,
             ranges,
             compared: 0,
-            closely: BandAccuracy::OnGrid,
             best: Distribution {
                 shares: given,
                 friction: before.friction,
@@ -99,19 +94,14 @@ impl<'a> Joined<'a> {
             Err(Early::Stopped) => false,
             Err(Early::Failed(error)) => return Err(error),
         };
-        let Distribution {
-            shares,
-            friction,
-            peak: (amplitude, r),
-        } = descent.best;
+        let (best, search) = (descent.best, descent.search);
+        let told = search.told(best.friction, best.peak, is_complete);
         Ok(JoinedDistribution {
-            shares,
+            shares: best.shares,
             optimum: JoinedOptimum {
-                friction,
-                amplitude,
-                r,
-                evaluations: before.evaluations + descent.search.evaluations(),
-                is_complete,
+                evaluations: before.evaluations + told.evaluations,
+                frictions: before.frictions + told.frictions,
+                ..told
             },
             before,
         })
@@ -138,8 +128,6 @@ struct Descent<'j, 'a> {
     search: FrictionSearch<'j, 'a>,
     ranges: &'j [ShareRange],
     compared: usize,
-    /// Accuracy of the peaks that the search compares.
-    closely: BandAccuracy,
     best: Distribution,
 }
 
@@ -151,15 +139,11 @@ impl Descent<'_, '_> {
                 *share = share.clamp(range.from, range.to);
             }
         }
-        start.peak = self.peak(&start)?;
+        start.peak = self.peak(&start, f64::INFINITY)?;
         // The shares of the scene description may be outside the permitted intervals. The search therefore begins at
         // `start`.
         self.best = start;
-        self.descend(FIRST)?;
-        self.closely = BandAccuracy::Refined;
-        let grid = self.best.clone();
-        self.best.peak = self.peak(&grid)?;
-        self.descend(REFINED)
+        self.descend(FIRST)
     }
 
     /// Multiplies or divides one number after the other by a factor. If no change gives a smaller peak, reduces the
@@ -221,7 +205,7 @@ impl Descent<'_, '_> {
 
     /// Stores the distribution `tried` if it is better than the best distribution so far. Returns true if it is better.
     fn keep(&mut self, mut tried: Distribution) -> Result<bool, Early> {
-        tried.peak = self.peak(&tried)?;
+        tried.peak = self.peak(&tried, self.best.peak.0)?;
         let better = tried.peak.0 < self.best.peak.0;
         if better {
             self.best = tried;
@@ -230,10 +214,10 @@ impl Descent<'_, '_> {
     }
 
     /// Returns the largest amplitude of the mass over the band with a distribution, and the frequency ratio at which
-    /// it occurs.
-    fn peak(&mut self, tried: &Distribution) -> Result<(f64, f64), Early> {
+    /// it occurs. Ends early with the first amplitude above `cutoff`.
+    fn peak(&mut self, tried: &Distribution, cutoff: f64) -> Result<(f64, f64), Early> {
         self.compared += 1;
         self.search.set_shares(&tried.shares);
-        self.search.largest(tried.friction, self.closely)
+        self.search.largest(tried.friction, cutoff)
     }
 }

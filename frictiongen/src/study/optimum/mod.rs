@@ -3,8 +3,8 @@
 
 mod amplitude;
 mod answer;
+mod bounded;
 mod bounds;
-mod candidates;
 mod creep;
 mod flat;
 mod grid;
@@ -13,6 +13,7 @@ mod line;
 mod look;
 mod minima;
 mod objective;
+mod order;
 pub(in crate::study) mod peaks;
 mod places;
 mod problem;
@@ -21,7 +22,6 @@ mod resonance;
 mod scan;
 mod search;
 mod tuned;
-mod verified;
 mod weighted;
 mod whole;
 

@@ -253,8 +253,7 @@ impl<'s> WeightedSearch<'s> {
                 }
             });
             let value = |beta, cutoff| self.seen(beta, cutoff);
-            let found = narrowed_by(&value, &spent, (&below, &above), Some(here));
-            (found.at, found.bracket)
+            narrowed_by(&value, &spent, (&below, &above), Some(here))
         });
         found.min_by(|a, b| a.0.value.total_cmp(&b.0.value))
     }
