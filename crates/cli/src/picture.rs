@@ -5,7 +5,7 @@ use crate::destination::OutputFormat;
 use crate::failure::Failure;
 use crate::measure::{self, Measure};
 use frictiongen::System;
-use frictiongen_plot::desk::{Scales, sketch};
+use frictiongen_plot::desk::{Scales, sketch, sketch_without_load};
 use frictiongen_plot::{Axis, Colour, Figure, Label, Line, Panel, Sketch, Stroke};
 use std::io::Write;
 
@@ -107,6 +107,20 @@ pub fn short(value: f64) -> String {
 /// Returns the title of the panel that shows the motion of `part`.
 pub fn part_name(part: &MovingPart) -> Label {
     Label::verbatim(&part.name)
+}
+
+/// Writes a figure of a motion over time, with a sketch of the system under a harmonic load or without a load.
+pub fn write_motion(
+    figure: Figure,
+    system: &System,
+    measure: &Measure,
+    (form, out): (OutputFormat, &mut dyn Write),
+) -> Result<(), Failure> {
+    let sketch = match measure.is_free() {
+        true => sketch_without_load(system.scene()),
+        false => sketch(system.scene(), true),
+    };
+    write_with(figure, sketch, form, out)
 }
 
 /// Writes a figure of a system under a harmonic load, with a sketch of the system.

@@ -150,7 +150,10 @@ fn wrong_column() {
     );
     let mut all = channels(good);
     all[1].unit = Unit::NEWTON;
-    told(measured(all), "`plate` cannot be in N");
+    told(
+        measured(all),
+        "`plate` is in N, but here it must be a motion",
+    );
     let mut all = channels(good);
     all[1].name = "base".into();
     told(measured(all), "`base` is given twice");

@@ -38,7 +38,7 @@ pub fn motion(
     (form, out): (OutputFormat, &mut dyn Write),
 ) -> Result<(), Failure> {
     let figure = motion_figure(question, motion, caption);
-    picture::write(figure, question.system, form, out)
+    picture::write_motion(figure, question.system, &question.measure, (form, out))
 }
 
 /// Returns the figure of a motion over time in a scene with several contacts.

@@ -33,10 +33,6 @@ pub fn draw(
     };
     let point = motion.preamble().into_iter().map(|(_, what)| what);
     let caption = point.collect::<Vec<_>>().join("; ");
-    picture::write(
-        picture::under_load(figure, &course.measure, &caption),
-        system,
-        form,
-        out,
-    )
+    let figure = picture::under_load(figure, &course.measure, &caption);
+    picture::write_motion(figure, system, &course.measure, (form, out))
 }

@@ -8,7 +8,7 @@ mod motion;
 mod samples;
 mod spectrum;
 
-use crate::args::TimeArguments;
+use crate::args::{LoadArguments, TimeArguments};
 #[cfg(feature = "pictures")]
 use crate::asked::MovingPart;
 use crate::asked::{number_that, parts, without_rates};
@@ -26,6 +26,7 @@ use course::RunSettings;
 use frictiongen::System;
 use frictiongen::study::columns::{Frequency, FrequencyUnit};
 use frictiongen::study::scene::FrictionLaw;
+use frictiongen::study::units::LoadError;
 use frictiongen_codegen::SizeLimits;
 use motion::RunMotion;
 use samples::{EventsReport, SamplesReport};
@@ -65,6 +66,7 @@ pub fn run(arguments: &TimeArguments, out: &mut dyn Write) -> Result<(), Failure
     if let Some(until) = &arguments.until {
         return free(arguments, (until, &asked), &destination, out);
     }
+    refuse_zero(&arguments.point.load)?;
     let form = destination.form;
     let frequencies = Frequencies::parse(&arguments.point.frequency, true)?;
     let frictions = Frictions::parse(&arguments.point.friction, Some(&frequencies))?;
@@ -119,6 +121,25 @@ pub fn run(arguments: &TimeArguments, out: &mut dyn Write) -> Result<(), Failure
     let run_from = run_from.map(|text| from::state(text, &system, scale, omega));
     let motion = RunMotion::of(course, &asked, run_from.transpose()?)?;
     destination.write(out, |out| write(&motion, arguments, (form, &summary), out))
+}
+
+/// Fails for a load of amplitude 0, and names the option for a motion without a load.
+fn refuse_zero(load: &LoadArguments) -> Result<(), Failure> {
+    let given = [
+        ("--force", &load.force),
+        ("--base", &load.base),
+        ("--unbalance", &load.unbalance),
+    ];
+    for (option, text) in given {
+        let Some(text) = text.as_ref().filter(|text| text.trim().parse() == Ok(0.0)) else {
+            continue;
+        };
+        let error = LoadError::Amplitude;
+        return Err(Failure::new(format_args!(
+            "{option} `{text}`: {error}; for a motion without a load, give --from and --until in place of the load and its frequency"
+        )));
+    }
+    Ok(())
 }
 
 /// Writes a motion over time: its samples, its events, its spectrum or a picture.

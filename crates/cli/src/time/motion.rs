@@ -78,7 +78,7 @@ impl<'a> RunMotion<'a> {
     /// Computes the free vibration from a state, with its friction, in SI units.
     pub fn free(
         course: RunSettings<'a>,
-        (from, until): (InitialState, f64),
+        (from, until): (StateGroups, f64),
         samples: u32,
     ) -> Result<Self, Failure> {
         let request = FreeRequest {

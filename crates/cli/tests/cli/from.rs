@@ -128,7 +128,7 @@ fn wrong_states() {
     let joined = "struct S { masses: { m: 1 }, springs: { base - m: 1 }, excitation: base,
         contacts: { brace: m - base { stiffness: 4 } } }";
     let form = "x1,...;v1,...: the displacements of all masses, a semicolon, their velocities";
-    let needs = "has no answer for a scene with `contacts` or `dampers`; leave it out, or sample the motion by `frictiongen time`";
+    let needs = "has no answer for a scene with `contacts` or `dampers`; leave it out";
     let cases = [
         ("orbit --r 1 --from 1", format!("--from `1`: write rest, or {form}")),
         ("response --r 1 --from up", format!("--from `up`: write rest, or {form}")),

@@ -55,6 +55,10 @@ fn what_cannot_be_asked() {
             "--until `0`: a time in s above 0 is needed",
         ),
         (
+            "--hz 1 --friction 1 --base 0 --from 1,2;1,2",
+            "--base `0`: the amplitude of a load must be above 0 and finite; for a motion without a load, give --from and --until in place of the load and its frequency",
+        ),
+        (
             "--from 1;1 --until 1 --friction 1",
             "--from `1;1`: the number of displacements is 1, but the number of masses is 2",
         ),

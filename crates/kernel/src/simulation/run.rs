@@ -44,6 +44,9 @@ impl<S: Float> Moment<S> {
     }
 }
 
+/// Displacements and velocities of all masses.
+type GivenState<'s, S> = (&'s [S], &'s [S]);
+
 /// An exact simulation in time, from event to event. A simulation is an iterator over the segments of the motion. If a
 /// cycle passes without an event, the iterator returns pieces that are one cycle long.
 ///
@@ -174,7 +177,7 @@ impl<'a, S: Float, P: AsMut<[Part<S>]> + AsRef<[Part<S>]>, L: KineticLaw<'a, S>,
     fn under(
         dynamics: Dynamics<'a, S, K>,
         (r, beta, mut level): (S, S, L),
-        (load, state): (S, Option<(&[S], &[S])>),
+        (load, state): (S, Option<GivenState<'_, S>>),
         mut parts: P,
     ) -> Result<Self, OutOfDomain> {
         let (one, large) = (S::constant(1.0), S::constant(LARGE));

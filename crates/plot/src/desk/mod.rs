@@ -21,4 +21,4 @@ pub use motions::{history_figure, spectrum_figure};
 pub use phases::{folded, phase_ends, principal};
 pub use regimes::{limit_lines, regimes};
 pub use scales::Scales;
-pub use sketch::{sketch, sketch_under_record};
+pub use sketch::{sketch, sketch_under_record, sketch_without_load};

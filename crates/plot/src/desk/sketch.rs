@@ -16,6 +16,15 @@ pub fn sketch_under_record(scene: &Scene) -> Sketch {
     sketch
 }
 
+/// Returns the sketch of a scene without a load. The masses have the names of the scene.
+#[must_use]
+pub fn sketch_without_load(scene: &Scene) -> Sketch {
+    Sketch {
+        excitation: Excitation::None,
+        ..sketch(scene, true)
+    }
+}
+
 /// Returns the sketch of a scene. If `own_names` is true, the masses have the names of the scene. Otherwise they have
 /// the symbols of the theory, such as *m*₁. Springs are numbered in the order of the scene description.
 #[must_use]

@@ -21,7 +21,7 @@ const EVERY_FIELD: [&str; 7] = [
         excitation: base, friction: stribeck(0.02: 0.5, 0.2: 0.3), provide: [stepper] }",
     "struct Storeys { masses: { f1: 2, f2: 3 }, springs: { base - f1: 5, f1 - f2: 6 },
         contacts: { brace: base - f1 { stiffness: 5e6 }, pads: f1 - f2 { share: 0.6, stiction: 1.2 }, wall_pad: f2 - wall },
-        dampers: { f1 - f2: 12.5, base - f1: 1 }, excitation: base, provide: [orbit] }",
+        dampers: { f1 - f2: 12.5, base - f1: 1 }, excitation: base, provide: [stuck] }",
 ];
 
 #[test]
@@ -45,7 +45,7 @@ fn a_description_has_a_line_for_each_field_that_differs_from_its_default() {
     contacts: { brace: base - f1 { stiffness: 5000000.0 }, pads: f1 - f2 { stiction: 1.2, share: 0.6 }, wall_pad: f2 - wall },
     dampers: { f1 - f2: 12.5, base - f1: 1.0 },
     excitation: base,
-    provide: [orbit],
+    provide: [stuck],
 }
 "
     );

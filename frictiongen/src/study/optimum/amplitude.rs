@@ -48,6 +48,8 @@ pub(in crate::study) struct Amplitude<'s> {
     stopped: Cell<bool>,
     /// Number of evaluations without a result, because the solvers found no amplitude.
     pub silent: Cell<usize>,
+    /// True if evaluations use the motion from rest even if the closed form exists.
+    follows: Cell<bool>,
 }
 
 /// Returns the undamped resonances, each with its threshold β_n (6.2, 6.26). Below this friction ratio, the amplitude
@@ -75,7 +77,16 @@ impl<'s> Amplitude<'s> {
             watch: Cell::new(None),
             stopped: Cell::new(false),
             silent: Cell::new(0),
+            follows: Cell::new(false),
         }
+    }
+
+    /// Makes all later evaluations compute the motion from rest, even if the closed form exists. The evaluations do so
+    /// until they reach the bound on work. With μ > 1 the motion from rest may end in another steady state than the
+    /// closed form. The amplitude of this steady state may be the largest over the band, although the amplitude of the
+    /// closed form is not.
+    pub(super) fn follow_from_rest(&self) {
+        self.follows.set(true);
     }
 
     fn response(&self, r: f64, friction: FrictionAmount) -> Result<SystemResponse<'s>, Error> {
@@ -125,16 +136,6 @@ impl<'s> Amplitude<'s> {
         self.most.set(self.work.get().saturating_add(work));
     }
 
-    /// Calls `search` with a bound on its work, in addition to the present bound.
-    pub(super) fn within<T>(&self, work: usize, search: impl FnOnce() -> T) -> T {
-        let most = self.most.get();
-        self.most
-            .set(most.min(self.work.get().saturating_add(work)));
-        let found = search();
-        self.most.set(most);
-        found
-    }
-
     /// Returns the work of all evaluations so far, in units of about 10 µs of computing time.
     pub(super) fn spent(&self) -> usize {
         self.work.get()
@@ -157,10 +158,10 @@ impl<'s> Amplitude<'s> {
     /// a resonance at which neither friction nor damping bounds the amplitude. It is NaN if no response exists.
     ///
     /// If β is less than β_lim and β*_lim, the result is the amplitude of the closed form. With μ > 1, the motion from
-    /// rest may end in another state, whose amplitude may be the largest over the band.
-    /// [`followed`](Self::followed) returns the amplitude of that state.
+    /// rest may end in another state. [`followed`](Self::followed) returns the amplitude of that state.
     pub(super) fn at(&self, r: f64, friction: FrictionAmount) -> f64 {
         if let FrictionAmount::Ratio(force) = friction
+            && (!self.follows.get() || self.is_spent())
             && let Ok(at) = self.system.at(r)
             && let beta = self.objective.beta(force, r)
             && let Ok(motion) = at.motion(beta)

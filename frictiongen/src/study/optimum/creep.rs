@@ -86,10 +86,6 @@ pub(super) fn crept(band: &AmplitudeBand<'_>, below: &Scanned, above: &Scanned) 
             done = true;
             break;
         }
-        if here.slope.is_nan() && here.value.is_finite() {
-            // Without a slope, the side on which the minimum lies is unknown.
-            break;
-        }
         let falls = here.slope < 0.0 || !here.value.is_finite();
         // The second peak grows while the highest peak falls. At the minimum the two peaks have the same height.
         let other = if falls { &above } else { &below };

@@ -37,9 +37,13 @@ const SIDE: i32 = 4;
 impl AmplitudeBand<'_> {
     /// Adds the frequency ratios of the largest peaks of one evaluation to the frequencies that every later evaluation
     /// of the band includes.
-    pub(super) fn learn_largest(&self, peaks: &[BandPeak]) {
-        let most = peaks.first().map_or(0.0, |peak| peak.value);
-        for peak in peaks.iter().filter(|peak| LEARNED * most <= peak.value) {
+    pub(super) fn learn_largest(&self, look: &Look) {
+        let most = look.peaks.first().map_or(0.0, |peak| peak.value);
+        for peak in look
+            .peaks
+            .iter()
+            .filter(|peak| LEARNED * most <= peak.value)
+        {
             self.learn_around(peak.r);
         }
     }

@@ -310,7 +310,7 @@ impl<'s> KeptSearch<'s, '_> {
             }
             let [below, above] = ends.map(|end| end.unwrap_or_else(|| here.clone()));
             if below.beta < above.beta {
-                let found = narrowed(&self.band, (&below, &above), Some(here.clone())).0;
+                let found = narrowed(&self.band, (&below, &above), Some(here.clone())).at;
                 if self.seems_to_hold(found.beta) {
                     note(found);
                 }

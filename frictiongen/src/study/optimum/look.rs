@@ -10,18 +10,16 @@ use super::places::BandPlace;
 /// Relative tolerance in r of a refined maximum of the amplitude. The amplitude at the maximum is then exact to
 /// rounding.
 pub(super) const PLACE: f64 = 2e-9;
-/// Factor on the latest amplitude at a frequency, in a first look (an evaluation at only some frequencies of the band).
-const FIRST: f64 = 1.1;
-/// Expected relative change of the amplitude for a small relative change of friction, in a first look.
-const STEEP: f64 = 3.0;
-/// Largest distance, divided by r, of two maxima that count as one peak.
-const SAME_PEAK: f64 = 1e-4;
+/// Expected change of the amplitude with friction, in a first look (an evaluation at only some frequencies of the
+/// band). If the friction ratio changes by at most the first factor, the search expects the amplitude to change by at
+/// most the second factor.
+const FIRST: [f64; 2] = [1.5, 2.0];
 /// Expected change of the amplitude with friction, in a whole look (an evaluation at all frequencies of the band). If
 /// the friction ratio changes by at most the first factor, the search expects the amplitude to change by at most the
 /// second factor.
 const WHOLE: [f64; 2] = [1.1, 4.0];
 /// Factor on the expected amplitude at a frequency if the search does not know the amplitude at a similar friction
-/// ratio. Two friction ratios are similar if their quotient is at most the first factor of `WHOLE`.
+/// ratio. Two friction ratios are similar if their quotient is at most the first factor of `FIRST` or `WHOLE`.
 const UNKNOWN: f64 = 5.0;
 
 /// A local maximum of the amplitude over the band.
@@ -62,10 +60,6 @@ pub(super) struct KnownAmplitude {
     /// The amplitude of the latest motion. If no motion has been computed yet, it is the larger of two amplitudes:
     /// without friction, and with the contact stuck.
     pub value: f64,
-    /// The amplitude without friction.
-    pub free: f64,
-    /// True if the latest motion took many cycles to settle, or did not settle.
-    pub slow: bool,
 }
 
 impl KnownAmplitude {
@@ -75,19 +69,8 @@ impl KnownAmplitude {
             return self.value;
         };
         let whole = closely == Closely::Whole;
-        let [near, factor] = WHOLE;
-        let change = (beta / self.beta).ln();
-        if !whole && change.is_finite() {
-            let rise = FIRST * (STEEP * change.abs()).exp();
-            let near = self.value * rise.min(UNKNOWN);
-            // A contact that was stuck slides with less friction, so that a small amplitude bounds nothing.
-            let freed = if change < 0.0 {
-                (-STEEP * change).min(1.0) * self.free
-            } else {
-                0.0
-            };
-            near + freed
-        } else if self.beta.is_nan() {
+        let [near, factor] = if whole { WHOLE } else { FIRST };
+        if self.beta.is_nan() {
             self.value * if whole { UNKNOWN * factor } else { UNKNOWN }
         } else if beta <= near * self.beta && self.beta <= near * beta {
             self.value * factor
@@ -104,8 +87,6 @@ pub(super) struct SeenFrequency {
     pub place: BandPlace,
     pub value: f64,
     pub closed: bool,
-    /// True if Brent's method cannot refine a maximum here, because the motion did not settle soon.
-    pub rough: bool,
 }
 
 /// The amplitude over a band at one friction ratio, from closed forms only. The search has not yet computed motions in
@@ -150,10 +131,7 @@ pub(super) fn tops(seen: &[SeenFrequency], least: f64, closed: bool) -> Vec<Top>
             |side: &Option<SeenFrequency>| side.is_some_and(|other| other.value == own.value);
         let ends = sides.map(|side| side.map_or(own.place.r, |side| side.place.r));
         let plateau = sides.iter().all(level);
-        found.push((
-            (!plateau && !own.rough).then_some(ends),
-            (own.place.r, own.value),
-        ));
+        found.push(((!plateau).then_some(ends), (own.place.r, own.value)));
     }
     found
 }
@@ -164,7 +142,7 @@ pub(super) fn sorted(mut peaks: Vec<BandPeak>) -> Vec<BandPeak> {
     peaks.sort_by(|a, b| b.value.total_cmp(&a.value));
     let mut kept: Vec<BandPeak> = Vec::new();
     for peak in peaks {
-        let known = |other: &BandPeak| (other.r - peak.r).abs() <= SAME_PEAK * peak.r;
+        let known = |other: &BandPeak| (other.r - peak.r).abs() <= 64.0 * PLACE * peak.r;
         if !kept.iter().any(known) {
             kept.push(peak);
         }
@@ -183,8 +161,6 @@ mod tests {
         let known = KnownAmplitude {
             beta: 0.4,
             value: 3.0,
-            free: 2.0,
-            slow: false,
         };
         for closely in [Closely::First, Closely::Whole] {
             for factor in [0.01, 0.7, 0.95, 1.0, 1.05, 1.4, 100.0] {

@@ -1,14 +1,12 @@
-//! Finds the minimum of the largest amplitude as a function of friction, in an interval of friction.
+//! Finds the minima of the largest amplitude as a function of friction, between points of a scan over friction.
 
 use super::amplitude::FrictionAmount;
+use super::candidates::{FrictionCandidate, between, valleys};
 use super::creep::crept;
 use super::look::Closely;
 use super::peaks::AmplitudeBand;
 use super::scan::{Scanned, scanned_at, slope, with_slope};
 
-/// Bound on the work of a search for an exact minimum, in units of about 10 µs of computing time. If motions settle
-/// slowly, the search reaches this bound.
-const WORK_OF_A_MINIMUM: usize = 60_000;
 /// Largest number of attempts to find one minimum. The search makes a further attempt if an evaluation of the band at
 /// the minimum finds a higher peak.
 const AGAIN: usize = 4;
@@ -19,53 +17,96 @@ const NARROW: f64 = 1e-7;
 /// Smaller of the two fractions into which a golden section divides an interval.
 const GOLDEN: f64 = 0.381_966_011_250_105_1;
 
-/// A friction ratio that may be the best, and an interval that contains the minimum.
-pub(super) type Minimum = (Scanned, [f64; 2]);
-
-/// Returns the exact minimum between two friction ratios, with an interval that contains it. A further evaluation of the
-/// band checks that no other peak is higher. Returns `None` if the amplitude is nowhere below `best`, or if the search
-/// needs too much work.
-pub(super) fn minimum(
+/// Returns the minima between those points of the scan over friction between which the amplitude may be below `top`,
+/// the best amplitude so far.
+pub(super) fn minima(
     band: &AmplitudeBand<'_>,
-    below: Scanned,
-    above: Scanned,
-    best: f64,
-) -> Option<Minimum> {
-    let search = || of_peaks(band, below, above, best);
-    band.amplitude.within(WORK_OF_A_MINIMUM, search)
+    scan: &[Scanned],
+    mut top: f64,
+) -> Vec<FrictionCandidate> {
+    // With μ > 1 a later check on a fine grid of the band may find a larger amplitude at this minimum. The present
+    // amplitude is only a lower bound, and must not exclude other minima.
+    let exact = band.amplitude.system.scene().stiction <= 1.0;
+    let mut minima: Vec<FrictionCandidate> = Vec::new();
+    // No amplitude is smaller than 0, so that a search would be useless. Just below the friction at which the contact
+    // no longer slides, amplitudes are close to 0, and the motions are too small to settle.
+    if top <= 0.0 {
+        return minima;
+    }
+    for (below, above) in between(scan, top) {
+        let found = minimum(band, below, above, top);
+        if exact {
+            top = found.iter().fold(top, |top, found| top.min(found.at.value));
+        }
+        minima.extend(found);
+    }
+    for (below, at, above) in valleys(scan, top) {
+        let inside =
+            |found: &FrictionCandidate| below.beta < found.at.beta && found.at.beta < above.beta;
+        if !minima.iter().any(inside) {
+            minima.push(narrowed(band, (&below, &above), Some(at)));
+        }
+    }
+    minima
 }
 
-/// Returns the exact minimum between two friction ratios, as [`minimum`] does.
-fn of_peaks(
+/// Returns the minimum between two friction ratios. A further evaluation of the band checks that no other peak is
+/// higher. Returns `None` if the known peaks show that the amplitude is nowhere below `best`.
+pub(super) fn minimum(
     band: &AmplitudeBand<'_>,
     mut below: Scanned,
     mut above: Scanned,
     best: f64,
-) -> Option<Minimum> {
+) -> Option<FrictionCandidate> {
+    let mut least = None;
     for _ in 0..AGAIN {
-        let found = crept(band, &below, &above).filter(|found| found.done)?;
+        if band.amplitude.is_spent() {
+            return least;
+        }
+        let Some(found) = crept(band, &below, &above) else {
+            break;
+        };
         let (beta, value) = (found.best.beta, found.best.value);
-        if best <= value {
+        if best <= value && found.done {
             return None;
         }
         let open = band.open(FrictionAmount::Ratio(beta));
         let look = band.look(open, best.max(value) * (1.0 + 1e-6), Closely::First);
-        let top = look.peaks.first()?;
+        let Some(top) = look.peaks.first().copied() else {
+            break;
+        };
         if top.value <= value * (1.0 + 1e-10) {
             let bracket = [found.below.beta, found.above.beta];
-            return look.complete.then_some((found.best, bracket));
+            if found.done && look.complete {
+                return Some(FrictionCandidate {
+                    at: found.best,
+                    bracket,
+                });
+            }
+            let seen = look.complete.then_some(found.best);
+            return Some(narrowed(band, (&found.below, &found.above), seen));
         }
         // The evaluation found a peak that was not known at the two bounds of the bracket.
         let here = with_slope(beta, look, |peak| slope(band, beta, peak));
+        if here.complete && here.value < best {
+            let candidate = FrictionCandidate {
+                at: here.clone(),
+                bracket: [below.beta, above.beta],
+            };
+            let better = |least: &FrictionCandidate| candidate.at.value < least.at.value;
+            if least.as_ref().is_none_or(better) {
+                least = Some(candidate);
+            }
+        }
         if here.slope < 0.0 {
             below = here;
-        } else if 0.0 <= here.slope {
-            above = here;
         } else {
-            break;
+            above = here;
         }
     }
-    None
+    let seen = least.map(|least| least.at);
+    let found = narrowed(band, (&below, &above), seen);
+    found.at.complete.then_some(found)
 }
 
 /// Narrows an interval of friction ratios around the best friction ratio by golden sections, and returns the best
@@ -78,7 +119,7 @@ pub(super) fn narrowed(
     band: &AmplitudeBand<'_>,
     ends: (&Scanned, &Scanned),
     seen: Option<Scanned>,
-) -> Minimum {
+) -> FrictionCandidate {
     let value = |beta, cutoff| scanned_at(band, beta, cutoff);
     narrowed_by(&value, &|| band.amplitude.is_spent(), ends, seen)
 }
@@ -91,7 +132,7 @@ pub(super) fn narrowed_by(
     spent: &dyn Fn() -> bool,
     (below, above): (&Scanned, &Scanned),
     seen: Option<Scanned>,
-) -> Minimum {
+) -> FrictionCandidate {
     let (mut a, mut b) = (below.beta, above.beta);
     let ends = [below, above].into_iter().filter(|end| end.complete);
     let known = seen.iter().chain(ends);
@@ -129,5 +170,8 @@ pub(super) fn narrowed_by(
             b = beta;
         }
     }
-    (best, [a, b])
+    FrictionCandidate {
+        at: best,
+        bracket: [a, b],
+    }
 }

@@ -3,8 +3,8 @@
 
 mod amplitude;
 mod answer;
-mod bounded;
 mod bounds;
+mod candidates;
 mod creep;
 mod flat;
 mod grid;
@@ -13,7 +13,6 @@ mod line;
 mod look;
 mod minima;
 mod objective;
-mod order;
 pub(in crate::study) mod peaks;
 mod places;
 mod problem;
@@ -22,6 +21,7 @@ mod resonance;
 mod scan;
 mod search;
 mod tuned;
+mod verified;
 mod weighted;
 mod whole;
 

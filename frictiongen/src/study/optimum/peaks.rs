@@ -35,9 +35,6 @@ const NEIGHBOUR: f64 = 2e-3;
 /// Smallest amplitude that the search treats as infinite.
 pub(super) const POLE: f64 = 1e9;
 
-/// Work of a motion from which on it counts as slow, in units of about 10 µs of computing time.
-const SLOW: usize = 300;
-
 /// Largest relative difference at which two amplitudes are treated as equal.
 const SAME: f64 = 1e-9;
 
@@ -76,8 +73,6 @@ impl<'s> AmplitudeBand<'s> {
             Cell::new(KnownAmplitude {
                 beta: f64::NAN,
                 value: held.max(*free),
-                free: *free,
-                slow: false,
             })
         });
         Self {
@@ -124,17 +119,16 @@ impl<'s> AmplitudeBand<'s> {
                 place,
                 value,
                 closed,
-                rough: false,
             }
         };
         let (system, objective) = (self.amplitude.system, &self.amplitude.objective);
         let mut places = self.places.clone();
-        let several = 1.0 < system.scene().stiction;
         let learned = self.learned.borrow();
-        places.extend(learned.iter().map(|r| BandPlace {
-            followed: several,
-            ..BandPlace::new(system, objective, *r, true)
-        }));
+        places.extend(
+            learned
+                .iter()
+                .map(|r| BandPlace::new(system, objective, *r, true)),
+        );
         let mut expected = 0.0_f64;
         if let FrictionAmount::Ratio(beta) = friction {
             let bounds = self.bounds(beta);
@@ -147,8 +141,7 @@ impl<'s> AmplitudeBand<'s> {
             let held = held.filter(|(place, _)| place.limits[1] <= beta);
             expected = held.fold(0.0, |most, (_, held)| most.max(*held));
         }
-        let rank = |place: &BandPlace| (!place.followed, !place.first);
-        places.sort_by(|a, b| a.r.total_cmp(&b.r).then(rank(a).cmp(&rank(b))));
+        places.sort_by(|a, b| a.r.total_cmp(&b.r).then(b.first.cmp(&a.first)));
         places.dedup_by(|a, b| a.r == b.r);
         let seen: Vec<SeenFrequency> = places.into_iter().map(seen).collect();
         let mut open = OpenBand {
@@ -219,15 +212,14 @@ impl<'s> AmplitudeBand<'s> {
                 continue;
             };
             if promise < most {
-                continue;
+                // All later frequencies of the list have an expected amplitude of at most `promise`, because the list
+                // is in descending order.
+                break;
             }
             let r = seen.place.r;
-            let before = self.amplitude.spent();
-            seen.value = self.amplitude.followed(r, friction);
+            seen.value = self.amplitude.at(r, friction);
             most = most.max(seen.value);
-            let slow = SLOW < self.amplitude.spent() - before;
-            seen.rough = slow && closely == Closely::First;
-            self.note((r, friction), seen.value, slow);
+            self.note(r, friction, seen.value);
             if self.amplitude.is_spent() || (cutoff < seen.value && seen.value.is_finite()) {
                 let peak = self.peak(r, seen.value);
                 return above(open.peaks, peak);
@@ -252,7 +244,10 @@ impl<'s> AmplitudeBand<'s> {
         };
         let refined = self.refined(tops, friction, finely, cutoff);
         peaks.extend(refined);
-        let peaks = sorted(peaks);
+        let mut peaks = sorted(peaks);
+        if closely == Closely::Whole {
+            self.follow_largest(&mut peaks, friction);
+        }
         let top = peaks.first().map_or(0.0, |peak| peak.value);
         Look {
             complete: top <= cutoff && !self.amplitude.is_spent(),
@@ -262,7 +257,7 @@ impl<'s> AmplitudeBand<'s> {
 
     /// Computes the motion from rest at the largest peaks. With μ > 1 this motion decides which steady state occurs,
     /// even if the closed form exists.
-    pub(super) fn follow_largest(&self, peaks: &mut Vec<BandPeak>, friction: FrictionAmount) {
+    fn follow_largest(&self, peaks: &mut Vec<BandPeak>, friction: FrictionAmount) {
         let most = peaks.first().map_or(0.0, |peak| peak.value);
         let largest = peaks.iter_mut().take(MOST_TOPS);
         for peak in largest.filter(|peak| WORTH_FINELY * most <= peak.value) {
@@ -311,7 +306,7 @@ impl<'s> AmplitudeBand<'s> {
     }
 
     /// Returns the frequencies at which a motion in time is necessary, each with the largest amplitude to expect. The
-    /// list is in descending order of this amplitude, but frequencies with slow motions come last.
+    /// list is in descending order of this amplitude.
     fn promising(
         &self,
         open: &OpenBand,
@@ -330,22 +325,17 @@ impl<'s> AmplitudeBand<'s> {
         };
         let promise = |seen: &SeenFrequency| {
             let unbounded = self.amplitude.is_unbounded(seen.place.r, open.friction);
-            let known = self.nearest(seen.place.r).map(Cell::get);
-            let slow = known.is_some_and(|known| known.slow);
             if unbounded || depends_on_start(seen) {
-                return (slow, f64::INFINITY);
+                return f64::INFINITY;
             }
-            let promise = known.map(|known| known.promise(open.friction, closely));
-            (slow, promise.unwrap_or(f64::INFINITY))
+            let known = self.nearest(seen.place.r).map(Cell::get);
+            known.map_or(f64::INFINITY, |known| known.promise(open.friction, closely))
         };
-        let mut order: Vec<(usize, (bool, f64))> = followed
+        let mut order: Vec<(usize, f64)> = followed
             .map(|(index, seen)| (index, promise(seen)))
             .collect();
-        order.sort_by(|(_, a), (_, b)| a.0.cmp(&b.0).then(b.1.total_cmp(&a.1)));
+        order.sort_by(|a, b| b.1.total_cmp(&a.1));
         order
-            .into_iter()
-            .map(|(index, (_, promise))| (index, promise))
-            .collect()
     }
 
     fn nearest(&self, r: f64) -> Option<&Cell<KnownAmplitude>> {
@@ -355,17 +345,12 @@ impl<'s> AmplitudeBand<'s> {
             .or_else(|| self.known.get(after.checked_sub(1)?))
     }
 
-    fn note(&self, (r, friction): (f64, FrictionAmount), value: f64, slow: bool) {
+    fn note(&self, r: f64, friction: FrictionAmount, value: f64) {
         if let Some(known) = self.nearest(r)
             && let FrictionAmount::Ratio(beta) = friction
             && value.is_finite()
         {
-            known.set(KnownAmplitude {
-                beta,
-                value,
-                slow,
-                ..known.get()
-            });
+            known.set(KnownAmplitude { beta, value });
         }
     }
 

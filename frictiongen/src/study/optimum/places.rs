@@ -25,20 +25,12 @@ pub(super) struct BandPlace {
     /// True if the first evaluation of the band includes this frequency ratio in any case, even if it must compute a
     /// motion in time.
     pub first: bool,
-    /// True if every evaluation with friction computes the motion from rest, even if the closed form exists. With μ > 1
-    /// the motion from rest may end in another state.
-    pub followed: bool,
 }
 
 impl BandPlace {
     pub(super) fn new(system: &System, objective: &Objective, r: f64, first: bool) -> Self {
         let limits = objective.limits(system, r);
-        Self {
-            r,
-            limits,
-            first,
-            followed: false,
-        }
+        Self { r, limits, first }
     }
 
     /// Returns true if the response has a closed form with this amount of friction. The contact then slides all the
@@ -47,9 +39,7 @@ impl BandPlace {
         let [continuous, sliding] = self.limits;
         match friction {
             FrictionAmount::Locked => true,
-            FrictionAmount::Ratio(beta) => {
-                beta == 0.0 || (!self.followed && beta < continuous.min(sliding))
-            }
+            FrictionAmount::Ratio(beta) => beta == 0.0 || beta < continuous.min(sliding),
         }
     }
 }

@@ -20,6 +20,8 @@ use crate::study::units::{Load, angular_frequency};
 const WORK_OF_A_REPORT: usize = 60_000;
 /// Excesses (amplitude − best amplitude)/best amplitude for which the result has an interval of friction.
 const EXCESSES: [f64; 3] = [0.01, 0.05, 0.1];
+/// Largest relative difference between a peak and the highest peak at which both count as equally high.
+const EQUAL: f64 = 1e-9;
 
 /// A request for the best friction after all checks, with the system and the band of frequencies.
 pub(super) struct OptimumProblem<'s> {
@@ -148,6 +150,9 @@ impl<'s> OptimumProblem<'s> {
             .map(|excess| flat::tolerance(band, least, *excess))
             .collect();
         let with_contact_locked = largest(FrictionAmount::Locked);
+        let beyond_jump = (least.end == SearchEnd::Jump)
+            .then(|| beyond(band, least))
+            .flatten();
         Ok(Optimum {
             beta,
             amplitude: least.at.value,
@@ -173,7 +178,7 @@ impl<'s> OptimumProblem<'s> {
                 SearchEnd::Spent => OptimumEnd::WorkSpent,
             },
             bracket: least.bracket,
-            beyond_jump: least.beyond,
+            beyond_jump,
             tolerances,
             peaks,
             unbounded_to: scan::unbounded_to(band),
@@ -228,6 +233,18 @@ impl<'s> OptimumProblem<'s> {
     }
 }
 
+/// Returns the largest amplitude at the two bounds of the interval (bracket) that contains the best friction. Returns
+/// `None` if this amplitude does not exceed the best amplitude. Otherwise one of the bounds is beyond the jump.
+fn beyond(band: &AmplitudeBand<'_>, least: &Least) -> Option<f64> {
+    let others = least
+        .bracket
+        .into_iter()
+        .filter(|beta| *beta != least.at.beta);
+    let values = others.map(|beta| scan::scanned_at(band, beta, f64::INFINITY).value);
+    let most = values.fold(f64::NAN, f64::max);
+    (least.at.value < most).then_some(most)
+}
+
 /// Returns two results: the value of `parameter`, and a peak's amplitude with its derivative with respect to
 /// `parameter`.
 pub(super) fn slope(of: &ResponseSensitivities, parameter: Parameter) -> Option<(f64, Slope)> {
@@ -263,7 +280,7 @@ pub(super) fn equal_peaks(
     // range, and one peak represents the range.
     let most = if kind == MinimumKind::Held { 1 } else { 8 };
     let equal = at.peaks.iter();
-    let equal = equal.filter(|peak| at.value * (1.0 - search::EQUAL) <= peak.value);
+    let equal = equal.filter(|peak| at.value * (1.0 - EQUAL) <= peak.value);
     equal
         .take(most)
         .map(|peak| {

@@ -30,6 +30,13 @@ const BOUNDED: [f64; 8] = [1e-3, 0.01, 0.03, 0.06, 0.1, 0.2, 0.35, 0.5];
 /// Largest relative change of a smooth amplitude, divided by the relative change of friction. The code treats a larger
 /// change as a jump.
 const STEEPEST: f64 = 50.0;
+/// Number of rounds in which the search halves those intervals of the scan that may hide a minimum.
+const CLOSER: usize = 5;
+/// The search halves an interval of the scan over friction only if the smaller amplitude at its two bounds, divided by
+/// the best amplitude, is at most this number.
+const NEARLY: f64 = 1.2;
+/// Largest number of intervals of the scan over friction that one round halves.
+const MOST_CLOSER: usize = 8;
 /// Largest amplitude at a friction ratio that the search evaluates completely, divided by the best amplitude so far. The
 /// widest tolerance of the friction depends on all amplitudes up to 10 % above the best.
 const MARGIN: f64 = 1.2;
@@ -65,7 +72,7 @@ pub(super) fn unbounded_to(band: &AmplitudeBand<'_>) -> f64 {
 
 /// Returns the smallest amplitude of all scanned friction ratios with a complete evaluation, or infinity if there is
 /// none.
-fn best(scan: &[Scanned]) -> f64 {
+pub(super) fn best(scan: &[Scanned]) -> f64 {
     let complete = scan.iter().filter(|scanned| scanned.complete);
     complete.fold(f64::INFINITY, |best, scanned| best.min(scanned.value))
 }
@@ -125,7 +132,11 @@ pub(super) fn scanned(band: &AmplitudeBand<'_>, free_to: f64, locked_from: f64) 
 
 /// Adds friction ratios to the scan, beginning with the smallest expected amplitude. Once a small amplitude is known,
 /// closed forms alone suffice to reject most of the remaining friction ratios.
-fn add(band: &AmplitudeBand<'_>, scan: &mut Vec<Scanned>, betas: impl Iterator<Item = f64>) {
+pub(super) fn add(
+    band: &AmplitudeBand<'_>,
+    scan: &mut Vec<Scanned>,
+    betas: impl Iterator<Item = f64>,
+) {
     let opened = betas.map(|beta| (beta, band.open(FrictionAmount::Ratio(beta))));
     let mut opened: Vec<(f64, OpenBand)> = opened.collect();
     opened.sort_by(|(_, a), (_, b)| a.expected.total_cmp(&b.expected));
@@ -140,6 +151,33 @@ fn add(band: &AmplitudeBand<'_>, scan: &mut Vec<Scanned>, betas: impl Iterator<I
     }
     scan.sort_by(|a, b| a.beta.total_cmp(&b.beta));
     scan.dedup_by(|a, b| a.beta == b.beta);
+}
+
+/// Adds the middle of each interval of the scan that may hide a minimum. An interval may hide a minimum if the
+/// amplitude falls with friction at both bounds but is larger at the upper bound. It may also hide a minimum if the
+/// amplitude rises at both bounds but is larger at the lower bound.
+pub(super) fn closer(band: &AmplitudeBand<'_>, scan: &mut Vec<Scanned>) {
+    for _ in 0..CLOSER {
+        let best = best(scan);
+        let hides = |below: &Scanned, above: &Scanned| {
+            let (falls, rises) = (below.slope < 0.0, 0.0 <= above.slope);
+            let hidden = (falls && !rises && below.value < above.value)
+                || (rises && !falls && above.value < below.value);
+            hidden && below.value.min(above.value) <= NEARLY * best && below.value.is_finite()
+        };
+        let middles: Vec<f64> = scan
+            .windows(2)
+            .filter_map(|pair| match pair {
+                [below, above] if hides(below, above) => Some(0.5 * (below.beta + above.beta)),
+                _ => None,
+            })
+            .take(MOST_CLOSER)
+            .collect();
+        if middles.is_empty() || band.amplitude.is_spent() {
+            break;
+        }
+        add(band, scan, middles.into_iter());
+    }
 }
 
 /// Evaluates the band at one friction ratio and returns the largest amplitude. The evaluation ends early if an

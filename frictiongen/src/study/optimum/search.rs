@@ -10,28 +10,25 @@
 //! sections narrow the bracket around the best friction ratio. Golden sections need no slopes.
 
 use super::amplitude::FrictionAmount;
-use super::bounded::lowest;
-use super::look::BandPeak;
-use super::minima::{minimum, narrowed};
+use super::candidates::{FrictionCandidate, HOLDS, before, of_scan, stays};
+use super::look::{BandPeak, Closely};
+use super::minima::{minima, minimum, narrowed};
 use super::peaks::AmplitudeBand;
-use super::scan::{Scanned, scanned, scanned_at};
+use super::scan::{Scanned, add, best, closer, scanned, scanned_at, slope, with_slope};
+use super::verified::{raise, verified};
 use crate::Regime;
 
+/// Largest number of checks of the best friction ratio over the whole band. The search makes a further check if the
+/// last check has found a higher peak.
+const CHECKS: usize = 6;
 /// Largest relative slope at which a peak counts as stationary. The relative slope is the relative change of the
 /// amplitude, divided by the relative change of friction.
 const STATIONARY: f64 = 1e-4;
 /// Bound on the work of a search at one value of a varied number of the scene description, in units of about 10 µs of
 /// computing time. The bound corresponds to a few seconds.
 pub(super) const WORK_OF_ONE: usize = 300_000;
-/// Bound on the work of a search, divided by the bound on the work of the last look at its scan.
-const OF_LAST: usize = 6;
-/// Largest relative change of a continuous amplitude, divided by the relative change of friction.
-const STEEPEST: f64 = 50.0;
-/// Number of bisections in the search for the smallest friction ratio with an amplitude of 0.
-const HALVINGS: u32 = 12;
-/// Largest relative difference of the heights at which two peaks count as equal. Golden sections end at a relative
-/// width of 1e-7 of the friction, and a peak may change with friction fifty times as fast.
-pub(super) const EQUAL: f64 = 1e-5;
+/// Bound on the work of a search, divided by the bound on the work of its final check.
+const OF_A_CHECK: usize = 6;
 /// Largest amplitude of a scanned friction that the search evaluates a second time, divided by the best amplitude. The
 /// widest tolerance of the friction depends on all amplitudes up to 10 % above the best.
 const HIGHEST_TOLERANCE: f64 = 1.12;
@@ -65,8 +62,6 @@ pub(super) struct Least {
     pub end: SearchEnd,
     /// Interval of β that contains the best friction ratio. It is the narrowest interval that the search has found.
     pub bracket: [f64; 2],
-    /// Largest amplitude just beyond the jump at which the search ended.
-    pub beyond: Option<f64>,
     pub scan: Vec<Scanned>,
     /// Smallest friction ratio at which a stuck state exists at every frequency of the band.
     pub locked_from: f64,
@@ -79,32 +74,37 @@ pub(super) fn least(band: &AmplitudeBand<'_>, work: usize) -> Option<Least> {
     band.amplitude.allow(work);
     let [free_to, locked_from] = band.limits();
     let mut scan = scanned(band, free_to, locked_from);
+    closer(band, &mut scan);
     let spent = band.amplitude.is_spent();
-    band.amplitude.allow(work);
-    let (mut at, bracket) = lowest(band, &scan)?;
-    let spent = spent || band.amplitude.is_spent();
-    band.amplitude.allow(work / OF_LAST);
-    if at.value == 0.0 && 1.0 < band.amplitude.system.scene().stiction {
-        at = least_trivial(band, &scan, at);
-    }
-    raise(band, &mut scan, HIGHEST_TOLERANCE * at.value);
-    let kind = kind(band, &at, locked_from);
-    let bracket = if kind == MinimumKind::Without {
-        [at.beta; 2]
+    let best = if 1.0 < band.amplitude.system.scene().stiction {
+        band.amplitude.follow_from_rest();
+        band.amplitude.allow(work);
+        let best = verified(band, &mut scan, locked_from)?;
+        band.amplitude.allow(work / OF_A_CHECK);
+        raise(band, &mut scan, HIGHEST_TOLERANCE * best.at.value);
+        best
     } else {
-        about(bracket, at.beta)
+        let mut candidates = of_scan(&scan);
+        candidates.extend(minima(band, &scan, best(&scan)));
+        let spent = band.amplitude.is_spent();
+        band.amplitude.allow(work / OF_A_CHECK);
+        checked(band, &mut scan, candidates, spent)?
     };
-    let least = Least {
-        end: SearchEnd::Converged,
-        beyond: None,
-        at,
+    let spent = spent || band.amplitude.is_spent();
+    let kind = kind(band, &best.at, locked_from);
+    Some(Least {
+        end: end(&best.at, kind, spent),
+        bracket: if kind == MinimumKind::Without {
+            [best.at.beta; 2]
+        } else {
+            about(best.bracket, best.at.beta)
+        },
+        at: best.at,
         kind,
-        bracket,
         scan,
         locked_from,
         free_to,
-    };
-    Some(ended(band, least, spent))
+    })
 }
 
 /// Finds the friction ratio at which the largest amplitude over the band is smallest, between two nearby bounds
@@ -115,22 +115,18 @@ pub(super) fn near(band: &AmplitudeBand<'_>, ends: [f64; 2]) -> Option<Least> {
     if !(below.slope < 0.0 && 0.0 <= above.slope) {
         return None;
     }
-    let ends = [below.clone(), above.clone()];
-    let found = minimum(band, below, above, f64::INFINITY);
-    let [below, above] = &ends;
-    let (at, bracket) = found.unwrap_or_else(|| narrowed(band, (below, above), None));
+    let found = minimum(band, below, above, f64::INFINITY)?;
     let (free_to, locked_from) = (0.0, f64::INFINITY);
-    let least = Least {
-        end: SearchEnd::Converged,
-        beyond: None,
-        bracket: about(bracket, at.beta),
-        kind: kind(band, &at, locked_from),
-        at,
+    let kind = kind(band, &found.at, locked_from);
+    Some(Least {
+        end: end(&found.at, kind, band.amplitude.is_spent()),
+        bracket: about(found.bracket, found.at.beta),
+        at: found.at,
+        kind,
         scan: Vec::new(),
         locked_from,
         free_to,
-    };
-    Some(ended(band, least, band.amplitude.is_spent()))
+    })
 }
 
 /// Extends a bracket of friction ratios so that it contains β. If a minimum is flat, the two bounds of the bracket may
@@ -139,71 +135,61 @@ fn about([from, to]: [f64; 2], beta: f64) -> [f64; 2] {
     [from.min(beta), to.max(beta)]
 }
 
-/// Returns the smallest friction ratio with an amplitude of 0. The amplitude at the friction ratio of `at` is 0.
-fn least_trivial(band: &AmplitudeBand<'_>, scan: &[Scanned], at: Scanned) -> Scanned {
-    let moves = scan.iter().filter(|other| !(other.value == 0.0));
-    let below = moves
-        .map(|other| other.beta)
-        .filter(|other| *other < at.beta);
-    let (mut from, mut to) = (below.fold(0.0, f64::max), at);
-    for _ in 0..HALVINGS {
-        let here = scanned_at(band, 0.5 * (from + to.beta), 0.0);
-        if here.complete && here.value == 0.0 {
-            to = here;
-        } else {
-            from = here.beta;
+/// Evaluates the candidates at all frequencies of the band, and returns the best candidate.
+fn checked(
+    band: &AmplitudeBand<'_>,
+    scan: &mut Vec<Scanned>,
+    mut candidates: Vec<FrictionCandidate>,
+    spent: bool,
+) -> Option<FrictionCandidate> {
+    let locked = stays(scan);
+    for _ in 0..CHECKS {
+        let least = candidates.iter_mut().min_by(|a, b| before(a, b, locked))?;
+        if least.at.whole || band.amplitude.is_spent() {
+            return Some(least.clone());
         }
-    }
-    to
-}
-
-/// Recomputes the amplitude of each scanned friction ratio whose amplitude is at most `level`, and keeps the larger
-/// amplitude. The earlier amplitude is only a lower bound. The new evaluation includes the frequencies of the peaks
-/// that the checks of the whole band found.
-fn raise(band: &AmplitudeBand<'_>, scan: &mut [Scanned], level: f64) {
-    if band.learned() == 0 {
-        return;
-    }
-    for seen in scan
-        .iter_mut()
-        .filter(|seen| seen.complete && seen.value <= level)
-    {
-        let again = scanned_at(band, seen.beta, level);
-        if seen.value < again.value {
-            *seen = again;
+        let beta = least.at.beta;
+        let open = band.open(FrictionAmount::Ratio(beta));
+        let look = band.look(open, f64::INFINITY, Closely::Whole);
+        let found = with_slope(beta, look, |peak| slope(band, beta, peak));
+        let holds = found.value <= least.at.value * (1.0 + HOLDS);
+        if !found.complete {
+            least.at.value = least.at.value.max(found.value);
+            least.at.whole = true;
+            continue;
         }
-    }
-}
-
-/// Sets the event that ended the search. At a jump, the amplitude at a bound of the bracket exceeds the best amplitude by
-/// more than a continuous amplitude can.
-fn ended(band: &AmplitudeBand<'_>, least: Least, spent: bool) -> Least {
-    let Scanned { beta, value, .. } = least.at;
-    let stationary = (least.at.slope * beta).abs() <= STATIONARY * value;
-    if spent || stationary || least.kind != MinimumKind::Smooth {
-        let end = if spent {
-            SearchEnd::Spent
-        } else {
-            SearchEnd::Converged
+        let bracket = least.bracket;
+        least.at = Scanned {
+            whole: true,
+            ..found
         };
-        return Least { end, ..least };
+        if holds || spent {
+            continue;
+        }
+        // The first evaluation, at only some frequencies, has missed a peak. Later evaluations therefore include the
+        // frequencies of all peaks at this friction ratio.
+        for peak in &least.at.peaks {
+            band.learn(peak.r);
+        }
+        let from = least.at.clone();
+        scan.retain(|scanned| !bracket.contains(&scanned.beta) && scanned.beta != beta);
+        add(band, scan, bracket.into_iter().chain([beta]));
+        let beside = |wanted: f64| scan.iter().find(|scanned| scanned.beta == wanted).cloned();
+        let [below, above] = bracket.map(|beta| beside(beta).unwrap_or_else(|| from.clone()));
+        if below.beta < above.beta {
+            candidates.push(narrowed(band, (&below, &above), Some(from)));
+        }
     }
-    let others = least.bracket.into_iter().filter(|other| *other != beta);
-    let beyond = others.map(|other| {
-        let steady = value * (1.0 + STEEPEST * (other / beta).ln().abs());
-        let there = scanned_at(band, other, f64::INFINITY).value;
-        if steady < there { there } else { f64::NAN }
-    });
-    let beyond = Some(beyond.fold(f64::NAN, f64::max)).filter(|beyond| !beyond.is_nan());
-    let end = if beyond.is_some() {
-        SearchEnd::Jump
-    } else {
-        SearchEnd::Converged
-    };
-    Least {
-        end,
-        beyond,
-        ..least
+    let least = candidates.into_iter().min_by(|a, b| before(a, b, locked));
+    least.filter(|least| least.at.value.is_finite())
+}
+
+fn end(least: &Scanned, kind: MinimumKind, spent: bool) -> SearchEnd {
+    let stationary = (least.slope * least.beta).abs() <= STATIONARY * least.value;
+    match kind {
+        _ if spent => SearchEnd::Spent,
+        MinimumKind::Smooth if !stationary => SearchEnd::Jump,
+        _ => SearchEnd::Converged,
     }
 }
 
@@ -211,7 +197,7 @@ fn kind(band: &AmplitudeBand<'_>, least: &Scanned, locked_from: f64) -> MinimumK
     let equal: Vec<&BandPeak> = least
         .peaks
         .iter()
-        .filter(|peak| least.value * (1.0 - EQUAL) <= peak.value)
+        .filter(|peak| least.value * (1.0 - 1e-9) <= peak.value)
         .collect();
     let stuck = |peak: &&BandPeak| {
         band.amplitude

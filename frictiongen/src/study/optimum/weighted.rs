@@ -253,7 +253,8 @@ impl<'s> WeightedSearch<'s> {
                 }
             });
             let value = |beta, cutoff| self.seen(beta, cutoff);
-            narrowed_by(&value, &spent, (&below, &above), Some(here))
+            let found = narrowed_by(&value, &spent, (&below, &above), Some(here));
+            (found.at, found.bracket)
         });
         found.min_by(|a, b| a.0.value.total_cmp(&b.0.value))
     }

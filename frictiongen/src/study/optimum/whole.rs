@@ -16,32 +16,19 @@ pub(super) const WORK_OF_ALL_CHECKS: usize = OF_ALL_CHECKS * super::WORK;
 /// Evaluates the whole band, within a bound on work. All later evaluations of the band include the frequencies of the
 /// largest peaks. `left` is the work that remains for all checks together, in units of about 10 µs of computing time.
 pub(super) fn whole(band: &AmplitudeBand<'_>, beta: f64, left: &Cell<usize>) -> Scanned {
-    let before = band.amplitude.spent();
-    band.amplitude.allow(WORK_OF_A_CHECK.min(left.get()));
-    let found = whole_below(band, beta, f64::INFINITY);
-    band.learn_largest(&found.peaks);
-    let spent = band.amplitude.spent() - before;
-    left.set(left.get().saturating_sub(spent));
-    found
-}
-
-/// Evaluates the whole band at one friction ratio. Ends early if an amplitude exceeds `cutoff`. With μ > 1 the
-/// evaluation includes the motions from rest on a fine grid.
-pub(super) fn whole_below(band: &AmplitudeBand<'_>, beta: f64, cutoff: f64) -> Scanned {
     let friction = FrictionAmount::Ratio(beta);
     let several = 1.0 < band.amplitude.system.scene().stiction;
-    let closely = if several {
-        Closely::First
-    } else {
-        Closely::Whole
-    };
-    let mut look = band.look(band.open(friction), cutoff, closely);
-    if several && look.complete {
-        band.follow_largest(&mut look.peaks, friction);
-        band.add_grid(&mut look, friction, cutoff);
+    let before = band.amplitude.spent();
+    band.amplitude.allow(WORK_OF_A_CHECK.min(left.get()));
+    if several {
+        band.amplitude.follow_from_rest();
     }
-    Scanned {
-        whole: look.complete,
-        ..with_slope(beta, look, |peak| slope(band, beta, peak))
+    let mut look = band.look(band.open(friction), f64::INFINITY, Closely::Whole);
+    if several {
+        band.add_grid(&mut look, friction, f64::INFINITY);
     }
+    band.learn_largest(&look);
+    let spent = band.amplitude.spent() - before;
+    left.set(left.get().saturating_sub(spent));
+    with_slope(beta, look, |peak| slope(band, beta, peak))
 }

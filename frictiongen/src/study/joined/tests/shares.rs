@@ -20,13 +20,13 @@ fn range(from: f64, to: f64) -> [ShareRange; 1] {
 }
 
 /// Checks that a search that stops early returns a distribution no worse than that of the scene description. The peak
-/// of the result must be the largest amplitude at the 25 frequencies of the search.
+/// of the result must be the largest amplitude over the band.
 #[test]
 fn a_stopped_search_keeps_its_best_distribution() {
     let block = system(BLOCK);
     let joined = block.joined().expect("answers");
-    // The search over the friction alone computes 428 steady states.
-    let allowed = 780;
+    let alone = joined.optimum("block", BAND).expect("an optimum");
+    let allowed = alone.evaluations * 9 / 5;
     let count = Cell::new(0);
     let watch = || {
         count.set(count.get() + 1);
@@ -35,7 +35,7 @@ fn a_stopped_search_keeps_its_best_distribution() {
     let found = joined.best_shares("block", BAND, &range(0.02, 2.0), &watch);
     let found = found.expect("a distribution");
     assert!(!found.optimum.is_complete && found.before.is_complete);
-    assert_eq!(found.before.evaluations, 428);
+    assert_eq!(found.before.evaluations, alone.evaluations);
     let before = found.before.amplitude;
     assert!(found.optimum.amplitude < before, "{found:?}");
     assert_eq!(found.shares.first(), Some(&1.0));
@@ -45,12 +45,14 @@ fn a_stopped_search_keeps_its_best_distribution() {
         let orbit = at.orbit(found.optimum.friction).expect("an orbit");
         orbit.amplitude("block").expect("a mass")
     };
-    let peak = (0..25).map(|place| amplitude(0.6 + 1.8 * f64::from(place) / 24.0));
+    let peak = (0..=1800).map(|place| amplitude(0.6 + 1e-3 * f64::from(place)));
     let peak = peak.fold(0.0, f64::max);
     println!("{:.5} for {:.5}, shares {:?}", peak, before, found.shares);
-    assert!((peak - found.optimum.amplitude).abs() < 1e-9 * peak);
+    // The frequencies are 1e-3 apart, so that their largest amplitude may be below the peak.
+    assert!((peak - found.optimum.amplitude).abs() < 1e-3 * peak);
     // The result must contain the frequency and the count of this distribution, not those of the scene description.
-    assert!((amplitude(found.optimum.r) - peak).abs() < 1e-9 * peak);
+    let told = found.optimum.amplitude;
+    assert!((amplitude(found.optimum.r) - told).abs() < 1e-9 * told);
     assert_eq!(found.optimum.evaluations, allowed);
 }
 

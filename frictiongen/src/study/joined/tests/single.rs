@@ -3,6 +3,7 @@
 
 use super::{FRAME, apart, system};
 use crate::Regime;
+use crate::study::InitialState;
 
 const SINGLE: &str = "struct Frame {
     masses: { lower: 3.27, upper: 3.25 },
@@ -20,6 +21,8 @@ fn listed() -> String {
 #[test]
 fn steady_states_are_those_of_a_single_contact() {
     let (one, many) = (system(SINGLE), system(&listed()));
+    // The solver for several contacts gives the state that motion from rest reaches.
+    let one = one.starting_from(InitialState::rest(2));
     let joined = many.joined().expect("answers");
     let (mut seen, mut worst) = (Vec::new(), 0.0_f64);
     for (r, beta) in [(0.9, 0.3), (0.9, 0.6), (0.3, 0.4), (0.05, 0.1), (2.0, 0.8)] {

@@ -251,7 +251,7 @@ impl<'s> TunedSearch<'s> {
         tried.beta = least.at.beta * groups.beta;
         tried.peaks = {
             let equal = least.at.peaks.iter();
-            let equal = equal.filter(|peak| least.at.value * (1.0 - search::EQUAL) <= peak.value);
+            let equal = equal.filter(|peak| least.at.value * (1.0 - 1e-9) <= peak.value);
             equal.map(|peak| peak.r * groups.r).collect()
         };
         tried.slope = self.slope(&problem, &band, &least).unwrap_or(f64::NAN);
