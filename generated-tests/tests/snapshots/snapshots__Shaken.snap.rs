@@ -277,7 +277,7 @@ const _: () = {
             on_base: true,
             /// indices of the loaded masses
             forces: &[],
-            /// interpolation of forces and friction between two samples; with `Linear` a base follows a cubic
+            /// course of the inputs during a step: constant with `Hold`; with `Linear` forces are linear, and a base follows a cubic
             input: Input::Linear,
             /// points of a friction law over the speed: speed, kinetic friction over F; without points the kinetic friction is F
             law: &[],
