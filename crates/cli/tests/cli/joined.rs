@@ -482,6 +482,13 @@ fn friction_may_depend_on_the_speed() {
     );
     let last = column(&curve, "lower.amplitude_m");
     assert!((last[last.len() - 1] - amplitude).abs() < 1e-9 * amplitude);
+}
+
+/// Checks that the amplitude of an optimum is that of the orbit at its friction and frequency.
+#[test]
+#[ignore = "minutes: motions with stribeck take long to settle"]
+fn an_optimum_with_friction_that_depends_on_the_speed() {
+    let scene = with_stribeck();
     let best = output(
         &scene,
         &split("optimum --hz 2.4:2.8 --of lower --base 2e-3 --json"),

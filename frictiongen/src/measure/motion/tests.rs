@@ -51,8 +51,8 @@ fn recorded(system: &System, samples: usize, noise: f64, seed: u64) -> Recording
     // The velocity of the base in m/s has two components, of 11 and 17.3 rad/s. Their amplitudes decrease at 1.5 s.
     let velocity = |sample: usize| {
         let time = sample as f64 * DT;
-        let size = if time < 1.5 { 0.132 } else { 0.088 };
-        size * ((11.0 * time).sin() + 0.94 * (17.3 * time).sin()) * (time / 0.2).min(1.0)
+        let size = if time < 1.5 { 0.15 } else { 0.1 };
+        size * ((11.0 * time).sin() + 0.6 * (17.3 * time).sin()) * (time / 0.2).min(1.0)
     };
     let base: Vec<f64> = (0..samples).map(velocity).collect();
     let only_base =
@@ -163,7 +163,7 @@ fn intervals_under_noise() {
     let (guess, vary) = guess(&system);
     let (mut inside, mut outside) = (0, 0);
     for seed in 1..=4 {
-        let recording = recorded(&system, 240, 0.02, 7919 * seed);
+        let recording = recorded(&system, 240, 0.018, 7919 * seed);
         let [fit, other] = [true, false].map(|exact| {
             let asked = (Some(6.6), &vary[..]);
             let problem = MotionProblem::new(&guess, &recording, asked, exact).unwrap();

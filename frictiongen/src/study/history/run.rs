@@ -99,7 +99,7 @@ impl System {
     ///     contact: block - wall,
     /// }"
     /// .parse()?;
-    /// let request = FreeRequest::new(&[Of::Mass(0)], (vec![12.0], vec![6.0]), 20.0);
+    /// let request = FreeRequest::new(&[Of::Mass(0)], (vec![12.0], vec![6.0]), 25.0);
     /// let history = block.free_vibration(1.0, &request)?;
     /// // Each half cycle changes the centre of the vibration from −F/k to F/k, until the block sticks.
     /// let last = history.tracks[0].displacement.last().ok_or("no sample")?;
