@@ -15,7 +15,7 @@ import frictiongen
 matplotlib.use("Agg")
 
 ROOT = Path(__file__).resolve().parents[3]
-SCENES = ROOT / "frictiongen-cli" / "scenes"
+SCENES = ROOT / "crates" / "cli" / "scenes"
 #: The recordings of docs/guide.md.
 PAGES = ROOT / "docs" / "measure"
 

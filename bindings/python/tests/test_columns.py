@@ -67,7 +67,7 @@ def test_no_source_names_a_column():
     # Some arguments, attributes and names of masses are also names of columns.
     columns -= {"r", "beta", "start", "contact", "lower", "upper", "of", "friction", "kind", "period"}
     named = []
-    for path in sorted((ROOT / "python" / "src").rglob("*.rs")):
+    for path in sorted((ROOT / "bindings" / "python" / "src").rglob("*.rs")):
         text = path.read_text(encoding="utf-8")
         # These files contain names of arguments in messages, and names of channels of a recording.
         if path.name in ("observed.rs", "recording.rs"):
