@@ -37,6 +37,16 @@ impl<'a> SystemAt<'a> {
     /// [`NoOrbit`](crate::NoOrbit) if no steady state exists. [`OutOfDomain`] for NaN, negative and infinite β. For a
     /// system with an initial state, [`OutOfDomain`] also at r = 0 and r = ∞, where the excitation has no cycle.
     pub fn response(&self, beta: f64) -> Result<SystemResponse<'a>, Error> {
+        self.response_after(beta, || self.orbit_or_last_cycles(beta))
+    }
+
+    /// Returns the [`response`](Self::response). `from_rest` returns the steady state of the motion from rest, or the
+    /// last cycles of this motion.
+    pub(in crate::study) fn response_after(
+        &self,
+        beta: f64,
+        from_rest: impl FnOnce() -> Result<SystemOrbit<'a>, NoOrbit>,
+    ) -> Result<SystemResponse<'a>, Error> {
         if self.scene().start.is_some() && !self.has_cycles() {
             let r = Given::of(self.frequency_ratio());
             return Err(OutOfDomain::FrequencyRatioInTime(r).into());
@@ -54,7 +64,7 @@ impl<'a> SystemAt<'a> {
             Ok(motion) if !self.has_cycles() => Ok(SystemResponse::Continuous(motion)),
             Err(NotContinuous::Stuck) if !self.has_cycles() => self.centred(),
             motion => {
-                let orbit = self.settled_orbit(beta)?;
+                let orbit = self.settled_or_other(beta, from_rest()?)?;
                 self.told(orbit, motion.ok())
             }
         }
@@ -172,10 +182,13 @@ impl<'a> SystemAt<'a> {
         })
     }
 
-    /// Returns the steady state in which the motion from rest ends. If the motion from rest does not settle, returns
-    /// another stable state.
-    fn settled_orbit(&self, beta: f64) -> Result<SystemOrbit<'a>, NoOrbit> {
-        let last = self.orbit_or_last_cycles(beta)?;
+    /// Returns `last`, the result of the motion from rest, if this motion settles. Otherwise returns another stable
+    /// state, or `last` if the search finds none.
+    fn settled_or_other(
+        &self,
+        beta: f64,
+        last: SystemOrbit<'a>,
+    ) -> Result<SystemOrbit<'a>, NoOrbit> {
         if last.is_settled() {
             return Ok(last);
         }

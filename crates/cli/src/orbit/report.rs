@@ -73,7 +73,7 @@ impl ResultTable for OrbitReport {
         let mut said = Vec::new();
         if let Some(cycles) = followed {
             said.push(format!(
-                "motion from rest does not settle in {cycles} cycles."
+                "Motion from rest does not settle in {cycles} cycles."
             ));
         }
         if row.is_settled() {
@@ -83,9 +83,9 @@ impl ResultTable for OrbitReport {
             let starts = if self.grids.system.scene().stiction > 1.0 {
                 "from rest, from the stuck contact, from the closed form and from motions at neighbouring frictions"
             } else {
-                "from rest; with stiction 1 no other state exists"
+                "from rest, which is the only start with stiction 1"
             };
-            said.push(format!("No search ends in a stable state: {starts}."));
+            said.push(format!("The search finds no stable state {starts}."));
         }
         let at = |value| computed(value).trim().to_owned();
         let (r, beta) = (at(row.frequency.r), at(row.friction.beta));

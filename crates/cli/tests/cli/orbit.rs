@@ -168,7 +168,7 @@ fn motion_from_rest_that_does_not_settle() {
         excitation: base, stiction: 3 }";
     let stable = "The line belongs to a stable state that Newton's method found";
     let none =
-        "No search ends in a stable state: from rest, from the stuck contact, from the closed form";
+        "The search finds no stable state from rest, from the stuck contact, from the closed form";
     for (scene, r, beta, state, most, note) in [
         (
             beside,
@@ -196,7 +196,7 @@ fn motion_from_rest_that_does_not_settle() {
         let cycles = points[0]["cycles_followed"].as_u64().unwrap();
         assert!((most..most + 256).contains(&cycles), "{cycles}");
         let text = output(scene, &asked);
-        let told = format!("motion from rest does not settle in {cycles} cycles. {note}");
+        let told = format!("Motion from rest does not settle in {cycles} cycles. {note}");
         assert!(text.contains(&told), "{text}");
     }
 }

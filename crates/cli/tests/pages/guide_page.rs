@@ -311,7 +311,9 @@ fn names(cell: &str) -> Vec<&str> {
 #[test]
 fn the_functions_exist() {
     let commands = output("", &["--help"]);
-    let python = sources(Path::new(&format!("{ROOT}/bindings/python/package/frictiongen")));
+    let python = sources(Path::new(&format!(
+        "{ROOT}/bindings/python/package/frictiongen"
+    )));
     let rust = sources(Path::new(&format!("{ROOT}/frictiongen/src")))
         + &sources(Path::new(&format!("{ROOT}/crates/kernel/src")));
     let part = part(FUNCTIONS);

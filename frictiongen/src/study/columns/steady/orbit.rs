@@ -153,7 +153,7 @@ impl<'a> OrbitTable<'a> {
                 // If the motion from rest does not settle, `response` returns another steady state. The row then
                 // contains the regime of that steady state.
                 if !orbit.is_settled()
-                    && let Ok(response) = at.response(beta)
+                    && let Ok(response) = at.response_after(beta, || Ok(orbit))
                 {
                     row.regime = words::regime(response.regime());
                 }

@@ -139,16 +139,20 @@ fn of_several_cycles() {
 }
 
 /// Checks that a motion that starts on an unstable orbit is reported as unstable. Motion from rest that neither
-/// repeats nor settles must also be reported as unstable.
+/// repeats nor settles must also be reported as unstable, or as motion beside another state that is stable.
 #[test]
 fn unstable() {
     let points = points(|point| point.kind() == "unstable");
-    let (mut longer, mut bounded, mut left) = (0, 0, 0);
+    let (mut longer, mut bounded, mut left, mut beside) = (0, 0, 0, 0);
     for point in &points {
         let (expected, what) = (&point.expected, &point.what);
         assert!(number(&expected["multiplier"]) > 1.01, "{what}");
         let at = point.system.at(point.r).expect("in the domain");
         match point.orbit() {
+            Ok(orbit) if !orbit.is_from_rest() => {
+                assert!(orbit.is_stable() && !orbit.is_marginal(), "{what}");
+                beside += 1;
+            }
             // The program that made the reference looked only for periods up to 16 cycles.
             Ok(orbit) => {
                 assert!(orbit.period() > 16 && orbit.is_stable(), "{what}");
@@ -178,6 +182,7 @@ fn unstable() {
             .collect();
         let (x, v) = state.split_at(state.len() / 2);
         match at.orbit_from(point.beta, (x, v)) {
+            Ok(orbit) if !orbit.is_from_rest() => assert!(orbit.is_stable(), "{what}"),
             // Rounding grows on the unstable orbit, and may lead to the state that motion from rest reaches.
             Ok(orbit) => {
                 let rest = point.orbit().expect("what the motion from rest tends to");
@@ -195,10 +200,11 @@ fn unstable() {
         }
     }
     println!(
-        "{} unstable fixed points; from rest {longer} come to repeat after more than 16 cycles, {bounded} do not",
+        "{} unstable fixed points; from rest {longer} come to repeat after more than 16 cycles, {bounded} do not, \
+         {beside} do not beside a stable state",
         points.len()
     );
-    assert!(points.len() >= 4 && longer >= 1 && bounded >= 3 && left <= longer);
+    assert!(points.len() >= 4 && longer >= 1 && bounded + beside >= 3 && left <= longer);
 }
 
 /// Returns two relative displacements for each cycle of a run from rest: the displacement at the end of the cycle, and
