@@ -31,7 +31,7 @@ REFUSED = [
     ({"base": BASE}, {}, "the channel `base` has no unit: give one"),
     ({"base": (BASE, "inch")}, {}, "the channel `base`: `inch` is not a known unit; the units are m, cm, mm"),
     ({"base": (BASE, "")}, {}, "`` is not a known unit"),
-    ({"base": (BASE, "s")}, {}, "the channel `base` cannot be in s"),
+    ({"base": (BASE, "s")}, {}, "the channel `base` is in s, but"),
     ({"base": (1.0, "mm")}, {}, "the channel `base`: a row of samples is needed, not one number"),
     ({"base": (np.ones((3, 3)), "mm")}, {}, "the channel `base`: one number or a row of numbers is needed, but this has the shape (3, 3)"),
     ({"base": (changed(BASE, 777, math.nan), "mm")}, {}, "sample 777 of `base` is not a finite number"),
@@ -150,8 +150,8 @@ def test_recordings_that_do_not_fit_the_scene(plate, frame):
             plate.transmissibility([Recording(GOOD, rate=500), recording])
 
     told({"base": (BASE, "mm"), "plat": (PLATE, "mm")}, "`plat` does not belong to this scene, which has base, plate")
-    told({"base": (BASE, "mm"), "plate": (PLATE, "N")}, "the channel `plate` cannot be in N")
-    told({"base": (BASE, "N"), "plate": (PLATE, "mm")}, "the channel `base` cannot be in N")
+    told({"base": (BASE, "mm"), "plate": (PLATE, "N")}, "the channel `plate` is in N, but here it must be a motion")
+    told({"base": (BASE, "N"), "plate": (PLATE, "mm")}, "the channel `base` is in N, but here it must be a motion")
     told({"base": (BASE, "mm")}, "no motion of a mass was recorded")
     told({"plate": (PLATE, "mm")}, "a channel `base` is needed")
     told({"base": (BASE[:200], "mm"), "plate": (PLATE[:200], "mm")}, "too short")
@@ -269,7 +269,7 @@ def test_free_vibrations_that_are_none(plate, frame):
         frame.free_decay(decay)
     with pytest.raises(MeasureError, match="peaks of the free vibration do not fall"):
         plate.free_decay(Recording(GOOD, rate=500))
-    with pytest.raises(MeasureError, match="`plate` cannot be in m/s"):
+    with pytest.raises(MeasureError, match="`plate` is in m/s, but here it must be a displacement"):
         plate.free_decay(Recording({"plate": (PLATE, "m/s")}, rate=500))
     with pytest.raises(MeasureError, match="no motion of a mass was recorded"):
         plate.free_decay(Recording({"base": (BASE, "mm")}, rate=500))

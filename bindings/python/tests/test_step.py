@@ -208,7 +208,7 @@ def test_what_cannot_be_gone_on_from(block, frame):
         (block, forces, {}, "no friction force is given"),
         (block, forces, {"friction": -1.0}, "friction is -1.0"),
         (frame, forces, {"friction": 1.0}, "the channel `force` does not belong to this scene"),
-        (block, Recording({"force": ([0.0, 1.0], "mm")}, rate=100, drives=True), {"friction": 1.0}, "`force` cannot be in mm"),
+        (block, Recording({"force": ([0.0, 1.0], "mm")}, rate=100, drives=True), {"friction": 1.0}, "`force` is in mm, but here it must be a force"),
         (block, Recording({"force": ([0.0, 1.0], "N")}, rate=1e-9, drives=True), {"friction": 1.0}, "dt = "),
     ]:
         with pytest.raises(DomainError, match=re.escape(said)):
