@@ -9,10 +9,14 @@ use super::steady::Steady;
 use super::table::{Table, Tables};
 use crate::Float;
 use crate::errors::Halt;
+use smallvec::{SmallVec, smallvec};
 use std::collections::BTreeMap;
 use std::sync::{Arc, Mutex, PoisonError};
 
-/// Size of a chain whose data are stored in `Vec`s.
+/// An array with one entry for each mass, node, contact or load. Up to six entries need no allocation.
+pub type Short<T> = SmallVec<[T; 6]>;
+
+/// Size of a chain at run time.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Heap {
     /// Number of masses of the chain.
@@ -31,10 +35,10 @@ impl Heap {
 }
 
 impl Size for Heap {
-    type Masses<T: Value> = Vec<T>;
-    type Nodes<T: Value> = Vec<T>;
-    type Contacts<T: Value> = Vec<T>;
-    type Loads<T: Value> = Vec<T>;
+    type Masses<T: Value> = Short<T>;
+    type Nodes<T: Value> = Short<T>;
+    type Contacts<T: Value> = Short<T>;
+    type Loads<T: Value> = Short<T>;
     type Unknowns<T: Value> = Vec<T>;
     type Square<T: Value> = Vec<T>;
     type Points<T: Value> = Vec<T>;
@@ -47,23 +51,27 @@ impl Size for Heap {
     }
 
     fn tables<S: Float>(&self) -> KeptTables<S> {
-        KeptTables(Arc::default())
+        KeptTables {
+            all: None,
+            last: None,
+            ends: [Vec::new(), Vec::new()],
+        }
     }
 
-    fn masses<T: Value>(&self, value: T) -> Vec<T> {
-        vec![value; self.masses]
+    fn masses<T: Value>(&self, value: T) -> Short<T> {
+        smallvec![value; self.masses]
     }
 
-    fn nodes<T: Value>(&self, value: T) -> Vec<T> {
-        vec![value; self.masses + 2]
+    fn nodes<T: Value>(&self, value: T) -> Short<T> {
+        smallvec![value; self.masses + 2]
     }
 
-    fn contacts<T: Value>(&self, value: T) -> Vec<T> {
-        vec![value; self.contacts]
+    fn contacts<T: Value>(&self, value: T) -> Short<T> {
+        smallvec![value; self.contacts]
     }
 
-    fn loads<T: Value>(&self, value: T) -> Vec<T> {
-        vec![value; self.loads]
+    fn loads<T: Value>(&self, value: T) -> Short<T> {
+        smallvec![value; self.loads]
     }
 
     fn unknowns<T: Value>(&self, value: T) -> Vec<T> {
@@ -78,17 +86,41 @@ impl Size for Heap {
 /// Tables by the sets of sticking contacts to which they belong.
 type TableMap<S> = BTreeMap<u64, Arc<Table<S, Heap>>>;
 
-/// Tables of the sets of sticking contacts that have occurred so far. Copies share them.
+/// Tables of the sets of sticking contacts that have occurred so far. Copies of a motion share them.
 #[derive(Clone, Debug)]
-pub struct KeptTables<S: Float>(Arc<Mutex<TableMap<S>>>);
+pub struct KeptTables<S: Float> {
+    all: Option<Arc<Mutex<TableMap<S>>>>,
+    last: Option<Arc<Table<S, Heap>>>,
+    ends: [Vec<S>; 2],
+}
 
 impl<S: Float> Tables<S, Heap> for KeptTables<S> {
     type Found = Arc<Table<S, Heap>>;
 
-    fn find(&self, key: u64, make: impl FnOnce() -> Table<S, Heap>) -> Option<Self::Found> {
-        let mut kept = self.0.lock().unwrap_or_else(PoisonError::into_inner);
-        let table = kept.entry(key).or_insert_with(|| Arc::new(make()));
-        Some(Arc::clone(table))
+    fn enable(&mut self, coordinates: Vec<S>) {
+        self.all.get_or_insert_default();
+        self.ends = [coordinates.clone(), coordinates];
+    }
+
+    fn take(&mut self, key: u64, make: impl FnOnce() -> Table<S, Heap>) -> Option<Self::Found> {
+        let all = self.all.as_ref()?;
+        let last = self.last.take();
+        Some(last.unwrap_or_else(|| {
+            let mut all = all.lock().unwrap_or_else(PoisonError::into_inner);
+            Arc::clone(all.entry(key).or_insert_with(|| Arc::new(make())))
+        }))
+    }
+
+    fn keep(&mut self, found: Self::Found) {
+        self.last = Some(found);
+    }
+
+    fn change(&mut self) {
+        self.last = None;
+    }
+
+    fn ends(&mut self) -> &mut [Vec<S>; 2] {
+        &mut self.ends
     }
 }
 

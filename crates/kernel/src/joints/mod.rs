@@ -66,7 +66,7 @@ pub use base::Curve;
 pub use cycle::{ContactCycle, Cycle, Watch};
 pub use decide::{Decision, MAX_PATTERNS};
 #[cfg(any(test, feature = "std"))]
-pub use heap::{Heap, KeptTables, refine, settle, settle_from};
+pub use heap::{Heap, KeptTables, Short, refine, settle, settle_from};
 pub use model::{Contact, Link, Model};
 pub use now::{ContactState, MassState};
 pub use orbit::{At, ContactOrbit, MassOrbit, Orbit, StuckState};

@@ -61,11 +61,7 @@ pub struct Motion<S: Float, Z: Size> {
     pub(super) tree: Tree<S, Z>,
     stalls: usize,
     /// Tables of whole stretches, if the motion uses them.
-    tables: Option<Z::Tables<S>>,
-    /// Table of the present phases.
-    table: Option<<Z::Tables<S> as Tables<S, Z>>::Found>,
-    /// Coordinates at the start and at the end of a stretch.
-    ends: [Z::Cells<S>; 2],
+    tables: Z::Tables<S>,
 }
 
 impl<S: Float, Z: Size> Motion<S, Z> {
@@ -80,17 +76,14 @@ impl<S: Float, Z: Size> Motion<S, Z> {
         state.keep_places(x);
         state.keep_speeds(v);
         let tree = Tree::new(&model, |_| false);
-        let none = || model.size.cells(0, S::constant(0.0));
-        let ends = [none(), none()];
+        let tables = model.size.tables();
         let mut motion = Self {
             model,
             state,
             time: S::constant(0.0),
             tree,
             stalls: 0,
-            tables: None,
-            table: None,
-            ends,
+            tables,
         };
         motion.begin()?;
         Ok(motion)
@@ -105,11 +98,10 @@ impl<S: Float, Z: Size> Motion<S, Z> {
     /// forces must not change.
     #[must_use]
     pub(super) fn with_tables(mut self) -> Self {
-        if self.tables.is_none() && self.model.has_tables() {
+        if self.model.has_tables() {
             let count = self.model.coordinates();
-            let ends = self.model.size.cells(count, S::constant(0.0));
-            self.ends = [ends.clone(), ends];
-            self.tables = Some(self.model.size.tables());
+            let coordinates = self.model.size.cells(count, S::constant(0.0));
+            self.tables.enable(coordinates);
         }
         self
     }
@@ -312,24 +304,17 @@ impl<S: Float, Z: Size> Motion<S, Z> {
     /// Advances the motion by at most one stretch: to its end, to the next event, or to the end of a line of the
     /// friction law. Returns true if the motion passed an event.
     fn step<W: Observe<S, Z>>(&mut self, until: S, watch: &mut W) -> Result<bool, Halt> {
-        let found = if W::NEEDS_SERIES { None } else { self.table() };
-        let Some(found) = found else {
-            return self.step_by_series(until, watch);
-        };
-        let passed = self.step_by_table(found.as_ref(), until, watch)?;
-        if !passed {
-            self.table = Some(found);
+        if !W::NEEDS_SERIES {
+            let make = || Table::new(&self.model, &self.state, &self.tree);
+            if let Some(found) = self.tables.take(self.state.key(), make) {
+                let passed = self.step_by_table(found.as_ref(), until, watch)?;
+                if !passed {
+                    self.tables.keep(found);
+                }
+                return Ok(passed);
+            }
         }
-        Ok(passed)
-    }
-
-    /// Takes the table of the present phases out of the motion.
-    fn table(&mut self) -> Option<<Z::Tables<S> as Tables<S, Z>>::Found> {
-        let tables = self.tables.as_ref()?;
-        self.table.take().or_else(|| {
-            let key = self.state.key();
-            tables.find(key, || Table::new(&self.model, &self.state, &self.tree))
-        })
+        self.step_by_series(until, watch)
     }
 
     /// Advances the motion by a table, as [`step`](Self::step) does.
@@ -342,15 +327,15 @@ impl<S: Float, Z: Size> Motion<S, Z> {
         let (one, stretch) = (S::constant(1.0), self.model.stretch);
         let left = until - self.time;
         let last = crate::Scalar::min(left / stretch, one);
-        let none = self.no_ends();
-        let [mut before, mut after] = core::mem::replace(&mut self.ends, none);
+        let [before, after] = self.tables.ends();
         self.model
             .write_coordinates(&self.state, self.time, before.as_mut());
         let mut roots = self.model.size.contacts(None);
         for (j, root) in roots.as_mut().iter_mut().enumerate() {
             if !table.is_quiet(&self.model, &self.state, (j, before.as_ref())) {
                 let watched = table.watched(j, before.as_ref());
-                *root = self.next_event(j, &watched, (self.time, stretch));
+                let time = (self.time, stretch);
+                *root = next_event(&self.model, &self.state, (j, &watched), time);
             }
         }
         let first = earliest(roots.as_ref());
@@ -372,7 +357,6 @@ impl<S: Float, Z: Size> Motion<S, Z> {
             length,
             is_whole,
         });
-        self.ends = [before, after];
         let ends_here = last < one && first > last;
         self.time = if ends_here { until } else { self.time + length };
         self.tree.settle(&self.model, &mut self.state, self.time);
@@ -383,10 +367,6 @@ impl<S: Float, Z: Size> Motion<S, Z> {
         let (x, _) = self.nodes();
         let hits = self.hits(&roots, first + same());
         self.pass(&hits, |contact| contact.across(x.as_ref()))
-    }
-
-    fn no_ends(&self) -> [Z::Cells<S>; 2] {
-        [(); 2].map(|()| self.model.size.cells(0, S::constant(0.0)))
     }
 
     /// Advances the motion by a power series, as [`step`](Self::step) does.
@@ -482,7 +462,7 @@ impl<S: Float, Z: Size> Motion<S, Z> {
     }
 
     /// Returns the next event of the contact `j` in the time interval of a power series, as
-    /// [`next_event`](Self::next_event) does.
+    /// [`next_event`] does.
     fn next_event_in(&self, series: &Series<S, Z>, j: usize) -> Option<(S, i8)> {
         let contact = self.model.contact(j)?;
         let watched = match self.state.phase(j) {
@@ -490,47 +470,53 @@ impl<S: Float, Z: Size> Motion<S, Z> {
             STUCK => series.force_terms(j),
             _ => series.speed_terms(contact.plus, contact.minus),
         };
-        self.next_event(j, &watched, (series.start, series.length))
-    }
-
-    /// Returns the next event of the contact `j` in a stretch. `watched` is the power series of its force while it
-    /// sticks, and of its relative velocity while it slides. `time` contains the start and the duration of the stretch.
-    /// The first result is the fraction of the stretch after which the event occurs. The second result is the sign of
-    /// the force or velocity at the event.
-    fn next_event(&self, j: usize, watched: &Poly<S>, time: (S, S)) -> Option<(S, i8)> {
-        let contact = self.model.contact(j)?;
-        let zeros = self.state.zeros.as_ref().get(j).copied();
-        let (zeros, zero_side) = zeros.unwrap_or_default();
-        match self.state.phase(j) {
-            FREE => None,
-            STUCK => {
-                let level = contact.level.terms(time.0, time.1, 0);
-                let next = |side: i8| {
-                    let margin = margin(contact.stiction, &level, sign(side), watched);
-                    let zeros = if side == zero_side { zeros } else { 0 };
-                    first_negative(&margin, zeros).map(|at| (at, side))
-                };
-                match (next(1), next(-1)) {
-                    (Some(up), Some(down)) => Some(if down.0 < up.0 { down } else { up }),
-                    (up, down) => up.or(down),
-                }
-            }
-            side => {
-                let speed = watched.map(|term| sign::<S>(side) * term);
-                first_negative(&speed, zeros).map(|at| (at, side))
-            }
-        }
+        let time = (series.start, series.length);
+        next_event(&self.model, &self.state, (j, &watched), time)
     }
 
     /// Builds the trees of the masses that sticking rigid contacts connect.
     pub(super) fn join(&mut self) {
         self.tree = Tree::new(&self.model, |j| self.state.phase(j) == STUCK);
-        self.table = None;
+        self.tables.change();
     }
 
     /// Returns the present displacements and velocities of all nodes: the masses, the wall and the base.
     pub(super) fn nodes(&self) -> (Z::Nodes<S>, Z::Nodes<S>) {
         self.state.nodes(&self.model, self.time)
+    }
+}
+
+/// Returns the next event of the contact `j` in a stretch. `watched` is the power series of its force while it
+/// sticks, and of its relative velocity while it slides. `time` contains the start and the duration of the stretch.
+/// The first result is the fraction of the stretch after which the event occurs. The second result is the sign of
+/// the force or velocity at the event.
+fn next_event<S: Float, Z: Size>(
+    model: &Model<S, Z>,
+    state: &State<S, Z>,
+    (j, watched): (usize, &Poly<S>),
+    time: (S, S),
+) -> Option<(S, i8)> {
+    let contact = model.contact(j)?;
+    let zeros = state.zeros.as_ref().get(j).copied();
+    let (zeros, zero_side) = zeros.unwrap_or_default();
+    match state.phase(j) {
+        FREE => None,
+        STUCK => {
+            let level = contact.level.terms(time.0, time.1, 0);
+            let next = |side: i8| {
+                let margin = margin(contact.stiction, &level, sign(side), watched);
+                let zeros = if side == zero_side { zeros } else { 0 };
+                first_negative(&margin, zeros).map(|at| (at, side))
+            };
+            match (next(1), next(-1)) {
+                (Some(up), Some(down)) => Some(if down.0 < up.0 { down } else { up }),
+                (up, down) => up.or(down),
+            }
+        }
+        side => {
+            let speed = watched.map(|term| sign::<S>(side) * term);
+            first_negative(&speed, zeros).map(|at| (at, side))
+        }
     }
 }
 

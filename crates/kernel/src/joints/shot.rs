@@ -1,6 +1,6 @@
 //! One shot of the shooting method. A shot is the motion over a period or half a period, with its derivatives.
 
-use super::model::Model;
+use super::model::{Contact, Model};
 use super::run::{Motion, Observe};
 use super::size::Size;
 use super::slid::Slips;
@@ -24,7 +24,10 @@ impl<S: Float, Z: Size> Search<S, Z> {
     /// repeat with the opposite sign after half a cycle.
     pub(super) fn is_odd(&self, model: &Model<S, Z>) -> bool {
         let mut loads = model.loads.as_ref().iter();
-        loads.all(|(_, load)| load.is_odd(self.omega)) && model.base.is_odd(self.omega)
+        let mut contacts = model.contacts().iter();
+        loads.all(|(_, load)| load.is_odd(self.omega))
+            && model.base.is_odd(self.omega)
+            && contacts.all(Contact::has_constant_level)
     }
 
     /// Advances the motion from a state to the end of one shot. If `derives` is true, the function also computes the

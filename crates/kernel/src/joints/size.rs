@@ -36,12 +36,12 @@ pub trait Size: Clone + Debug + PartialEq + Sized {
 
     /// Type of an array of any length.
     type Cells<T: Value>: Array<T>;
-    /// Storage of the tables of a chain.
+    /// Storage of the tables of a motion.
     type Tables<S: crate::Float>: Tables<S, Self>;
 
     /// Returns an array of `count` entries for tables. It is empty if the storage keeps no tables.
     fn cells<T: Value>(&self, count: usize, value: T) -> Self::Cells<T>;
-    /// Returns an empty storage of tables.
+    /// Returns a storage for a motion that uses no tables yet.
     fn tables<S: crate::Float>(&self) -> Self::Tables<S>;
     /// Returns an array that contains `value` for each mass.
     fn masses<T: Value>(&self, value: T) -> Self::Masses<T>;
@@ -90,14 +90,14 @@ impl<
     type Points<T: Value> = [T; LAW];
     type Constants<T: Value> = &'static [T];
     type Cells<T: Value> = [T; 0];
-    type Tables<S: crate::Float> = NoTables;
+    type Tables<S: crate::Float> = NoTables<[S; 0]>;
 
     fn cells<T: Value>(&self, _: usize, _: T) -> [T; 0] {
         []
     }
 
-    fn tables<S: crate::Float>(&self) -> NoTables {
-        NoTables
+    fn tables<S: crate::Float>(&self) -> NoTables<[S; 0]> {
+        NoTables([[], []])
     }
 
     fn masses<T: Value>(&self, value: T) -> [T; N] {

@@ -6,7 +6,7 @@
 //! summed at the end of the stretch. The same series gives the first coefficients of each watched quantity: the
 //! relative velocity of a contact that slides, and the force of one that sticks.
 
-use super::model::Model;
+use super::model::{Contact, Model};
 use super::poly::{Poly, nothing, terms_of};
 use super::rates::{Unit, UnitMotion};
 use super::roots::{QUICK, stays_above};
@@ -16,25 +16,43 @@ use super::tree::Tree;
 use super::wave::Wave;
 use crate::Float;
 
-/// Storage of the tables of a chain, one for each set of sticking contacts.
+/// Tables of a motion, one for each set of sticking contacts.
 pub trait Tables<S: Float, Z: Size>: Clone + core::fmt::Debug {
-    /// A table that the storage has found.
-    type Found: Clone + core::fmt::Debug + AsRef<Table<S, Z>>;
+    /// A table of the storage.
+    type Found: AsRef<Table<S, Z>>;
 
-    /// Returns the table with the given key. If the storage has none, it keeps the result of `make`. Returns `None` if
-    /// the storage cannot keep tables.
-    fn find(&self, key: u64, make: impl FnOnce() -> Table<S, Z>) -> Option<Self::Found>;
+    /// Makes the motion use tables from now on. `coordinates` has one entry for each coordinate.
+    fn enable(&mut self, coordinates: Z::Cells<S>);
+    /// Takes the table with the given key. If the storage has none, it keeps the result of `make`. Returns `None` if
+    /// the motion uses no tables.
+    fn take(&mut self, key: u64, make: impl FnOnce() -> Table<S, Z>) -> Option<Self::Found>;
+    /// Keeps a table for the next call of [`take`](Self::take) with the same key.
+    fn keep(&mut self, found: Self::Found);
+    /// Forgets the table that [`keep`](Self::keep) has received, because the set of sticking contacts changes.
+    fn change(&mut self);
+    /// Returns the memory for the coordinates at the start and at the end of a stretch.
+    fn ends(&mut self) -> &mut [Z::Cells<S>; 2];
 }
 
-/// A storage that keeps no tables, for emitted code.
+/// A storage without tables, for emitted code.
 #[derive(Clone, Copy, Debug)]
-pub struct NoTables;
+pub struct NoTables<C>(pub [C; 2]);
 
-impl<S: Float, Z: Size> Tables<S, Z> for NoTables {
+impl<S: Float, Z: Size> Tables<S, Z> for NoTables<Z::Cells<S>> {
     type Found = Table<S, Z>;
 
-    fn find(&self, _: u64, _: impl FnOnce() -> Table<S, Z>) -> Option<Table<S, Z>> {
+    fn enable(&mut self, _: Z::Cells<S>) {}
+
+    fn take(&mut self, _: u64, _: impl FnOnce() -> Table<S, Z>) -> Option<Table<S, Z>> {
         None
+    }
+
+    fn keep(&mut self, _: Table<S, Z>) {}
+
+    fn change(&mut self) {}
+
+    fn ends(&mut self) -> &mut [Z::Cells<S>; 2] {
+        &mut self.0
     }
 }
 
@@ -111,12 +129,10 @@ impl<S: Float, Z: Size> Model<S, Z> {
     /// contact changes with time or speed.
     pub(super) fn has_tables(&self) -> bool {
         let steady = |wave: &Wave<S>| wave.constant.is_zero() && wave.slope.is_zero();
-        let levels = self.contacts().iter().map(|contact| &contact.level);
-        let mut constant = levels.map(|level| level.slope.is_zero() && level.amplitude.is_zero());
         self.contacts().len() <= 64
             && self.waves().all(steady)
             && !self.base.bends()
-            && constant.all(|constant| constant)
+            && self.contacts().iter().all(Contact::has_constant_level)
             && self.law.as_ref().is_empty()
     }
 

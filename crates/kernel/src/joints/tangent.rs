@@ -391,7 +391,14 @@ impl<S: Float, Z: Size> Observe<S, Z> for Tangent<'_, S, Z> {
             } else {
                 series.speed_terms(contact.plus, contact.minus)
             };
-            *slope = rate * value_and_slope(&watched, end).1;
+            let (force, change) = value_and_slope(&watched, end);
+            *slope = rate * change;
+            if state.phase(j) == STUCK {
+                // The static friction force may change with time, too.
+                let time = series.start + end * series.length;
+                let limit = contact.stiction * contact.level.value(time, 1);
+                *slope = *slope - limit.copysign(force * limit);
+            }
         }
     }
 

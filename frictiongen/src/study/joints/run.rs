@@ -1,7 +1,7 @@
 //! Motion in time of a chain with several contacts, stored in `Vec`s.
 
 use super::{Chain, Heap, JointError, Model, Series, State, Wave};
-use frictiongen_kernel::joints::{self, Bounds, Observe};
+use frictiongen_kernel::joints::{self, Bounds, Observe, Short};
 
 /// Largest number of events in one call of [`Motion::run`].
 pub const MAX_EVENTS: usize = 100_000;
@@ -44,11 +44,11 @@ impl Observe<f64, Heap> for Record<'_> {
         (self.watch)(series, end, state);
     }
 
-    fn event(&mut self, time: f64, before: &Vec<i8>, after: &Vec<i8>) {
+    fn event(&mut self, time: f64, before: &Short<i8>, after: &Short<i8>) {
         self.events.push(Transition {
             time,
-            before: before.clone(),
-            after: after.clone(),
+            before: before.to_vec(),
+            after: after.to_vec(),
         });
     }
 }
@@ -105,7 +105,7 @@ impl Motion {
     /// Returns the present force of each contact.
     #[must_use]
     pub fn forces(&self) -> Vec<f64> {
-        self.motion.forces()
+        self.motion.forces().into_vec()
     }
 
     /// Restarts the motion at time 0 from a state of this chain.

@@ -36,14 +36,14 @@ fn steady_states_are_those_of_a_single_contact() {
         for name in ["lower", "upper"] {
             let amplitude = expected.mass(name).expect("a mass").amplitude();
             let got = orbit.amplitude(name).expect("a mass");
-            assert!(
-                apart(got, amplitude) < 1e-10,
-                "r {r}, beta {beta}: {got} {amplitude}"
-            );
-            worst = worst.max(apart(got, amplitude));
+            // While the contact sticks at the wall, its mass does not move.
+            let differs = if got == amplitude { 0.0 } else { apart(got, amplitude) };
+            assert!(differs < 1e-10, "r {r}, beta {beta}: {got} {amplitude}");
+            worst = worst.max(differs);
         }
         let displacement = expected.contact().amplitude();
-        assert!(apart(contact.displacement(), displacement) < 1e-10);
+        let found = contact.displacement();
+        assert!(found == displacement || apart(found, displacement) < 1e-10);
         let symmetric = orbit.is_symmetric().expect("a motion");
         assert_eq!(
             (orbit.is_stable(), symmetric),

@@ -36,7 +36,7 @@ fn settle(count: usize) -> (usize, usize) {
             Ok(steady) => steady,
             Err(error) => {
                 assert_eq!(error, JointError::NotSteady, "scene {index}");
-                open += 1;
+                open += 1; eprintln!("{chain:#?} {omega}");
                 continue;
             }
         };
