@@ -59,6 +59,8 @@ mod unknowns;
 mod wave;
 
 #[cfg(test)]
+mod tangent_tests;
+#[cfg(test)]
 mod tests;
 
 pub use crate::errors::Halt;

@@ -134,6 +134,14 @@ impl<S: Float, Z: Size> Model<S, Z> {
         self.contacts().get(contact)
     }
 
+    /// Returns the static friction force of a contact at the instant `time`.
+    pub(super) fn static_friction(&self, contact: usize, time: S) -> S {
+        let contact = self.contact(contact);
+        contact.map_or(S::constant(0.0), |contact| {
+            contact.stiction * contact.level.value(time, 0)
+        })
+    }
+
     /// Returns the rows of the matrix of modal or Rayleigh damping.
     pub fn damping_rows(&self) -> impl Iterator<Item = &[S]> {
         self.damping.as_ref().chunks(self.wall().max(1))

@@ -196,7 +196,7 @@ pub(super) struct Search<S: Float, Z: Size> {
 }
 
 impl<S: Float, Z: Size> Search<S, Z> {
-    fn new(motion: &Motion<S, Z>, omega: S, place: S) -> Self {
+    pub(super) fn new(motion: &Motion<S, Z>, omega: S, place: S) -> Self {
         Self {
             omega,
             cycle: S::constant(core::f64::consts::TAU) / omega,

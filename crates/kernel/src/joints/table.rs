@@ -257,6 +257,14 @@ impl<S: Float, Z: Size> Table<S, Z> {
         }
     }
 
+    /// Returns the force of a contact that sticks.
+    pub(super) fn force(&self, model: &Model<S, Z>, (j, coordinates): (usize, &[S])) -> S {
+        match model.contact(j) {
+            Some(contact) if contact.is_rigid() => dot(self.hold(j), coordinates),
+            _ => at(coordinates, 2 * model.wall() + j),
+        }
+    }
+
     /// Returns the derivative of the watched quantity of a contact. `rates` contains those of the coordinates.
     pub(super) fn slope(
         &self,
@@ -269,10 +277,7 @@ impl<S: Float, Z: Size> Table<S, Z> {
             return S::constant(0.0);
         };
         if state.phase(j) == STUCK {
-            return match contact.stiffness {
-                Some(_) => at(rates, 2 * masses + j),
-                None => dot(self.hold(j), rates),
-            };
+            return self.force(model, (j, rates));
         }
         let acceleration = |node: usize| match node.checked_sub(masses) {
             None => at(rates, masses + node),

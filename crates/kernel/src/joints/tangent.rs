@@ -59,6 +59,9 @@ pub(super) struct Tangent<'m, S: Float, Z: Size> {
     accelerations: Z::Masses<S>,
     /// Rates of the watched quantities of the contacts at the end of the last stretch.
     slopes: Z::Contacts<S>,
+    /// Differences of the static friction forces from the contact forces at the end of the last stretch, for contacts
+    /// that stick.
+    margins: Z::Contacts<S>,
     /// True if an event has ended the last stretch.
     is_at_event: bool,
 }
@@ -77,6 +80,7 @@ impl<'m, S: Float, Z: Size> Tangent<'m, S, Z> {
             rates: None,
             accelerations: model.size.masses(zero),
             slopes: model.size.contacts(zero),
+            margins: model.size.contacts(zero),
             is_at_event: false,
         };
         for column in 0..tangent.width {
@@ -206,14 +210,7 @@ impl<'m, S: Float, Z: Size> Tangent<'m, S, Z> {
         let Some((rates, before)) = self.rates.take() else {
             return;
         };
-        let contacts = self.model.contacts().iter().enumerate();
-        let mut changed = contacts.filter(|(j, contact)| {
-            let was = before.as_ref().get(*j).copied().unwrap_or(FREE);
-            // An elastic contact changes the accelerations only when it breaks away with μ > 1.
-            let breaks = was == STUCK && contact.stiction > S::constant(1.0);
-            was != state.phase(*j) && (contact.is_rigid() || breaks)
-        });
-        let Some((j, contact)) = changed.next() else {
+        let Some((j, contact)) = self.trigger(&before, state) else {
             return;
         };
         let slope = at(self.slopes.as_ref(), j);
@@ -255,6 +252,30 @@ impl<'m, S: Float, Z: Size> Tangent<'m, S, Z> {
             .take()
             .filter(|(_, phases)| !has_lines && *phases == state.phases);
         known.map(|(rates, _)| rates)
+    }
+
+    /// Returns the contact whose event has ended the last stretch, if the accelerations may jump there. `before` contains
+    /// the phases during the stretch.
+    ///
+    /// A contact that slides changes its phase only at its own event. A contact that sticks may also break away because
+    /// another contact changes its phase; its force then jumps to the limit.
+    fn trigger(
+        &self,
+        before: &Z::Contacts<i8>,
+        state: &State<S, Z>,
+    ) -> Option<(usize, &'m Contact<S>)> {
+        let was = |j: usize| before.as_ref().get(j).copied().unwrap_or(FREE);
+        let contacts = self.model.contacts().iter().enumerate();
+        let changed = contacts.filter(|(j, contact)| {
+            // An elastic contact changes the accelerations only when it breaks away with μ > 1.
+            let breaks = was(*j) == STUCK && contact.stiction > S::constant(1.0);
+            was(*j) != state.phase(*j) && (contact.is_rigid() || breaks)
+        });
+        let margin = |j: usize| match was(j) {
+            STUCK => at(self.margins.as_ref(), j).abs(),
+            _ => S::constant(-1.0),
+        };
+        changed.reduce(|a, b| if margin(b.0) < margin(a.0) { b } else { a })
     }
 
     /// Sets the deviations of the forces to 0, except those of elastic contacts that stick.
@@ -365,6 +386,10 @@ impl<S: Float, Z: Size> Observe<S, Z> for Tangent<'_, S, Z> {
         for (j, slope) in self.slopes.as_mut().iter_mut().enumerate() {
             *slope = table.slope(self.model, leap.state, (j, slopes));
         }
+        for (j, margin) in self.margins.as_mut().iter_mut().enumerate() {
+            let force = table.force(self.model, (j, leap.after));
+            *margin = self.model.static_friction(j, S::constant(0.0)) - force.abs();
+        }
     }
 
     fn stretch(&mut self, series: &Series<S, Z>, end: S, state: &State<S, Z>) {
@@ -398,6 +423,8 @@ impl<S: Float, Z: Size> Observe<S, Z> for Tangent<'_, S, Z> {
                 let time = series.start + end * series.length;
                 let limit = contact.stiction * contact.level.value(time, 1);
                 *slope = *slope - limit.copysign(force * limit);
+                let most = model.static_friction(j, time);
+                set(self.margins.as_mut(), j, most - force.abs());
             }
         }
     }

@@ -37,7 +37,11 @@ fn steady_states_are_those_of_a_single_contact() {
             let amplitude = expected.mass(name).expect("a mass").amplitude();
             let got = orbit.amplitude(name).expect("a mass");
             // While the contact sticks at the wall, its mass does not move.
-            let differs = if got == amplitude { 0.0 } else { apart(got, amplitude) };
+            let differs = if got == amplitude {
+                0.0
+            } else {
+                apart(got, amplitude)
+            };
             assert!(differs < 1e-10, "r {r}, beta {beta}: {got} {amplitude}");
             worst = worst.max(differs);
         }

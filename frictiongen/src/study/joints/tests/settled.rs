@@ -36,7 +36,8 @@ fn settle(count: usize) -> (usize, usize) {
             Ok(steady) => steady,
             Err(error) => {
                 assert_eq!(error, JointError::NotSteady, "scene {index}");
-                open += 1; eprintln!("{chain:#?} {omega}");
+                open += 1;
+
                 continue;
             }
         };
