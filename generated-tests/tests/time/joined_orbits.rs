@@ -92,7 +92,8 @@ fn number(value: &Value) -> f64 {
 }
 
 /// Compares amplitudes and stuck fractions with those of an entry of `joints.json`, whose accuracy is 1e-9.
-/// `study::joints::tests` does this for systems at run time.
+/// The reference follows the motion from rest, with what it leaves in contacts that never slide. `study::joints::tests`
+/// does this for systems at run time.
 fn compare(index: usize, unit: f64, amplitudes: &[f64], contacts: &[(usize, f64)]) {
     let expected = &entry(index)["steady"];
     let all = expected["amplitude"].as_array().expect("amplitudes");
@@ -117,7 +118,7 @@ fn steady_states_are_those_of_the_reference() {
     let r = number(&scene["omega"]) / (3840.0_f64 / 2.39).sqrt();
     let orbit = Rigid::at(r)
         .expect("a frequency")
-        .orbit(1.0 / (3840.0 * load));
+        .orbit_from(1.0 / (3840.0 * load), (&[0.0; 3], &[0.0; 3]));
     let orbit = orbit.expect("a steady state");
     let amplitudes = [orbit.m1(), orbit.m2(), orbit.m3()].map(|mass| mass.amplitude());
     let contacts = [orbit.low(), orbit.high()].map(|c| (c.stops(), c.stuck_fraction()));
@@ -129,7 +130,7 @@ fn steady_states_are_those_of_the_reference() {
     let r = number(&scene["omega"]) / (3270.0_f64 / 2.94).sqrt();
     let orbit = Elastic::at(r)
         .expect("a frequency")
-        .orbit(1.0 / (3270.0 * load));
+        .orbit_from(1.0 / (3270.0 * load), (&[0.0; 5], &[0.0; 5]));
     let orbit = orbit.expect("a steady state");
     let masses = [orbit.m1(), orbit.m2(), orbit.m3(), orbit.m4(), orbit.m5()];
     let contacts = [orbit.low(), orbit.high()].map(|c| (c.stops(), c.stuck_fraction()));
@@ -138,34 +139,57 @@ fn steady_states_are_those_of_the_reference() {
     let scene = entry(1);
     let load = number(&scene["load"]);
     let r = number(&scene["omega"]) / (2110.0_f64 / 1.4).sqrt();
-    let orbit = Free::at(r).expect("a frequency").orbit(1.0 / load);
+    let rest = (&[0.0; 3], &[0.0; 3]);
+    let orbit = Free::at(r)
+        .expect("a frequency")
+        .orbit_from(1.0 / load, rest);
     let orbit = orbit.expect("a steady state");
     let amplitudes = [orbit.m1(), orbit.m2(), orbit.m3()].map(|mass| mass.amplitude());
     let contacts = [orbit.elastic(), orbit.rigid()].map(|c| (c.stops(), c.stuck_fraction()));
     compare(1, load / 2110.0, &amplitudes, &contacts);
 }
 
-/// Compares an emitted steady state with that of the run-time system, bit by bit.
-fn same_bits(orbit: &FrameOrbit, at: &JoinedAt<'_>, beta: f64) {
+/// Returns true if two numbers differ by at most 1e-10 of the larger of them and `size`. Emitted code follows power
+/// series, the run-time system tables. Both searches end at changes of some 1e-13 of the motion in a period.
+fn close(a: f64, b: f64, size: f64) -> bool {
+    (a - b).abs() <= 1e-10 * size.max(a.abs()).max(b.abs())
+}
+
+/// Compares an emitted steady state with that of the run-time system.
+fn same(orbit: &FrameOrbit, at: &JoinedAt<'_>, beta: f64) {
     let expected = at.orbit(beta).expect("a steady state");
     assert_eq!(orbit.period(), expected.period());
-    assert_eq!(orbit.multipliers(), expected.multipliers());
-    assert_eq!(orbit.residual(), expected.residual());
+    let multipliers = orbit.multipliers().iter().zip(expected.multipliers());
+    for (got, want) in multipliers {
+        // The eigenvalues of a matrix that is not symmetric may have more rounding errors than its entries.
+        assert!((got.norm() - want.norm()).abs() < 1e-7, "{got} {want}");
+    }
+    assert_eq!(orbit.multipliers().len(), expected.multipliers().len());
     assert_eq!(orbit.regime(), expected.regime());
     assert_eq!(orbit.is_marginal(), expected.is_marginal());
     assert_eq!(orbit.free_directions(), expected.free_directions());
     let symmetric = expected.is_symmetric().expect("half a period");
     assert_eq!(orbit.is_symmetric(), symmetric);
     let masses = [orbit.one(), orbit.two(), orbit.three(), orbit.four()];
-    assert_eq!(
-        masses.map(|mass| mass.amplitude()).to_vec(),
-        expected.amplitudes()
-    );
-    let centred = masses.map(|mass| mass.centred_amplitude()).to_vec();
-    assert_eq!(centred, expected.centred_amplitudes());
+    let amplitudes = expected.amplitudes();
+    let size = amplitudes.iter().copied().fold(0.0, f64::max);
     let (x, v) = expected.state();
-    assert_eq!(masses.map(|mass| mass.state().0).to_vec(), x);
-    assert_eq!(masses.map(|mass| mass.state().1).to_vec(), v);
+    let wanted = [
+        (masses.map(|mass| mass.amplitude()), amplitudes.to_vec()),
+        (
+            masses.map(|mass| mass.centred_amplitude()),
+            expected.centred_amplitudes().to_vec(),
+        ),
+        (masses.map(|mass| mass.state().0), x),
+        (masses.map(|mass| mass.state().1), v),
+    ];
+    for (got, want) in wanted {
+        let mut pairs = got.iter().zip(&want);
+        assert!(
+            pairs.all(|(got, want)| close(*got, *want, size)),
+            "{got:?} {want:?}"
+        );
+    }
     let contacts = [
         (orbit.brace(), "brace"),
         (orbit.pads(), "pads"),
@@ -179,24 +203,28 @@ fn same_bits(orbit: &FrameOrbit, at: &JoinedAt<'_>, beta: f64) {
             (got.stops(), got.reversals(), got.regime()),
             (want.stops(), want.reversals(), want.regime())
         );
-        assert_eq!(got.stuck_fraction(), want.stuck_fraction(), "{name}");
-        assert_eq!(got.slip(), want.slip(), "{name}");
-        assert_eq!(got.displacement(), want.displacement(), "{name}");
-        assert_eq!(got.force(), want.force(), "{name}");
-        assert_eq!(got.energy(), want.energy(), "{name}");
+        for (got, want, size) in [
+            (got.stuck_fraction(), want.stuck_fraction(), 1.0),
+            (got.slip(), want.slip(), size),
+            (got.displacement(), want.displacement(), size),
+            (got.force(), want.force(), beta),
+            (got.energy(), want.energy(), beta * size),
+        ] {
+            assert!(close(got, want, size), "{name}: {got} {want}");
+        }
         assert_eq!(got.is_marginal(), marginal.iter().any(|own| own == name));
     }
 }
 
 #[test]
-fn steady_states_have_the_bits_of_the_system() {
+fn steady_states_are_those_of_the_system() {
     let system = system("Frame");
     let joined = system.joined().expect("answers");
     let mut regimes = Vec::new();
     for (r, beta) in [(0.4, 0.3), (0.9, 0.1), (1.3, 0.6), (0.7, 8.0)] {
         let orbit = Frame::at(r).expect("a frequency").orbit(beta);
         let orbit = orbit.expect("a steady state");
-        same_bits(&orbit, &joined.at(r).expect("a frequency"), beta);
+        same(&orbit, &joined.at(r).expect("a frequency"), beta);
         regimes.push(orbit.regime());
     }
     assert!(regimes.contains(&Regime::StickSlip) && regimes.contains(&Regime::Stuck));

@@ -49,15 +49,18 @@ pub fn run(arguments: &CurveArguments, out: &mut dyn Write) -> Result<(), Failur
     }
     let frictions = Frictions::parse(&arguments.point.friction, None)?;
     let description = arguments.point.file.any(&SizeLimits::RUN_TIME)?;
+    let (starts, state) = starts(&arguments.from)?;
     if description.scene.is_joined() {
         joined::refused(&[
             (!orders.is_empty(), "--harmonics"),
             (arguments.rates, "--rates"),
             (arguments.accuracy.is_some(), "--accuracy"),
-            (!arguments.from.is_empty(), "--from"),
+            (starts.contains(&CurveStart::Up), "--from up"),
+            (starts.contains(&CurveStart::Down), "--from down"),
         ])?;
         let frequencies = Frequencies::spread(&arguments.point.frequency)?;
-        let asked = joined::Asked::of(&arguments.point, frequencies, frictions, &arguments.of);
+        let asked = joined::Asked::of(&arguments.point, frequencies, frictions, &arguments.of)
+            .starting_from(state);
         return destination.write(out, |out| match destination.form {
             #[cfg(feature = "pictures")]
             form @ (OutputFormat::Svg | OutputFormat::Png) => {
@@ -75,7 +78,6 @@ pub fn run(arguments: &CurveArguments, out: &mut dyn Write) -> Result<(), Failur
         one_row_of_contact(&mut parts, system.scene());
     }
     let measure = measure::of(&arguments.point.load, &system)?;
-    let (starts, state) = starts(&arguments.from)?;
     let system = from::started(state, system, &measure)?;
     let band = band.under(&measure);
     let frictions = frictions.under(&measure)?;

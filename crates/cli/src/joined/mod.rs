@@ -16,6 +16,7 @@ use crate::destination::OutputFormat;
 use crate::failure::Failure;
 use crate::frequency::Frequencies;
 use crate::friction::Frictions;
+use crate::from;
 use crate::measure::{self, Measure};
 use crate::output;
 use crate::summary::Summary;
@@ -50,6 +51,8 @@ pub struct Asked<'a> {
     frequencies: Frequencies,
     frictions: Frictions,
     of: &'a [String],
+    /// Text of the initial state of the motions to steady states.
+    from: Option<&'a str>,
 }
 
 /// Frequencies, frictions, load and masses that the user requests, with the units of the results.
@@ -125,7 +128,13 @@ impl<'a> Asked<'a> {
             frequencies,
             frictions,
             of,
+            from: None,
         }
+    }
+
+    /// Sets the initial state of the motions to steady states, if the user gives one.
+    pub fn starting_from(self, from: Option<&'a str>) -> Self {
+        Self { from, ..self }
     }
 
     /// Prepares the request with the units of the results, and calls `answer` with the request.
@@ -135,9 +144,10 @@ impl<'a> Asked<'a> {
         answer: impl FnOnce(&Question<'_>) -> Result<(), Failure>,
     ) -> Result<(), Failure> {
         let system = System::try_from(scene).map_err(Failure::new)?;
-        let joined = system.joined().map_err(Failure::new)?;
         self.frequencies.check(&system)?;
         let measure = measure::of(&self.point.load, &system)?;
+        let system = from::started(self.from, system, &measure)?;
+        let joined = system.joined().map_err(Failure::new)?;
         let masses = asked::masses(&system, "--of", self.of)?;
         let question = Question {
             system: &system,

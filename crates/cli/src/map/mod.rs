@@ -50,10 +50,10 @@ pub fn run(arguments: &MapArguments, out: &mut dyn Write) -> Result<(), Failure>
     if description.scene.is_joined() {
         joined::refused(&[
             (digits.is_some(), "--boundaries"),
-            (from.is_some(), "--from"),
             (arguments.shade == ShadeArgument::Stuck, "--shade stuck"),
         ])?;
-        let asked = joined::Asked::of(&arguments.point, frequencies, frictions, &arguments.of);
+        let asked = joined::Asked::of(&arguments.point, frequencies, frictions, &arguments.of)
+            .starting_from(from);
         return destination.write(out, |out| match destination.form {
             #[cfg(feature = "pictures")]
             form @ (OutputFormat::Svg | OutputFormat::Png) => {

@@ -46,11 +46,9 @@ pub fn run(arguments: &OrbitArguments, out: &mut dyn Write) -> Result<(), Failur
     };
     let description = arguments.point.file.any(&SizeLimits::RUN_TIME)?;
     if description.scene.is_joined() {
-        joined::refused(&[
-            (!orders.is_empty(), "--harmonics"),
-            (arguments.start.from.is_some(), "--from"),
-        ])?;
-        let asked = joined::Asked::of(&arguments.point, frequencies, frictions, &arguments.of);
+        joined::refused(&[(!orders.is_empty(), "--harmonics")])?;
+        let asked = joined::Asked::of(&arguments.point, frequencies, frictions, &arguments.of)
+            .starting_from(arguments.start.from.as_deref());
         return destination.write(out, |out| {
             #[cfg(feature = "pictures")]
             if draws {

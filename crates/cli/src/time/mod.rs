@@ -75,11 +75,9 @@ pub fn run(arguments: &TimeArguments, out: &mut dyn Write) -> Result<(), Failure
     let from = arguments.from.as_deref();
     let run_from = from.filter(|text| !arguments.steady && text.trim() != from::REST);
     if description.scene.is_joined() {
-        joined::refused(&[
-            (arguments.spectrum, "--spectrum"),
-            (arguments.steady && from.is_some(), "--from"),
-        ])?;
+        joined::refused(&[(arguments.spectrum, "--spectrum")])?;
         let point = joined::Asked::of(&arguments.point, frequencies, frictions, &arguments.of);
+        let point = point.starting_from(from.filter(|_| arguments.steady));
         let of_time = joined::OfTime {
             asked,
             from: run_from,

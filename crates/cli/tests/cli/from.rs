@@ -152,18 +152,40 @@ fn wrong_states() {
         );
     }
     for line in [
-        "orbit --r 1",
-        "response --r 1",
-        "map --r 1",
-        "curve --r 1:2",
-        "optimum --r 1:2 --of m",
-        "time --r 1 --steady",
+        "curve --r 1:2 --beta 1 --from up",
+        "curve --r 1:2 --beta 1 --from rest,down",
     ] {
-        let line = format!("{} --from rest", beta(line));
-        assert_eq!(
-            failure(joined, &split(&line)),
-            [format!("frictiongen: --from {needs}")],
-            "{line}"
+        let told = failure(joined, &split(line));
+        assert!(
+            told[0].ends_with(needs) && told.len() == 1,
+            "{line}: {told:?}"
         );
+    }
+}
+
+/// A scene gives the same amplitudes by `contact` and by `contacts`, without a start and from rest.
+#[test]
+fn several_contacts_have_the_same_starts() {
+    let several = BRACED.replace(
+        "contact: m - base, stiffness: 4",
+        "contacts: { brace: m - base { stiffness: 4 } }",
+    );
+    for command in ["orbit", "response", "map"] {
+        let line = format!("{command} --r 0.5,0.75,1 --beta 50 --of m --csv");
+        let from_rest = format!("{line} --from rest");
+        let [centred, kept] = [&line, &from_rest].map(|line| {
+            let line = split(line);
+            let expected = column(&output(BRACED, &line), "m.amplitude");
+            let found = column(&output(&several, &line), "m.amplitude");
+            for (expected, found) in expected.iter().zip(&found) {
+                assert!(
+                    (found / expected - 1.0).abs() < 1e-9,
+                    "{line:?}: {found} {expected}"
+                );
+            }
+            found
+        });
+        // The base starts at Y, and the mass at 0, which leaves a force in the contact that never slides.
+        assert!((kept[0] / centred[0] - 1.0).abs() > 0.1, "{command}");
     }
 }

@@ -69,7 +69,7 @@ impl<S: Float> Curve<S> {
         self.wave.is_odd(omega) && !self.bends()
     }
 
-    fn bends(&self) -> bool {
+    pub(super) fn bends(&self) -> bool {
         !self.square.is_zero() || !self.cube.is_zero()
     }
 

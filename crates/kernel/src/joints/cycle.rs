@@ -212,6 +212,25 @@ impl<S: Float, Z: Size> Watch<S, Z> {
     }
 }
 
+impl<S: Float, Z: Size> Watch<S, Z> {
+    /// Returns the results of a period whose duration is `length`, after the first half of the period. The motion
+    /// repeats with the opposite sign in the second half.
+    #[must_use]
+    pub(super) fn half_cycle(mut self, length: S) -> Cycle<S, Z> {
+        let twice = |value: &mut S| *value = *value + *value;
+        for contact in self.cycle.contacts.as_mut() {
+            (contact.stops, contact.reversals) = (2 * contact.stops, 2 * contact.reversals);
+            twice(&mut contact.stuck_fraction);
+            twice(&mut contact.slip);
+            twice(&mut contact.energy);
+        }
+        self.cycle.events *= 2;
+        let mut cycle = self.cycle(length);
+        cycle.centred = cycle.amplitudes.clone();
+        cycle
+    }
+}
+
 impl<S: Float, Z: Size> Observe<S, Z> for Watch<S, Z> {
     fn stretch(&mut self, series: &Series<S, Z>, end: S, state: &State<S, Z>) {
         self.see_masses(series, end);

@@ -1,8 +1,8 @@
 //! Decides the phase of each contact (sticking or sliding) after an event.
 
 use super::decide::{Decision, add_contact, holds};
+use super::model::Contact;
 use super::run::Motion;
-use super::series::Series;
 use super::size::{Size, at, set, sign};
 use super::state::{FREE, STUCK};
 use crate::Float;
@@ -10,12 +10,11 @@ use crate::errors::Halt;
 
 impl<S: Float, Z: Size> Motion<S, Z> {
     /// Changes the phases of the contacts at an event. For each contact that has an event, `hits` contains the sign of
-    /// the force or velocity that causes the event.
-    pub(super) fn pass(
+    /// the force or velocity that causes the event. `place` returns the relative displacement of a contact.
+    pub(super) fn change_phases(
         &mut self,
-        series: &Series<S, Z>,
-        fraction: S,
         hits: &Z::Contacts<Option<i8>>,
+        place: impl Fn(&Contact<S>) -> S,
     ) -> Result<(), Halt> {
         let (_, v) = self.nodes();
         let mut arrived = self.model.size.contacts(false);
@@ -29,9 +28,7 @@ impl<S: Float, Z: Size> Motion<S, Z> {
             match (contact.stiffness, stuck) {
                 (None, true) => set(broke.as_mut(), j, side),
                 (None, false) => {
-                    let ends = (contact.plus, contact.minus);
-                    let place = series.place(ends, fraction);
-                    set(self.state.places.as_mut(), j, place);
+                    set(self.state.places.as_mut(), j, place(contact));
                     set(arrived.as_mut(), j, true);
                 }
                 (Some(_), true) => {

@@ -10,7 +10,7 @@ use super::roots::first_negative;
 use super::run::Motion;
 use super::series::Series;
 use super::size::{Size, add, at, sign};
-use super::state::{FREE, STUCK};
+use super::state::{FREE, STUCK, State};
 use super::wave::Wave;
 use crate::motion::{KineticLine, line, line_at};
 use crate::{Float, Scalar};
@@ -51,6 +51,16 @@ impl<S: Float, Z: Size> Model<S, Z> {
         }
         let line = self.line(contact, velocity);
         level * (line.level + line.slope * velocity.abs())
+    }
+
+    /// Returns the derivative of a sliding contact's force with respect to its relative velocity.
+    pub(super) fn drag(&self, contact: &Contact<S>, state: &State<S, Z>, time: S) -> S {
+        if !self.has_lines(contact) {
+            return S::constant(0.0);
+        }
+        let (_, v) = state.nodes(self, time);
+        let line = self.line(contact, contact.across(v.as_ref()));
+        contact.level.value(time, 0) * line.slope
     }
 
     /// Returns one coefficient in the power series of a sliding contact's force, on a line of the friction law. `side`

@@ -28,6 +28,8 @@ mod base;
 mod cycle;
 mod decide;
 mod events;
+#[cfg(any(test, feature = "std"))]
+mod heap;
 mod jolt;
 mod law;
 mod least;
@@ -36,6 +38,7 @@ mod neutral;
 mod now;
 mod orbit;
 mod poly;
+mod rates;
 mod roots;
 mod run;
 mod series;
@@ -48,6 +51,7 @@ mod state;
 mod steady;
 mod stepper;
 mod stuck;
+mod table;
 mod tangent;
 mod tolerances;
 mod tree;
@@ -55,12 +59,16 @@ mod unknowns;
 mod wave;
 
 #[cfg(test)]
+mod tangent_tests;
+#[cfg(test)]
 mod tests;
 
 pub use crate::errors::Halt;
 pub use base::Curve;
 pub use cycle::{ContactCycle, Cycle, Watch};
 pub use decide::{Decision, MAX_PATTERNS};
+#[cfg(any(test, feature = "std"))]
+pub use heap::{Heap, KeptTables, Short, refine, settle, settle_from};
 pub use model::{Contact, Link, Model};
 pub use now::{ContactState, MassState};
 pub use orbit::{At, ContactOrbit, MassOrbit, Orbit, StuckState};
@@ -74,5 +82,6 @@ pub use state::{FREE, STUCK, State};
 pub use steady::{MAX_PERIOD, Steady};
 pub use stepper::{MAX_STEP, MAX_STEP_EVENTS, Stepper};
 pub use stuck::StuckResponse;
+pub use table::{Leap, NoTables, Table, Tables};
 pub use tree::Tree;
 pub use wave::Wave;

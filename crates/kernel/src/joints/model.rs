@@ -54,17 +54,26 @@ impl<S: Float> Contact<S> {
         add(nodes, self.minus, force);
     }
 
+    /// Returns true if the kinetic friction force of the contact does not change with time.
+    #[must_use]
+    pub(super) fn has_constant_level(&self) -> bool {
+        self.level.amplitude.is_zero() && self.level.slope.is_zero()
+    }
+
     /// Returns true if the kinetic friction force `level` is valid for the contact. A constant force of at least 0 is
     /// valid for every contact. A force that changes with time is valid only for a rigid contact. All coefficients of
     /// the force must be finite.
     #[must_use]
     pub fn fits(&self, level: &Wave<S>) -> bool {
-        let varies = !level.amplitude.is_zero() || !level.slope.is_zero();
+        let changed = Self {
+            level: *level,
+            ..*self
+        };
         level.is_finite()
-            && if varies {
-                self.is_rigid()
-            } else {
+            && if changed.has_constant_level() {
                 level.constant >= S::constant(0.0)
+            } else {
+                self.is_rigid()
             }
     }
 }
@@ -123,6 +132,14 @@ impl<S: Float, Z: Size> Model<S, Z> {
     /// Returns one contact of the chain, or `None` for an invalid index.
     pub fn contact(&self, contact: usize) -> Option<&Contact<S>> {
         self.contacts().get(contact)
+    }
+
+    /// Returns the static friction force of a contact at the instant `time`.
+    pub(super) fn static_friction(&self, contact: usize, time: S) -> S {
+        let contact = self.contact(contact);
+        contact.map_or(S::constant(0.0), |contact| {
+            contact.stiction * contact.level.value(time, 0)
+        })
     }
 
     /// Returns the rows of the matrix of modal or Rayleigh damping.

@@ -72,8 +72,9 @@ impl<S: Float, Z: Size> At<S, Z> {
         })
     }
 
-    /// Returns the steady state that the motion from rest, or from the given state, reaches at the common friction
-    /// ratio β.
+    /// Returns a steady state at the common friction ratio β. From a given state it is the one that the motion from
+    /// there reaches. Without a state it is the one that the motion from rest reaches, except that a contact that never
+    /// slides is in the middle of the interval in which it can stick.
     ///
     /// # Errors
     ///
@@ -82,9 +83,13 @@ impl<S: Float, Z: Size> At<S, Z> {
     pub fn orbit(&self, beta: S, state: Option<StartState<'_, S>>) -> Result<Orbit<S, Z>, NoOrbit> {
         let model = self.model.clone();
         let start = self.reference.start(model, (self.r, beta), state);
-        let (mut motion, omega) = start.map_err(NoOrbit::OutOfDomain)?;
+        let (motion, omega) = start.map_err(NoOrbit::OutOfDomain)?;
         let halted = |halt| NoOrbit::OutOfDomain(OutOfDomain::Motion(halt));
-        let steady = motion.settle(omega).map_err(halted)?;
+        let steady = match state {
+            None => motion.settle(omega),
+            Some(_) => motion.settle_from(omega),
+        };
+        let steady = steady.map_err(halted)?;
         let steady = steady.ok_or(NoOrbit::Unsettled)?;
         let is_symmetric = steady.is_symmetric(motion, omega).map_err(halted)?;
         Ok(Orbit {

@@ -47,8 +47,8 @@ fn falls_steadily<S: Float>(terms: &[S]) -> bool {
         .is_some_and(stays_positive)
 }
 
-/// Number of coefficients in the fast test [`stays_positive`].
-const QUICK: usize = 6;
+/// Number of coefficients in the fast test [`stays_above`].
+pub(super) const QUICK: usize = 6;
 
 /// Returns true if a lower bound on the polynomial `terms` is positive on [0, 1] by more than rounding errors. The
 /// lower bound is a polynomial of degree 5. It replaces each negative term of higher degree by its value at 1, and
@@ -61,20 +61,26 @@ fn stays_positive<S: Float>(terms: &[S]) -> bool {
     let falls = high
         .iter()
         .fold(zero, |falls, term| falls + crate::Scalar::min(*term, zero));
+    stays_above(*low, -falls)
+}
+
+/// Returns true if the polynomial of degree 5 with the coefficients `terms` is greater than `bound` on [0, 1] by more
+/// than rounding errors.
+pub(super) fn stays_above<S: Float>(terms: [S; QUICK], bound: S) -> bool {
     // Divides each term by its binomial coefficient. A loop over an array of these coefficients would convert `f64` at
     // run time.
     let (five, ten) = (S::constant(5.0), S::constant(10.0));
-    let [a, b, c, d, e, f] = *low;
+    let [a, b, c, d, e, f] = terms;
     let mut values = [a, b / five, c / ten, d / ten, e / five, f];
     for pass in (0..QUICK - 1).rev() {
-        let mut before = zero;
+        let mut before = S::constant(0.0);
         for value in values.iter_mut().skip(pass) {
             *value = *value + before;
             before = *value;
         }
     }
     // The margin, 1e-3 times the first coefficient `a`, is far larger than rounding errors.
-    let least = S::constant(1e-3) * a - falls;
+    let least = S::constant(1e-3) * a + bound;
     values.iter().all(|value| *value > least)
 }
 

@@ -1,11 +1,12 @@
 //! Advances the motion of a chain with several contacts from event to event.
 
-use super::model::Model;
+use super::model::{Contact, Model};
 use super::poly::Poly;
 use super::roots::first_negative;
 use super::series::Series;
 use super::size::{Size, at, set, sign};
 use super::state::{FREE, STUCK, State};
+use super::table::{Leap, Table, Tables};
 use super::tree::Tree;
 use super::wave::Wave;
 use crate::Float;
@@ -19,6 +20,13 @@ fn same<S: Float>() -> S {
 
 /// Observer of a motion. The solver calls it for every stretch (time interval of one power series) and every event.
 pub trait Observe<S: Float, Z: Size> {
+    /// True if the observer needs the power series of every stretch. If false, the solver may advance a stretch without
+    /// events by a table, and then calls [`leap`](Self::leap) in place of [`stretch`](Self::stretch).
+    const NEEDS_SERIES: bool = true;
+
+    /// Receives a whole stretch that the solver has advanced by a table. The default method ignores it.
+    fn leap(&mut self, _: &Leap<'_, S, Z>) {}
+
     /// Receives the motion from the start of a time interval to the fraction `end` of the interval. During this time
     /// the contacts have the phases in `state`.
     fn stretch(&mut self, series: &Series<S, Z>, end: S, state: &State<S, Z>);
@@ -30,6 +38,8 @@ pub trait Observe<S: Float, Z: Size> {
 
 /// The unit type is an observer that ignores the motion.
 impl<S: Float, Z: Size> Observe<S, Z> for () {
+    const NEEDS_SERIES: bool = false;
+
     fn stretch(&mut self, _: &Series<S, Z>, _: S, _: &State<S, Z>) {}
 }
 
@@ -50,6 +60,8 @@ pub struct Motion<S: Float, Z: Size> {
     pub(super) time: S,
     pub(super) tree: Tree<S, Z>,
     stalls: usize,
+    /// Tables of whole stretches, if the motion uses them.
+    tables: Z::Tables<S>,
 }
 
 impl<S: Float, Z: Size> Motion<S, Z> {
@@ -64,12 +76,14 @@ impl<S: Float, Z: Size> Motion<S, Z> {
         state.keep_places(x);
         state.keep_speeds(v);
         let tree = Tree::new(&model, |_| false);
+        let tables = model.size.tables();
         let mut motion = Self {
             model,
             state,
             time: S::constant(0.0),
             tree,
             stalls: 0,
+            tables,
         };
         motion.begin()?;
         Ok(motion)
@@ -78,6 +92,18 @@ impl<S: Float, Z: Size> Motion<S, Z> {
     /// Returns the time since the start of the motion.
     pub fn time(&self) -> S {
         self.time
+    }
+
+    /// Makes the motion use tables, if they exist for its loads. After this call the loads, the base and the friction
+    /// forces must not change.
+    #[must_use]
+    pub(super) fn with_tables(mut self) -> Self {
+        if self.model.has_tables() {
+            let count = self.model.coordinates();
+            let coordinates = self.model.size.cells(count, S::constant(0.0));
+            self.tables.enable(coordinates);
+        }
+        self
     }
 
     /// Returns the present state of the masses and the contacts.
@@ -275,21 +301,85 @@ impl<S: Float, Z: Size> Motion<S, Z> {
         Err(Halt::Stretches)
     }
 
-    /// Advances the motion by one power series: to the end of its time interval, to the next event, or to the end of a
-    /// line of the friction law. Returns true if the motion passed an event.
-    fn step(&mut self, until: S, watch: &mut impl Observe<S, Z>) -> Result<bool, Halt> {
+    /// Advances the motion by at most one stretch: to its end, to the next event, or to the end of a line of the
+    /// friction law. Returns true if the motion passed an event.
+    fn step<W: Observe<S, Z>>(&mut self, until: S, watch: &mut W) -> Result<bool, Halt> {
+        if !W::NEEDS_SERIES {
+            let make = || Table::new(&self.model, &self.state, &self.tree);
+            if let Some(found) = self.tables.take(self.state.key(), make) {
+                let passed = self.step_by_table(found.as_ref(), until, watch)?;
+                if !passed {
+                    self.tables.keep(found);
+                }
+                return Ok(passed);
+            }
+        }
+        self.step_by_series(until, watch)
+    }
+
+    /// Advances the motion by a table, as [`step`](Self::step) does.
+    fn step_by_table<W: Observe<S, Z>>(
+        &mut self,
+        table: &Table<S, Z>,
+        until: S,
+        watch: &mut W,
+    ) -> Result<bool, Halt> {
+        let (one, stretch) = (S::constant(1.0), self.model.stretch);
+        let left = until - self.time;
+        let last = crate::Scalar::min(left / stretch, one);
+        let [before, after] = self.tables.ends();
+        self.model
+            .write_coordinates(&self.state, self.time, before.as_mut());
+        let mut roots = self.model.size.contacts(None);
+        for (j, root) in roots.as_mut().iter_mut().enumerate() {
+            if !table.is_quiet(&self.model, &self.state, (j, before.as_ref())) {
+                let watched = table.watched(j, before.as_ref());
+                let time = (self.time, stretch);
+                *root = next_event(&self.model, &self.state, (j, &watched), time);
+            }
+        }
+        let first = earliest(roots.as_ref());
+        let fraction = crate::Scalar::min(first, last);
+        let length = fraction * stretch;
+        let is_whole = fraction == one;
+        if is_whole {
+            table.advance(before.as_ref(), after.as_mut());
+        } else {
+            let ends = (before.as_ref(), after.as_mut());
+            table.advance_by(&self.model, &self.state, length, ends);
+        }
+        self.state.land(&self.model, after.as_ref());
+        watch.leap(&Leap {
+            table,
+            before: before.as_ref(),
+            after: after.as_ref(),
+            state: &self.state,
+            length,
+            is_whole,
+        });
+        let ends_here = last < one && first > last;
+        self.time = if ends_here { until } else { self.time + length };
+        self.tree.settle(&self.model, &mut self.state, self.time);
+        self.forget_events(fraction, same());
+        if first > last {
+            return self.finite().map(|()| false);
+        }
+        let (x, _) = self.nodes();
+        let hits = self.hits(&roots, first + same());
+        self.pass(&hits, |contact| contact.across(x.as_ref()))
+    }
+
+    /// Advances the motion by a power series, as [`step`](Self::step) does.
+    fn step_by_series(&mut self, until: S, watch: &mut impl Observe<S, Z>) -> Result<bool, Halt> {
         let one = S::constant(1.0);
         let left = until - self.time;
         let length = crate::Scalar::min(left, self.longest_stretch());
         let series = Series::new(&self.model, &self.state, &self.tree, (self.time, length));
         let mut roots = self.model.size.contacts(None);
-        let mut first = S::constant(2.0);
         for (j, root) in roots.as_mut().iter_mut().enumerate() {
-            *root = self.next_event(&series, j);
-            if let Some((at, _)) = *root {
-                first = crate::Scalar::min(first, at);
-            }
+            *root = self.next_event_in(&series, j);
         }
+        let first = earliest(roots.as_ref());
         // The stretch (time interval of one power series) ends where a contact leaves its line of the friction law. The
         // end of a line is no event.
         let line_end = self.line_end(&series).filter(|end| *end < first);
@@ -301,10 +391,7 @@ impl<S: Float, Z: Size> Motion<S, Z> {
         let same = same::<S>();
         let widest = one / same.sqrt();
         let same = same * crate::Scalar::min(self.model.stretch / length, widest);
-        if fraction > same {
-            self.stalls = 0;
-            self.state.zeros = self.model.size.contacts((0, 0));
-        }
+        self.forget_events(fraction, same);
         self.time = if end > one && length == left {
             until
         } else {
@@ -313,18 +400,42 @@ impl<S: Float, Z: Size> Motion<S, Z> {
         if first > one {
             return self.finite().map(|()| false);
         }
+        let hits = self.hits(&roots, first + same);
+        self.pass(&hits, |contact| {
+            series.place((contact.plus, contact.minus), fraction)
+        })
+    }
+
+    /// Forgets the last event if the motion has moved on by more than the fraction `same` of a stretch.
+    fn forget_events(&mut self, fraction: S, same: S) {
+        if fraction > same {
+            self.stalls = 0;
+            self.state.zeros = self.model.size.contacts((0, 0));
+        }
+    }
+
+    /// Returns, for each contact with an event up to the fraction `until` of the stretch, the sign of the force or
+    /// velocity at the event.
+    fn hits(&self, roots: &Z::Contacts<Option<(S, i8)>>, until: S) -> Z::Contacts<Option<i8>> {
+        let mut hits = self.model.size.contacts(None);
+        for (side, root) in hits.as_mut().iter_mut().zip(roots.as_ref()) {
+            *side = root.and_then(|(at, side)| (at <= until).then_some(side));
+        }
+        hits
+    }
+
+    /// Passes an event of the contacts in `hits`. `place` returns the relative displacement of a contact.
+    fn pass(
+        &mut self,
+        hits: &Z::Contacts<Option<i8>>,
+        place: impl Fn(&Contact<S>) -> S,
+    ) -> Result<bool, Halt> {
         self.stalls += 1;
         if self.stalls > 16 + 8 * self.model.contacts().len() {
             return Err(Halt::Stalled);
         }
-        let window = first + same;
-        let mut sides = self.model.size.contacts(None);
-        for (side, root) in sides.as_mut().iter_mut().zip(roots.as_ref()) {
-            *side = root.and_then(|(at, side)| (at <= window).then_some(side));
-        }
-        self.pass(&series, fraction, &sides)?;
-        self.finite()?;
-        Ok(true)
+        self.change_phases(hits, place)?;
+        self.finite().map(|()| true)
     }
 
     /// Returns an error if a number of the state is infinite or NaN.
@@ -350,45 +461,69 @@ impl<S: Float, Z: Size> Motion<S, Z> {
         }
     }
 
-    /// Returns the next event of the contact `j` in the time interval of the power series. The first result is the
-    /// fraction of the interval after which the event occurs. The second result is the sign of the force or velocity at
-    /// the event.
-    fn next_event(&self, series: &Series<S, Z>, j: usize) -> Option<(S, i8)> {
+    /// Returns the next event of the contact `j` in the time interval of a power series, as
+    /// [`next_event`] does.
+    fn next_event_in(&self, series: &Series<S, Z>, j: usize) -> Option<(S, i8)> {
         let contact = self.model.contact(j)?;
-        let zeros = self.state.zeros.as_ref().get(j).copied();
-        let (zeros, zero_side) = zeros.unwrap_or_default();
-        match self.state.phase(j) {
-            FREE => None,
-            STUCK => {
-                let level = contact.level.terms(series.start, series.length, 0);
-                let force = series.force_terms(j);
-                let next = |side: i8| {
-                    let margin = margin(contact.stiction, &level, sign(side), &force);
-                    let zeros = if side == zero_side { zeros } else { 0 };
-                    first_negative(&margin, zeros).map(|at| (at, side))
-                };
-                match (next(1), next(-1)) {
-                    (Some(up), Some(down)) => Some(if down.0 < up.0 { down } else { up }),
-                    (up, down) => up.or(down),
-                }
-            }
-            side => {
-                let speed = series.speed_terms(contact.plus, contact.minus);
-                let speed = speed.map(|term| sign::<S>(side) * term);
-                first_negative(&speed, zeros).map(|at| (at, side))
-            }
-        }
+        let watched = match self.state.phase(j) {
+            FREE => return None,
+            STUCK => series.force_terms(j),
+            _ => series.speed_terms(contact.plus, contact.minus),
+        };
+        let time = (series.start, series.length);
+        next_event(&self.model, &self.state, (j, &watched), time)
     }
 
     /// Builds the trees of the masses that sticking rigid contacts connect.
     pub(super) fn join(&mut self) {
         self.tree = Tree::new(&self.model, |j| self.state.phase(j) == STUCK);
+        self.tables.change();
     }
 
     /// Returns the present displacements and velocities of all nodes: the masses, the wall and the base.
     pub(super) fn nodes(&self) -> (Z::Nodes<S>, Z::Nodes<S>) {
         self.state.nodes(&self.model, self.time)
     }
+}
+
+/// Returns the next event of the contact `j` in a stretch. `watched` is the power series of its force while it
+/// sticks, and of its relative velocity while it slides. `time` contains the start and the duration of the stretch.
+/// The first result is the fraction of the stretch after which the event occurs. The second result is the sign of
+/// the force or velocity at the event.
+fn next_event<S: Float, Z: Size>(
+    model: &Model<S, Z>,
+    state: &State<S, Z>,
+    (j, watched): (usize, &Poly<S>),
+    time: (S, S),
+) -> Option<(S, i8)> {
+    let contact = model.contact(j)?;
+    let zeros = state.zeros.as_ref().get(j).copied();
+    let (zeros, zero_side) = zeros.unwrap_or_default();
+    match state.phase(j) {
+        FREE => None,
+        STUCK => {
+            let level = contact.level.terms(time.0, time.1, 0);
+            let next = |side: i8| {
+                let margin = margin(contact.stiction, &level, sign(side), watched);
+                let zeros = if side == zero_side { zeros } else { 0 };
+                first_negative(&margin, zeros).map(|at| (at, side))
+            };
+            match (next(1), next(-1)) {
+                (Some(up), Some(down)) => Some(if down.0 < up.0 { down } else { up }),
+                (up, down) => up.or(down),
+            }
+        }
+        side => {
+            let speed = watched.map(|term| sign::<S>(side) * term);
+            first_negative(&speed, zeros).map(|at| (at, side))
+        }
+    }
+}
+
+/// Returns the fraction of the stretch after which the first event occurs, or 2 if no event occurs in it.
+fn earliest<S: Float>(roots: &[Option<(S, i8)>]) -> S {
+    let roots = roots.iter().flatten().map(|(at, _)| *at);
+    roots.fold(S::constant(2.0), crate::Scalar::min)
 }
 
 /// Returns the power series of μF − `side`·f for a sticking contact. μF is its static friction force, and f its force.

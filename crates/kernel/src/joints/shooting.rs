@@ -6,9 +6,10 @@ use super::model::Model;
 use super::neutral::neutral;
 use super::run::Motion;
 use super::size::{Size, set};
+use super::slid::Slips;
 use super::state::FREE;
 use super::steady::{Search, Steady, from_one, modulus};
-use super::tangent::{ShotSpan, Tangent};
+use super::tangent::{Both, ShotSpan};
 use super::unknowns::Unknowns;
 use crate::Float;
 use crate::errors::Halt;
@@ -18,8 +19,6 @@ use crate::number::matrix::SquareMatrix;
 /// Largest number of Newton steps in one attempt to find a periodic motion. A step computes the derivatives, or uses
 /// those of the previous step.
 const STEPS: usize = 24;
-/// Largest number of Newton steps in one attempt if the derivatives are finite differences.
-const DIFFERENCES: usize = 12;
 /// Largest ratio of the residual after a Newton step to the residual before, at which the next step uses the same
 /// derivatives. At a larger ratio, the next step computes new derivatives.
 const SLOW: f64 = 1e-2;
@@ -38,28 +37,27 @@ impl<S: Float, Z: Size> Search<S, Z> {
         }
     }
 
-    /// Searches for a periodic motion near a given state by Newton's method. `period` is the number of cycles of the
-    /// load in a period.
+    /// Searches for a periodic motion near a given state by Newton's method.
+    ///
+    /// Over half a cycle, the positions of all contacts are unknowns. A contact that never slides then ends in the
+    /// middle of the interval in which it can stick, and a chain without a support about its mean place. Over whole
+    /// cycles, a contact that never slides keeps its position.
     pub(super) fn newton(
         &mut self,
         motion: &Motion<S, Z>,
-        period: usize,
+        span: ShotSpan,
     ) -> Result<Option<Steady<S, Z>>, Halt> {
         let (slow, far, half) = (S::constant(SLOW), S::constant(FAR), S::constant(0.5));
         let same = self.tolerances.same;
-        let follows = Tangent::follows(motion.model());
-        let exact = if follows {
-            S::constant(16.0 * S::EPSILON)
-        } else {
-            same
-        };
+        let exact = S::constant(16.0 * S::EPSILON);
+        if span == ShotSpan::Half {
+            self.moving = motion.model().size.contacts(true);
+        }
         let mut start = motion.clone();
-        let mut span = self.span(motion, period);
         let mut before = S::constant(f64::INFINITY);
         let mut known: Option<Z::Square<S>> = None;
         let mut is_new = true;
-        let steps = if follows { STEPS } else { DIFFERENCES };
-        for _ in 0..steps {
+        for _ in 0..STEPS {
             let derives = known.is_none() || before > far;
             let shot = match self.shoot(&start, span, derives) {
                 Ok(shot) => shot,
@@ -67,12 +65,8 @@ impl<S: Float, Z: Size> Search<S, Z> {
                 Err(_) if before.is_finite() => return Ok(None),
                 Err(halt) => return Err(halt),
             };
-            if shot.moving != self.moving {
+            if span != ShotSpan::Half && shot.moving != self.moving {
                 (self.moving, known) = (shot.moving, None);
-            }
-            if span == ShotSpan::Half && !self.is_centred(&start) {
-                (span, known) = (ShotSpan::Cycles(period), None);
-                continue;
             }
             if shot.end.state().phases != start.state().phases {
                 start = shot.end;
@@ -83,78 +77,89 @@ impl<S: Float, Z: Size> Search<S, Z> {
             let residual = apart(to.as_ref(), from.as_ref());
             let stops = is_new && residual >= half * before && residual <= S::constant(50.0) * same;
             let found = residual <= exact || stops;
-            // The code uses exact derivatives of an earlier step as long as the residual falls quickly.
+            // The code uses the derivatives of an earlier step as long as the residual falls quickly.
             let kept = known.take().filter(|_| !found && residual <= slow * before);
             is_new = kept.is_none() || shot.derivatives.is_some();
             let mut matrix = match shot.derivatives.or(kept) {
                 Some(matrix) => matrix,
-                None => match self.derivatives(&start, &to, span) {
-                    Ok(matrix) => matrix,
-                    Err(_) => return Ok(None),
+                None => match self.shoot(&start, span, true)?.derivatives {
+                    Some(matrix) => matrix,
+                    None => return Ok(None),
                 },
             };
             if found {
-                let mut watch = Watch::new(motion.model());
-                let mut end = start.clone();
-                self.advance(&mut end, period, &mut watch)?;
-                let end = self.unknowns().read(&end);
-                let residual = apart(end.as_ref(), from.as_ref());
-                let found = self.found(&start, (&mut matrix, span), (period, residual), watch);
-                return Ok(Some(found));
+                return self.found(start, &mut matrix, span).map(Some);
             }
             before = residual;
-            let moved = self.step(start.model(), &matrix, (&from, &to));
+            let moved = self.step(start.model(), (&matrix, span), (&from, &to));
             if moved.as_ref().iter().any(|value| !value.is_finite()) {
                 return Ok(None);
             }
             start = self.unknowns().write(&start, &moved);
-            known = follows.then_some(matrix);
+            known = Some(matrix);
         }
         Ok(None)
     }
 
-    /// Returns the unknowns after a step of Newton's method. `from` contains the unknowns at the start of a period, and
+    /// Returns the unknowns after a step of Newton's method. `from` contains the unknowns at the start of a shot, and
     /// `to` those at its end. `matrix` contains the derivatives of `to` with respect to `from`.
     fn step(
         &self,
         model: &Model<S, Z>,
-        matrix: &Z::Square<S>,
+        (matrix, span): (&Z::Square<S>, ShotSpan),
         (from, to): (&Z::Unknowns<S>, &Z::Unknowns<S>),
     ) -> Z::Unknowns<S> {
-        let zero = S::constant(0.0);
-        let mut matrix = matrix.clone();
-        subtract_from_one(matrix.as_mut(), from.as_ref().len());
+        let (zero, one) = (S::constant(0.0), S::constant(1.0));
         let mut difference = to.clone();
         for (to, from) in difference.as_mut().iter_mut().zip(from.as_ref()) {
             *to = *to - *from;
         }
-        let (mut turns, mut moved) = (model.size.square(zero), model.size.unknowns(zero));
-        let (rank, difference) = (self.tolerances.rank, difference.as_ref());
-        solve(
-            matrix.as_mut(),
-            turns.as_mut(),
-            difference,
-            rank,
-            moved.as_mut(),
-        );
+        let count = from.as_ref().len();
+        let mut moved = difference.clone();
+        let mut work = matrix.clone();
+        // Over half a cycle no direction is neutral.
+        let is_solved = span == ShotSpan::Half
+            && SquareMatrix::new(work.as_mut(), count).solve_shifted(one, moved.as_mut());
+        if !is_solved {
+            let (mut work, mut turns) = (matrix.clone(), model.size.square(zero));
+            subtract_from_one(work.as_mut(), count);
+            let (rank, difference) = (self.tolerances.rank, difference.as_ref());
+            solve(
+                work.as_mut(),
+                turns.as_mut(),
+                difference,
+                rank,
+                moved.as_mut(),
+            );
+        }
         for (to, from) in moved.as_mut().iter_mut().zip(from.as_ref()) {
             *to = *from + *to;
         }
         moved
     }
 
-    /// Returns the steady state that belongs to a periodic motion. The function overwrites `matrix`.
+    /// Returns the steady state that belongs to a periodic motion. `matrix` contains the derivatives of a shot. The
+    /// function overwrites it.
     fn found(
-        &self,
-        start: &Motion<S, Z>,
-        (matrix, span): (&mut Z::Square<S>, ShotSpan),
-        (period, residual): (usize, S),
-        watch: Watch<S, Z>,
-    ) -> Steady<S, Z> {
+        &mut self,
+        start: Motion<S, Z>,
+        matrix: &mut Z::Square<S>,
+        span: ShotSpan,
+    ) -> Result<Steady<S, Z>, Halt> {
+        let period = span.period();
+        let from = self.unknowns().read(&start);
+        let mut watch = Watch::new(start.model());
+        let mut slips = Slips::new(start.model());
+        let mut end = start.clone();
+        self.pass(&mut end, span, &mut Both(&mut slips, &mut watch))?;
+        let end = self.unknowns().read(&end);
+        let residual = apart(end.as_ref(), from.as_ref());
+        self.moving = slips.slides(start.model());
         let model = start.model();
         let zero = S::constant(0.0);
         let mut multipliers = model.size.unknowns(Complex::new(zero, zero));
         let count = multipliers.as_ref().len();
+        self.fix(matrix.as_mut(), 2 * model.wall(), count);
         SquareMatrix::new(matrix.as_mut(), count).eigenvalues(multipliers.as_mut());
         if span == ShotSpan::Half {
             for multiplier in multipliers.as_mut() {
@@ -163,8 +168,8 @@ impl<S: Float, Z: Size> Search<S, Z> {
         }
         let moving = self.moving.as_ref();
         let neutral = neutral(model, |j| moving.get(j) == Some(&false));
-        // A part of the chain without a support gives a double multiplier 1, for its position and its velocity. The
-        // finite differences split the double multiplier into two multipliers close to 1.
+        // A part of the chain without a support gives a double multiplier 1, for its position and its velocity. Rounding
+        // splits the double multiplier into two multipliers close to 1.
         let all = multipliers.as_mut();
         sort_by(all, from_one);
         let split = self.tolerances.split;
@@ -184,15 +189,31 @@ impl<S: Float, Z: Size> Search<S, Z> {
         for ((j, marginal), moves) in contacts.zip(moving) {
             *marginal = !*moves && start.state().phase(j) != FREE;
         }
-        Steady {
+        Ok(Steady {
             period,
             state: start.state().clone(),
             neutral,
             multipliers,
             count,
             marginal,
-            cycle: watch.cycle(self.length(period)),
+            cycle: match span {
+                ShotSpan::Half => watch.half_cycle(self.length(period)),
+                ShotSpan::Cycles(_) => watch.cycle(self.length(period)),
+            },
             residual,
+        })
+    }
+
+    /// Removes the positions of contacts that never slide from the derivatives. `first` is the index of the first
+    /// contact's position among the `count` unknowns.
+    fn fix(&self, matrix: &mut [S], first: usize, count: usize) {
+        for (column, entries) in matrix.chunks_exact_mut(count.max(1)).enumerate() {
+            for (row, entry) in entries.iter_mut().enumerate() {
+                let fixed = |index: usize| index >= first && !self.unknowns().moves(index - first);
+                if fixed(row) || fixed(column) {
+                    *entry = S::constant(0.0);
+                }
+            }
         }
     }
 }

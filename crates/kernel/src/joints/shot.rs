@@ -1,10 +1,9 @@
 //! One shot of the shooting method. A shot is the motion over a period or half a period, with its derivatives.
 
-use super::neutral::neutral;
+use super::model::{Contact, Model};
 use super::run::{Motion, Observe};
-use super::size::{Size, add, at};
+use super::size::Size;
 use super::slid::Slips;
-use super::state::FREE;
 use super::steady::{BOUNDS, Search};
 use super::tangent::{Both, ShotSpan, Tangent};
 use crate::Float;
@@ -21,45 +20,18 @@ pub(super) struct Shot<S: Float, Z: Size> {
 }
 
 impl<S: Float, Z: Size> Search<S, Z> {
-    /// Returns the duration of a shot: half a cycle of the load if possible, otherwise a period. Half a cycle is
-    /// enough for a motion that repeats with the opposite sign after half a cycle.
-    ///
-    /// The function assumes this symmetry under three conditions. The period is one cycle, and half a cycle later the
-    /// equations are the same with all signs changed. All contacts are elastic with μ = 1. No part of the chain can
-    /// move without a force.
-    pub(super) fn span(&self, motion: &Motion<S, Z>, period: usize) -> ShotSpan {
-        let model = motion.model();
+    /// Returns true if half a cycle later the equations are the same with all signs changed. A steady state can then
+    /// repeat with the opposite sign after half a cycle.
+    pub(super) fn is_odd(&self, model: &Model<S, Z>) -> bool {
         let mut loads = model.loads.as_ref().iter();
-        let is_odd =
-            loads.all(|(_, load)| load.is_odd(self.omega)) && model.base.is_odd(self.omega);
-        let halves = period == 1 && is_odd && Tangent::follows(model);
-        if halves && neutral(model, |_| false) == 0 {
-            ShotSpan::Half
-        } else {
-            ShotSpan::Cycles(period)
-        }
+        let mut contacts = model.contacts().iter();
+        loads.all(|(_, load)| load.is_odd(self.omega))
+            && model.base.is_odd(self.omega)
+            && contacts.all(Contact::has_constant_level)
     }
 
-    /// Returns true if the slider of each contact that does not slide in the period is at the position 0. If a slider
-    /// is at another position, the motion does not repeat with the opposite sign.
-    pub(super) fn is_centred(&self, motion: &Motion<S, Z>) -> bool {
-        let contacts = motion.model().contacts().iter().enumerate();
-        let mut still = contacts.filter(|(j, _)| !self.unknowns().moves(*j));
-        still.all(|(j, contact)| {
-            let Some(stiffness) = contact
-                .stiffness
-                .filter(|_| motion.state().phase(j) != FREE)
-            else {
-                return true;
-            };
-            let force = at(motion.state().forces.as_ref(), j);
-            let shift = stiffness * motion.relative(j).1 - force;
-            shift.abs() <= S::constant(1e3 * S::EPSILON) * contact.level.constant
-        })
-    }
-
-    /// Advances the motion from a state to the end of one shot. If `derives` is true and all contacts are elastic with
-    /// μ = 1, the function also computes the derivatives.
+    /// Advances the motion from a state to the end of one shot. If `derives` is true, the function also computes the
+    /// derivatives.
     pub(super) fn shoot(
         &self,
         start: &Motion<S, Z>,
@@ -69,15 +41,19 @@ impl<S: Float, Z: Size> Search<S, Z> {
         let model = start.model();
         let mut slips = Slips::new(model);
         let mut end = start.clone();
-        let mut tangent = (derives && Tangent::follows(model))
-            .then(|| Tangent::new(model, start.state(), &self.unknowns()));
+        let all = model.size.contacts(true);
+        let every = self.unknowns().of(&all);
+        let mut tangent = derives.then(|| Tangent::new(start, &every));
         match &mut tangent {
             Some(tangent) => self.pass(&mut end, span, &mut Both(&mut slips, tangent))?,
             None => self.pass(&mut end, span, &mut slips)?,
         }
         let moving = slips.slides(model);
-        let unknowns = self.unknowns().of(&moving);
-        let derivatives = tangent.map(|tangent| tangent.derivatives(&unknowns, span));
+        let unknowns = match span {
+            ShotSpan::Half => every,
+            ShotSpan::Cycles(_) => self.unknowns().of(&moving),
+        };
+        let derivatives = tangent.map(|tangent| tangent.derivatives(&end, &unknowns, span));
         Ok(Shot {
             end,
             derivatives,
@@ -86,7 +62,7 @@ impl<S: Float, Z: Size> Search<S, Z> {
     }
 
     /// Advances a motion to the end of a shot of the shooting method. A shot lasts `span`.
-    fn pass(
+    pub(super) fn pass(
         &self,
         motion: &mut Motion<S, Z>,
         span: ShotSpan,
@@ -103,37 +79,5 @@ impl<S: Float, Z: Size> Search<S, Z> {
                 Ok(())
             }
         }
-    }
-
-    /// Returns the derivatives of the unknowns after a shot with respect to the unknowns before the shot. The matrix is
-    /// stored column by column.
-    pub(super) fn derivatives(
-        &self,
-        start: &Motion<S, Z>,
-        to: &Z::Unknowns<S>,
-        span: ShotSpan,
-    ) -> Result<Z::Square<S>, Halt> {
-        if Tangent::follows(start.model())
-            && let Some(derivatives) = self.shoot(start, span, true)?.derivatives
-        {
-            return Ok(derivatives);
-        }
-        let unknowns = self.unknowns();
-        let step = self.tolerances.step;
-        let from = unknowns.read(start);
-        let mut matrix = start.model().size.square(S::constant(0.0));
-        let size = from.as_ref().len().max(1);
-        let columns = matrix.as_mut().chunks_exact_mut(size).enumerate();
-        for (index, column) in columns.filter(|(index, _)| unknowns.uses(start, *index)) {
-            let mut moved = from.clone();
-            add(moved.as_mut(), index, step);
-            let mut end = unknowns.write(start, &moved);
-            self.pass(&mut end, span, &mut ())?;
-            let end = unknowns.read(&end);
-            for (row, entry) in column.iter_mut().enumerate() {
-                *entry = (at(end.as_ref(), row) - at(to.as_ref(), row)) / step;
-            }
-        }
-        Ok(matrix)
     }
 }

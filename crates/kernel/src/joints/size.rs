@@ -1,5 +1,6 @@
 //! Arrays that store the quantities of a chain. They have a fixed length in emitted code, and are vectors at run time.
 
+use super::table::{NoTables, Tables};
 use core::fmt::Debug;
 
 /// A type whose values can be entries of the arrays.
@@ -13,7 +14,7 @@ pub trait Array<T>: AsRef<[T]> + AsMut<[T]> + Clone + Debug + PartialEq {}
 impl<T, A: AsRef<[T]> + AsMut<[T]> + Clone + Debug + PartialEq> Array<T> for A {}
 
 /// Numbers of masses, contacts and loads of a chain. The trait also selects the arrays that have these lengths.
-pub trait Size: Clone + Debug + PartialEq {
+pub trait Size: Clone + Debug + PartialEq + Sized {
     /// Type of an array with one entry for each mass.
     type Masses<T: Value>: Array<T>;
     /// Type of an array with one entry for each node: the masses, the wall and the base, in this order.
@@ -22,7 +23,8 @@ pub trait Size: Clone + Debug + PartialEq {
     type Contacts<T: Value>: Array<T>;
     /// Type of an array with one entry for each load.
     type Loads<T: Value>: Array<T>;
-    /// Type of an array with one entry for each unknown of a steady state. Each mass and each contact has two entries.
+    /// Type of an array with one entry for each unknown of a steady state. Each mass has two entries, and each contact
+    /// one.
     type Unknowns<T: Value>: Array<T>;
     /// Type of a square matrix with a row and a column for each unknown of a steady state. The matrix is stored column
     /// by column.
@@ -32,6 +34,15 @@ pub trait Size: Clone + Debug + PartialEq {
     /// Type of an array of any length whose entries do not change.
     type Constants<T: Value>: AsRef<[T]> + Clone + Debug;
 
+    /// Type of an array of any length.
+    type Cells<T: Value>: Array<T>;
+    /// Storage of the tables of a motion.
+    type Tables<S: crate::Float>: Tables<S, Self>;
+
+    /// Returns an array of `count` entries for tables. It is empty if the storage keeps no tables.
+    fn cells<T: Value>(&self, count: usize, value: T) -> Self::Cells<T>;
+    /// Returns a storage for a motion that uses no tables yet.
+    fn tables<S: crate::Float>(&self) -> Self::Tables<S>;
     /// Returns an array that contains `value` for each mass.
     fn masses<T: Value>(&self, value: T) -> Self::Masses<T>;
     /// Returns an array that contains `value` for each node.
@@ -47,7 +58,7 @@ pub trait Size: Clone + Debug + PartialEq {
 }
 
 /// Size of a chain in emitted code, with N masses, NODES = N + 2 nodes, M contacts and L loads. For steady states, U =
-/// 2N + 2M is the number of unknowns, and SQUARE = U² is the number of entries of a matrix. If the code needs only
+/// 2N + M is the number of unknowns, and SQUARE = U² is the number of entries of a matrix. If the code needs only
 /// closed forms, U is 2N. LAW is the number of points of the friction law, or 0 if the kinetic friction is constant.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Fixed<
@@ -78,6 +89,16 @@ impl<
     type Square<T: Value> = [T; SQUARE];
     type Points<T: Value> = [T; LAW];
     type Constants<T: Value> = &'static [T];
+    type Cells<T: Value> = [T; 0];
+    type Tables<S: crate::Float> = NoTables<[S; 0]>;
+
+    fn cells<T: Value>(&self, _: usize, _: T) -> [T; 0] {
+        []
+    }
+
+    fn tables<S: crate::Float>(&self) -> NoTables<[S; 0]> {
+        NoTables([[], []])
+    }
 
     fn masses<T: Value>(&self, value: T) -> [T; N] {
         [value; N]

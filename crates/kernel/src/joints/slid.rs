@@ -6,6 +6,7 @@ use super::run::Observe;
 use super::series::Series;
 use super::size::{Size, add, at, set};
 use super::state::State;
+use super::table::Leap;
 use crate::{Float, Scalar};
 
 /// Observer of a motion. It detects whether any contact slides.
@@ -28,6 +29,16 @@ impl<S: Float, Z: Size> Slid<S, Z> {
 }
 
 impl<S: Float, Z: Size> Observe<S, Z> for Slid<S, Z> {
+    const NEEDS_SERIES: bool = false;
+
+    fn leap(&mut self, leap: &Leap<'_, S, Z>) {
+        let phases = leap.state.phases.as_ref().iter().zip(self.ends.as_ref());
+        for (_, &ends) in phases.filter(|(phase, _)| phase.abs() == 1) {
+            let (before, after) = leap.places(ends);
+            self.slides |= (after - before).abs() > least_slip(after.abs());
+        }
+    }
+
     fn stretch(&mut self, series: &Series<S, Z>, end: S, state: &State<S, Z>) {
         let phases = state.phases.as_ref().iter().zip(self.ends.as_ref());
         for (_, &(plus, minus)) in phases.filter(|(phase, _)| phase.abs() == 1) {
@@ -70,6 +81,20 @@ impl<S: Float, Z: Size> Slips<S, Z> {
 }
 
 impl<S: Float, Z: Size> Observe<S, Z> for Slips<S, Z> {
+    const NEEDS_SERIES: bool = false;
+
+    fn leap(&mut self, leap: &Leap<'_, S, Z>) {
+        let phases = leap.state.phases.as_ref().iter().zip(self.ends.as_ref());
+        for (j, (phase, &ends)) in phases.enumerate() {
+            let (before, after) = leap.places(ends);
+            let most = Scalar::max(before.abs(), at(self.places.as_ref(), j));
+            set(self.places.as_mut(), j, most);
+            if phase.abs() == 1 {
+                add(self.slips.as_mut(), j, (after - before).abs());
+            }
+        }
+    }
+
     fn stretch(&mut self, series: &Series<S, Z>, end: S, state: &State<S, Z>) {
         let phases = state.phases.as_ref().iter().zip(self.ends.as_ref());
         for (j, (phase, &(plus, minus))) in phases.enumerate() {
@@ -90,6 +115,8 @@ impl<S: Float, Z: Size> Observe<S, Z> for Slips<S, Z> {
 pub(super) struct Count(pub(super) u32);
 
 impl<S: Float, Z: Size> Observe<S, Z> for Count {
+    const NEEDS_SERIES: bool = false;
+
     fn stretch(&mut self, _: &Series<S, Z>, _: S, _: &State<S, Z>) {}
 
     fn event(&mut self, _: S, _: &Z::Contacts<i8>, _: &Z::Contacts<i8>) {

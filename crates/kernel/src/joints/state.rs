@@ -102,6 +102,44 @@ impl<S: Float, Z: Size> State<S, Z> {
         }
     }
 
+    /// Returns a number for the set of contacts that stick.
+    pub(super) fn key(&self) -> u64 {
+        let phases = self.phases.as_ref().iter().rev();
+        phases.fold(0, |key, phase| key << 1 | u64::from(*phase == STUCK))
+    }
+
+    /// Takes the motion at the end of a stretch from its coordinates.
+    pub(super) fn land(&mut self, model: &Model<S, Z>, coordinates: &[S]) {
+        let motion = self.x.as_mut().iter_mut().chain(self.v.as_mut());
+        let mut coordinates = coordinates.iter();
+        for (own, value) in motion.zip(coordinates.by_ref()) {
+            *own = *value;
+        }
+        let contacts = model.contacts().iter().enumerate().zip(coordinates);
+        for ((j, _), value) in contacts.filter(|((_, contact), _)| !contact.is_rigid()) {
+            if self.phase(j) == STUCK {
+                set(self.forces.as_mut(), j, *value);
+            }
+        }
+    }
+
+    /// Makes all contacts with a friction force stick at the start of a motion, each in the middle of the interval in
+    /// which it can stick.
+    pub(super) fn stick(&mut self, model: &Model<S, Z>) {
+        let zero = S::constant(0.0);
+        let (x, _) = self.nodes(model, zero);
+        for (j, contact) in model.contacts().iter().enumerate() {
+            if self.phase(j) == FREE {
+                continue;
+            }
+            self.set_phase(j, STUCK);
+            set(self.places.as_mut(), j, zero);
+            let force = contact.stiffness.map(|k| k * contact.across(x.as_ref()));
+            set(self.forces.as_mut(), j, force.unwrap_or(zero));
+        }
+        self.zeros = model.size.contacts((0, 0));
+    }
+
     pub(super) fn set_phase(&mut self, contact: usize, phase: i8) {
         set(self.phases.as_mut(), contact, phase);
     }

@@ -12,7 +12,7 @@ use super::simulation::{MAX_EVENTS, MAX_STRETCHES};
 use super::size::Size;
 use super::slid::{Slid, Slips};
 use super::state::State;
-use super::tangent::Both;
+use super::tangent::{Both, ShotSpan};
 use super::tolerances::Tolerances;
 use crate::errors::Halt;
 use crate::number::complex::Complex;
@@ -97,34 +97,54 @@ pub(super) fn from_one<S: Float>(number: &Complex<S>) -> S {
 }
 
 impl<S: Float, Z: Size> Motion<S, Z> {
-    /// Searches for the steady state that the motion reaches, under loads of the angular frequency ω. If the motion
-    /// does not settle, the function returns `None`. The period of a steady state is at most [`MAX_PERIOD`] cycles.
+    /// Searches for the steady state that the motion reaches, under loads of the angular frequency ω, except that a
+    /// contact that never slides is in the middle of the interval in which it can stick. If the motion does not settle,
+    /// the function returns `None`. The period of a steady state is at most [`MAX_PERIOD`] cycles.
     ///
-    /// The search follows at most 2407 cycles until the motion settles, 12 times 319 cycles to confirm a result, and 20
-    /// times 12 periods for each unknown. If no contact slides for 128 cycles, the result is the state in which all
+    /// If the steady state is the only one, the search need not follow the motion. Otherwise the function follows the
+    /// motion as [`settle_from`](Self::settle_from) does.
+    ///
+    /// # Errors
+    ///
+    /// [`Halt`] if the motion exceeds a bound.
+    pub fn settle(&self, omega: S) -> Result<Option<Steady<S, Z>>, Halt> {
+        let mut search = Search::new(self, omega, S::constant(1.0));
+        let start = self.clone().with_tables();
+        // If this search exceeds a bound, the code ignores the error, because the search below may still find a steady
+        // state.
+        if let Ok(Some(steady)) = search.only(&start) {
+            return Ok(Some(steady));
+        }
+        let Some(steady) = self.settle_from(omega)? else {
+            return Ok(None);
+        };
+        search.centred(&start, steady).map(Some)
+    }
+
+    /// Searches for the steady state that the motion reaches, under loads of the angular frequency ω. A contact that
+    /// never slides stays where the motion has left it.
+    ///
+    /// The search follows at most 2407 cycles until the motion settles, 12 times 319 cycles to confirm a result, and 12
+    /// times 24 periods with derivatives. If no contact slides for 128 cycles, the result is the state in which all
     /// contacts stick, even if a free vibration about this state does not decay.
     ///
     /// # Errors
     ///
     /// [`Halt`] if the motion exceeds a bound.
-    pub fn settle(&mut self, omega: S) -> Result<Option<Steady<S, Z>>, Halt> {
+    pub fn settle_from(&self, omega: S) -> Result<Option<Steady<S, Z>>, Halt> {
         let mut search = Search::new(self, omega, S::constant(1.0));
-        // If this search exceeds a bound, the code ignores the error, because the search below may still find a steady
-        // state.
-        if let Ok(Some(steady)) = search.only(self) {
-            return Ok(Some(steady));
-        }
+        let mut motion = self.clone().with_tables();
         let mut cycles = WARM;
         for _ in 0..ATTEMPTS {
-            let period = search.warm(self, cycles)?;
+            let period = search.warm(&mut motion, cycles)?;
             for period in [Some(1), period.filter(|&period| period > 1)]
                 .into_iter()
                 .flatten()
             {
-                if let Some(steady) = search.newton(self, period)?
-                    && search.accepts(self, &steady)?
+                if let Some(steady) = search.newton(&motion, ShotSpan::Cycles(period))?
+                    && search.accepts(&mut motion, &steady)?
                 {
-                    return search.about_its_mean(self, steady).map(Some);
+                    return search.about_its_mean(&motion, steady).map(Some);
                 }
             }
             cycles *= 2;
@@ -147,7 +167,16 @@ impl<S: Float, Z: Size> Motion<S, Z> {
         omega: S,
         (period, place): (usize, S),
     ) -> Result<Option<Steady<S, Z>>, Halt> {
-        Search::new(self, omega, place).newton(self, period)
+        let motion = self.clone().with_tables();
+        let mut search = Search::new(self, omega, place);
+        // Where the steady state is the only one, contacts that never slide stay centred.
+        let centres = period == 1 && self.model().is_contraction() && search.is_odd(self.model());
+        let span = if centres {
+            ShotSpan::Half
+        } else {
+            ShotSpan::Cycles(period)
+        };
+        search.newton(&motion, span)
     }
 }
 
@@ -167,7 +196,7 @@ pub(super) struct Search<S: Float, Z: Size> {
 }
 
 impl<S: Float, Z: Size> Search<S, Z> {
-    fn new(motion: &Motion<S, Z>, omega: S, place: S) -> Self {
+    pub(super) fn new(motion: &Motion<S, Z>, omega: S, place: S) -> Self {
         Self {
             omega,
             cycle: S::constant(core::f64::consts::TAU) / omega,
@@ -233,6 +262,34 @@ impl<S: Float, Z: Size> Search<S, Z> {
             return Ok(true);
         }
         Ok(steady.is_stable() && self.confirm(motion, steady)?)
+    }
+
+    /// Returns a steady state in which each contact that never slides is in the middle of the interval in which it can
+    /// stick. If moving the contacts there would lead to another motion, the function returns the steady state itself.
+    fn centred(
+        &mut self,
+        motion: &Motion<S, Z>,
+        steady: Steady<S, Z>,
+    ) -> Result<Steady<S, Z>, Halt> {
+        let is_marginal = steady.marginal.as_ref().contains(&true);
+        if steady.period != 1 || !is_marginal || !self.is_odd(motion.model()) {
+            return Ok(steady);
+        }
+        let amplitudes = steady.cycle.amplitudes.as_ref().iter().copied();
+        self.place = amplitudes.fold(S::constant(f64::from(f32::MIN_POSITIVE)), Scalar::max);
+        let mut near = motion.clone();
+        near.restart(steady.state.clone());
+        let Some(found) = self.newton(&near, ShotSpan::Half)? else {
+            return Ok(steady);
+        };
+        let slides = found.marginal.as_ref().contains(&false);
+        let is_stable = found.is_stable() || (!slides && found.is_bounded(self.tolerances.step));
+        let stops = |one: &Steady<S, Z>| {
+            let contacts = one.cycle.contacts.as_ref().iter();
+            contacts.fold(0, |sum, contact| sum + contact.stops + contact.reversals)
+        };
+        let same = found.marginal == steady.marginal && stops(&found) == stops(&steady);
+        Ok(if is_stable && same { found } else { steady })
     }
 
     /// Returns true if a periodic motion already repeats after fewer cycles than its period.

@@ -1,17 +1,23 @@
-//! Derivatives of a motion with respect to its initial state. This module computes them for chains in which all
-//! contacts are elastic with μ = 1.
+//! Derivatives of a motion with respect to its initial state.
 //!
-//! Between two events, a small deviation from a motion satisfies the homogeneous linear equations. At an event of an
-//! elastic contact with μ = 1, the force, the displacements, the velocities and the accelerations do not jump. The
-//! deviations of displacements and velocities therefore do not jump either. The deviation of the force is 0 while the
-//! contact slides, and starts from 0 when the contact sticks again.
+//! Between two events a small deviation satisfies the homogeneous linear equations. At an event the deviation jumps if
+//! the accelerations do: the motion with the deviation passes the event a time δt later, so that its velocities change
+//! by (ẍ⁻ − ẍ⁺)δt, with the accelerations before and after the event. With the watched quantity q, which is 0 at the
+//! event, δt = −δq/q̇. q is the relative velocity of a rigid contact that slides, or the difference of the force of a
+//! contact that sticks from its static friction force.
+//!
+//! The force of an elastic contact has no deviation while the contact slides, and its deviation starts from 0 when the
+//! contact sticks again.
 
-use super::model::Model;
-use super::poly::terms_of;
-use super::run::Observe;
+use super::model::{Contact, Model};
+use super::poly::{terms_of, value_and_slope};
+use super::rates::Rates;
+use super::run::{Motion, Observe};
 use super::series::Series;
-use super::size::{Size, at};
-use super::state::{STUCK, State};
+use super::size::{Size, at, set};
+use super::state::{FREE, STUCK, State};
+use super::table::{Leap, dot};
+use super::tree::Tree;
 use super::unknowns::Unknowns;
 use crate::Float;
 
@@ -25,6 +31,16 @@ pub(super) enum ShotSpan {
     Cycles(usize),
 }
 
+impl ShotSpan {
+    /// Returns the number of cycles in a period of the motion.
+    pub(super) fn period(self) -> usize {
+        match self {
+            Self::Half => 1,
+            Self::Cycles(period) => period,
+        }
+    }
+}
+
 /// Observer of a motion that advances one small deviation for each unknown of a steady state.
 pub(super) struct Tangent<'m, S: Float, Z: Size> {
     model: &'m Model<S, Z>,
@@ -33,61 +49,90 @@ pub(super) struct Tangent<'m, S: Float, Z: Size> {
     rows: Z::Square<S>,
     /// Coefficients of one order in the power series of the deviations in `rows`.
     term: Z::Square<S>,
-    /// Deviations of the forces on the masses, with one row for each mass and one column for each unknown.
-    forces: Z::Square<S>,
-    /// Number of columns of each matrix. Each mass has one column for its displacement and one for its velocity, and
-    /// each contact has one column.
+    /// Coefficients of the next order.
+    raised: Z::Square<S>,
+    /// Number of rows and columns.
     width: usize,
+    /// Linear equations of the last stretch, and the phases to which they belong.
+    rates: Option<(Rates<S, Z>, Z::Contacts<i8>)>,
+    /// Accelerations of the masses at the end of the last stretch.
+    accelerations: Z::Masses<S>,
+    /// Rates of the watched quantities of the contacts at the end of the last stretch.
+    slopes: Z::Contacts<S>,
+    /// Differences of the static friction forces from the contact forces at the end of the last stretch, for contacts
+    /// that stick.
+    margins: Z::Contacts<S>,
+    /// True if an event has ended the last stretch.
+    is_at_event: bool,
 }
 
 impl<'m, S: Float, Z: Size> Tangent<'m, S, Z> {
-    /// Returns true if this observer can compute the derivatives for all contacts of a chain. This is possible if all
-    /// contacts are elastic with μ = 1.
-    pub(super) fn follows(model: &Model<S, Z>) -> bool {
-        let one = S::constant(1.0);
-        let mut contacts = model.contacts().iter();
-        contacts.all(|contact| !contact.is_rigid() && contact.stiction == one)
-    }
-
-    /// Starts to observe a motion at a state. Each column begins with a deviation of 1 in the unknown of the column.
-    pub(super) fn new(
-        model: &'m Model<S, Z>,
-        state: &State<S, Z>,
-        unknowns: &Unknowns<'_, S, Z>,
-    ) -> Self {
+    /// Starts to observe a motion. Each column begins with a deviation of 1 in the unknown of the column.
+    pub(super) fn new(motion: &'m Motion<S, Z>, unknowns: &Unknowns<'_, S, Z>) -> Self {
         let zero = S::constant(0.0);
+        let model = motion.model();
         let mut tangent = Self {
             model,
             rows: model.size.square(zero),
             term: model.size.square(zero),
-            forces: model.size.square(zero),
-            width: 2 * model.wall() + model.contacts().len(),
+            raised: model.size.square(zero),
+            width: model.width(),
+            rates: None,
+            accelerations: model.size.masses(zero),
+            slopes: model.size.contacts(zero),
+            margins: model.size.contacts(zero),
+            is_at_event: false,
         };
-        let masses = model.wall();
-        for mass in 0..masses {
-            tangent.put(mass, mass, unknowns.place);
-            tangent.put(masses + mass, masses + mass, unknowns.speed);
-        }
-        for (j, contact) in model.contacts().iter().enumerate() {
-            let Some(stiffness) = contact.stiffness.filter(|_| state.phase(j) == STUCK) else {
-                continue;
-            };
-            let force = stiffness * unknowns.place;
-            for (node, force) in [(contact.plus, force), (contact.minus, -force)] {
-                if node < masses {
-                    tangent.put(2 * masses + j, node, force);
-                }
-            }
-            tangent.put(2 * masses + j, 2 * masses + j, -force);
+        for column in 0..tangent.width {
+            tangent.begin(motion, unknowns, column);
         }
         tangent
     }
 
+    /// Sets the deviations of one column at the start.
+    fn begin(&mut self, motion: &Motion<S, Z>, unknowns: &Unknowns<'_, S, Z>, column: usize) {
+        let (model, masses) = (self.model, self.model.wall());
+        let zero = S::constant(0.0);
+        let (mut x, mut v) = (model.size.nodes(zero), model.size.nodes(zero));
+        let mut places = model.size.contacts(zero);
+        let mut slider = None;
+        match column.checked_sub(masses) {
+            None => set(x.as_mut(), column, unknowns.place),
+            Some(mass) if mass < masses => set(v.as_mut(), mass, unknowns.speed),
+            Some(rest) => {
+                let j = rest - masses;
+                if !unknowns.uses(motion, j) {
+                    return;
+                }
+                match model.contact(j).and_then(|contact| contact.stiffness) {
+                    None => set(places.as_mut(), j, unknowns.place),
+                    Some(_) => slider = Some(j),
+                }
+            }
+        }
+        motion.tree.meet(model, v.as_mut());
+        motion.tree.place(x.as_mut(), v.as_mut(), places.as_ref());
+        for mass in 0..masses {
+            self.put(mass, column, at(x.as_ref(), mass));
+            self.put(masses + mass, column, at(v.as_ref(), mass));
+        }
+        for (j, contact) in model.contacts().iter().enumerate() {
+            let sticks = motion.state().phase(j) == STUCK;
+            if let Some(stiffness) = contact.stiffness.filter(|_| sticks) {
+                let own = if slider == Some(j) {
+                    unknowns.place
+                } else {
+                    zero
+                };
+                let force = stiffness * (contact.across(x.as_ref()) - own);
+                self.put(2 * masses + j, column, force);
+            }
+        }
+    }
+
     /// Sets the deviation in one row and one column.
     fn put(&mut self, row: usize, column: usize, value: S) {
-        if let Some(entry) = self.rows.as_mut().get_mut(row * self.width + column) {
-            *entry = value;
-        }
+        set(self.rows.as_mut(), row * self.width + column, value);
     }
 
     /// Returns the deviation in one row and one column, or 0 if the matrix has no such entry.
@@ -96,195 +141,166 @@ impl<'m, S: Float, Z: Size> Tangent<'m, S, Z> {
     }
 
     /// Returns the derivatives of the unknowns at the end of a shot with respect to those at its start, column by
-    /// column. The position of a contact that does not slide is not an unknown.
+    /// column. `end` is the motion at the end of the shot.
     pub(super) fn derivatives(
         &self,
+        end: &Motion<S, Z>,
         unknowns: &Unknowns<'_, S, Z>,
         span: ShotSpan,
     ) -> Z::Square<S> {
-        let zero = S::constant(0.0);
         let turn = S::constant(if span == ShotSpan::Half { -1.0 } else { 1.0 });
-        let mut matrix = self.model.size.square(zero);
+        let mut matrix = self.model.size.square(S::constant(0.0));
         let masses = self.model.wall();
-        let size = self.model.size.unknowns(zero).as_ref().len().max(1);
-        // `column_of` returns the column of an unknown. A contact has two unknowns. An elastic contact uses the first
-        // unknown if the contact slides.
-        let column_of = |index: usize| match index.checked_sub(2 * masses) {
-            None => Some(index),
-            Some(index) if index % 2 == 0 && unknowns.moves(index / 2) => {
-                Some(2 * masses + index / 2)
-            }
-            Some(_) => None,
-        };
-        for (index, entries) in matrix.as_mut().chunks_exact_mut(size).enumerate() {
-            let Some(column) = column_of(index) else {
+        let columns = matrix.as_mut().chunks_exact_mut(self.width.max(1));
+        for (column, entries) in columns.enumerate() {
+            let contact = column.checked_sub(2 * masses);
+            if contact.is_some_and(|j| !unknowns.moves(j)) {
                 continue;
-            };
+            }
             for (row, entry) in entries.iter_mut().enumerate() {
-                let Some(row) = column_of(row) else {
-                    continue;
-                };
                 *entry = turn
                     * if row < masses {
                         self.get(row, column) / unknowns.place
                     } else if row < 2 * masses {
                         self.get(row, column) / unknowns.speed
+                    } else if unknowns.uses(end, row - 2 * masses) {
+                        self.place(row - 2 * masses, column) / unknowns.place
                     } else {
-                        self.slider(row - 2 * masses, column) / unknowns.place
+                        S::constant(0.0)
                     };
             }
         }
         matrix
     }
 
-    /// Returns the deviation of the position of an elastic contact's slider.
-    fn slider(&self, j: usize, column: usize) -> S {
+    /// Returns the deviation of the position of a contact: that of the slider of an elastic contact, or the relative
+    /// displacement of a rigid contact.
+    fn place(&self, j: usize, column: usize) -> S {
         let masses = self.model.wall();
-        let Some((contact, stiffness)) = self
-            .model
-            .contact(j)
-            .and_then(|contact| Some((contact, contact.stiffness?)))
-        else {
+        let Some(contact) = self.model.contact(j) else {
             return S::constant(0.0);
         };
-        let place = |node: usize| {
-            if node < masses {
-                self.get(node, column)
+        let across = self.across(contact, 0, column);
+        match contact.stiffness {
+            Some(stiffness) => across - self.get(2 * masses + j, column) / stiffness,
+            None => across,
+        }
+    }
+
+    /// Returns the deviation of the node `plus` of a contact minus that of its node `minus`. The rows of the masses
+    /// begin at the index `first`.
+    fn across(&self, contact: &Contact<S>, first: usize, column: usize) -> S {
+        let of = |node: usize| {
+            if node < self.model.wall() {
+                self.get(first + node, column)
             } else {
+                // The supports (wall and base) have no deviation.
                 S::constant(0.0)
             }
         };
-        let force = self.get(2 * masses + j, column);
-        place(contact.plus) - place(contact.minus) - force / stiffness
+        of(contact.plus) - of(contact.minus)
     }
 
-    /// Computes the field `forces`, the deviations of the forces on the masses, for the coefficients in the field
-    /// `term`.
-    fn sum_forces(&mut self, state: &State<S, Z>) {
-        let (width, masses) = (self.width, self.model.wall());
-        let Some((xs, vs, fs)) = parts(self.term.as_ref(), masses * width) else {
+    /// Computes the jump of the deviations at an event that has ended the last stretch. `after` contains the
+    /// accelerations of the masses after the event, and `state` the phases.
+    fn jump(&mut self, after: impl Iterator<Item = S>, state: &State<S, Z>) {
+        if !core::mem::take(&mut self.is_at_event) {
+            return;
+        }
+        let Some((rates, before)) = self.rates.take() else {
             return;
         };
-        let forces = self.forces.as_mut();
-        if let Some(forces) = forces.get_mut(..masses * width) {
-            forces.fill(S::constant(0.0));
-        }
-        let row = |index: usize| index * width..(index + 1) * width;
-        let springs = self.model.springs.as_ref().iter().map(|link| (link, xs));
-        let dashpots = self.model.dashpots.as_ref().iter().map(|link| (link, vs));
-        for (&(plus, minus, value), rows) in springs.chain(dashpots) {
-            // The supports (wall and base) have no deviation.
-            match (rows.get(row(plus)), rows.get(row(minus))) {
-                (Some(one), Some(other)) => {
-                    add_difference(forces, plus * width, (one, other, -value));
-                    add_difference(forces, minus * width, (one, other, value));
-                }
-                (Some(one), None) => add_rows(forces, plus * width, (one, -value)),
-                (None, Some(other)) => add_rows(forces, minus * width, (other, -value)),
-                (None, None) => {}
-            }
-        }
-        for (row_of, coefficients) in self.model.damping_rows().enumerate() {
-            for (coefficient, v) in coefficients.iter().zip(vs.chunks_exact(width.max(1))) {
-                add_rows(forces, row_of * width, (v, -*coefficient));
-            }
-        }
-        let contacts = self.model.contacts().iter().enumerate();
-        for (j, contact) in contacts.filter(|(j, _)| state.phase(*j) == STUCK) {
-            let pull = fs.get(row(j)).unwrap_or_default();
-            // A factor in `f64` would become an operation of double precision in `f32` code.
-            let one = S::constant(1.0);
-            for (node, factor) in [(contact.plus, -one), (contact.minus, one)] {
-                if node < masses {
-                    add_rows(forces, node * width, (pull, factor));
-                }
-            }
-        }
-    }
-
-    /// Replaces the coefficients in the field `term` by those of the next order.
-    fn raise(&mut self, state: &State<S, Z>, next: S) {
-        let (width, masses) = (self.width, self.model.wall());
-        let Some((xs, others)) = self.term.as_mut().split_at_mut_checked(masses * width) else {
+        let Some((j, contact)) = self.trigger(&before, state) else {
             return;
         };
-        let Some((vs, fs)) = others.split_at_mut_checked(masses * width) else {
+        let slope = at(self.slopes.as_ref(), j);
+        if slope.is_zero() {
             return;
-        };
-        let size = width.max(1);
-        let contacts = self.model.contacts().iter().enumerate();
-        for ((j, contact), force) in contacts.zip(fs.chunks_exact_mut(size)) {
-            force.fill(S::constant(0.0));
-            let Some(stiffness) = contact.stiffness.filter(|_| state.phase(j) == STUCK) else {
-                continue;
+        }
+        let masses = self.model.wall();
+        let was = before.as_ref().get(j).copied().unwrap_or(FREE);
+        for (mass, after) in after.enumerate() {
+            let step = at(self.accelerations.as_ref(), mass) - after;
+            set(self.accelerations.as_mut(), mass, step);
+        }
+        for column in 0..self.width {
+            let watched = if was != STUCK {
+                self.across(contact, masses, column)
+            } else if contact.is_rigid() {
+                let hold = rates.hold(j).iter().enumerate();
+                hold.fold(S::constant(0.0), |sum, (row, factor)| {
+                    sum + *factor * self.get(row, column)
+                })
+            } else {
+                self.get(2 * masses + j, column)
             };
-            for (node, factor) in [(contact.plus, stiffness), (contact.minus, -stiffness)] {
-                if let Some(speed) = vs.get(node * width..(node + 1) * width) {
-                    add_rows(force, 0, (speed, factor * next));
-                }
-            }
-        }
-        for (x, v) in xs.iter_mut().zip(vs.iter()) {
-            *x = next * *v;
-        }
-        let rows = vs
-            .chunks_exact_mut(size)
-            .zip(self.forces.as_ref().chunks_exact(size));
-        for ((speeds, forces), mass) in rows.zip(self.model.masses()) {
-            let factor = next / *mass;
-            for (v, force) in speeds.iter_mut().zip(forces) {
-                *v = factor * *force;
+            let delay = -watched / slope;
+            for mass in 0..masses {
+                let jump = delay * at(self.accelerations.as_ref(), mass);
+                let moved = self.get(masses + mass, column) + jump;
+                self.put(masses + mass, column, moved);
             }
         }
     }
-}
 
-/// Divides a matrix into the rows of displacements, of velocities, and of forces.
-fn parts<S>(matrix: &[S], size: usize) -> Option<(&[S], &[S], &[S])> {
-    let (xs, others) = matrix.split_at_checked(size)?;
-    let (vs, fs) = others.split_at_checked(size)?;
-    Some((xs, vs, fs))
-}
-
-/// Adds a row times `factor` to the row of a matrix that begins at the index `start`.
-fn add_rows<S: Float>(matrix: &mut [S], start: usize, (row, factor): (&[S], S)) {
-    let entries = matrix.get_mut(start..).unwrap_or_default();
-    for (entry, value) in entries.iter_mut().zip(row) {
-        *entry = *entry + factor * *value;
+    /// Takes the linear equations of the last stretch, if they also belong to the phases in `state`.
+    fn known(&mut self, state: &State<S, Z>) -> Option<Rates<S, Z>> {
+        // On a line of the friction law, the equations also depend on the line.
+        let has_lines = !self.model.law.as_ref().is_empty();
+        let known = self
+            .rates
+            .take()
+            .filter(|(_, phases)| !has_lines && *phases == state.phases);
+        known.map(|(rates, _)| rates)
     }
-}
 
-/// Adds the difference of two rows times `factor` to the row of a matrix that begins at the index `start`.
-fn add_difference<S: Float>(matrix: &mut [S], start: usize, (one, other, factor): (&[S], &[S], S)) {
-    let entries = matrix.get_mut(start..).unwrap_or_default();
-    for (entry, (one, other)) in entries.iter_mut().zip(one.iter().zip(other)) {
-        *entry = *entry + factor * (*one - *other);
+    /// Returns the contact whose event has ended the last stretch, if the accelerations may jump there. `before` contains
+    /// the phases during the stretch.
+    ///
+    /// A contact that slides changes its phase only at its own event. A contact that sticks may also break away because
+    /// another contact changes its phase; its force then jumps to the limit.
+    fn trigger(
+        &self,
+        before: &Z::Contacts<i8>,
+        state: &State<S, Z>,
+    ) -> Option<(usize, &'m Contact<S>)> {
+        let was = |j: usize| before.as_ref().get(j).copied().unwrap_or(FREE);
+        let contacts = self.model.contacts().iter().enumerate();
+        let changed = contacts.filter(|(j, contact)| {
+            // An elastic contact changes the accelerations only when it breaks away with μ > 1.
+            let breaks = was(*j) == STUCK && contact.stiction > S::constant(1.0);
+            was(*j) != state.phase(*j) && (contact.is_rigid() || breaks)
+        });
+        let margin = |j: usize| match was(j) {
+            STUCK => at(self.margins.as_ref(), j).abs(),
+            _ => S::constant(-1.0),
+        };
+        changed.reduce(|a, b| if margin(b.0) < margin(a.0) { b } else { a })
     }
-}
 
-impl<S: Float, Z: Size> Observe<S, Z> for Tangent<'_, S, Z> {
-    fn stretch(&mut self, series: &Series<S, Z>, end: S, state: &State<S, Z>) {
-        let length = end * series.length;
-        let (width, masses) = (self.width, self.model.wall());
-        let forces = self.rows.as_mut().get_mut(2 * masses * width..);
-        let forces = forces.unwrap_or_default().chunks_exact_mut(width.max(1));
-        for (j, force) in forces.enumerate() {
-            if state.phase(j) != STUCK {
+    /// Sets the deviations of the forces to 0, except those of elastic contacts that stick.
+    fn release(&mut self, state: &State<S, Z>) {
+        let first = 2 * self.model.wall() * self.width;
+        let forces = self.rows.as_mut().get_mut(first..).unwrap_or_default();
+        let forces = forces.chunks_exact_mut(self.width.max(1));
+        for ((j, contact), force) in self.model.contacts().iter().enumerate().zip(forces) {
+            if contact.is_rigid() || state.phase(j) != STUCK {
                 force.fill(S::constant(0.0));
             }
         }
-        let used = width * width;
-        let rows = self.rows.as_mut().get_mut(..used).unwrap_or_default();
-        let term = self.term.as_mut().get_mut(..used).unwrap_or_default();
-        for (term, row) in term.iter_mut().zip(rows) {
+    }
+
+    /// Advances the deviations by their power series over the time `length`.
+    fn advance(&mut self, rates: &Rates<S, Z>, state: &State<S, Z>, length: S) {
+        let used = self.width * self.width;
+        for (term, row) in self.term.as_mut().iter_mut().zip(self.rows.as_ref()) {
             *term = *row;
         }
         let ratio = length / self.model.stretch;
         let mut size = S::constant(1.0);
         for order in 0..terms_of::<S>() {
-            self.sum_forces(state);
             let order = S::whole(order + 1);
-            self.raise(state, length / order);
+            self.raise(rates, state, length / order);
             let rows = self.rows.as_mut().iter_mut().take(used);
             for (sum, term) in rows.zip(self.term.as_ref()) {
                 *sum = *sum + *term;
@@ -295,12 +311,140 @@ impl<S: Float, Z: Size> Observe<S, Z> for Tangent<'_, S, Z> {
             }
         }
     }
+
+    /// Replaces the coefficients in the field `term` by those of the next order. `next` is the time over the order.
+    fn raise(&mut self, rates: &Rates<S, Z>, state: &State<S, Z>, next: S) {
+        let (masses, size) = (self.model.wall(), self.width.max(1));
+        let term = self.term.as_ref();
+        for (index, row) in self.raised.as_mut().chunks_exact_mut(size).enumerate() {
+            row.fill(S::constant(0.0));
+            let speeds = |node: usize| {
+                let row = (masses + node) * size..(masses + node + 1) * size;
+                let is_mass = node < masses;
+                term.get(row).filter(|_| is_mass).unwrap_or_default()
+            };
+            if index < masses {
+                add_row(row, speeds(index), next);
+            } else if index < 2 * masses {
+                let factors = rates.acceleration(index - masses).iter();
+                for (factor, other) in factors.zip(term.chunks_exact(size)) {
+                    if !factor.is_zero() {
+                        add_row(row, other, next * *factor);
+                    }
+                }
+            } else if let Some(contact) = self.model.contact(index - 2 * masses)
+                && let Some(stiffness) = contact.stiffness
+                && state.phase(index - 2 * masses) == STUCK
+            {
+                add_row(row, speeds(contact.plus), next * stiffness);
+                add_row(row, speeds(contact.minus), -next * stiffness);
+            }
+        }
+        core::mem::swap(&mut self.term, &mut self.raised);
+    }
+}
+
+/// Adds the product of a row and a factor to another row.
+fn add_row<S: Float>(sum: &mut [S], row: &[S], factor: S) {
+    for (sum, value) in sum.iter_mut().zip(row) {
+        *sum = *sum + factor * *value;
+    }
+}
+
+impl<S: Float, Z: Size> Observe<S, Z> for Tangent<'_, S, Z> {
+    const NEEDS_SERIES: bool = false;
+
+    fn leap(&mut self, leap: &Leap<'_, S, Z>) {
+        let table = leap.table;
+        let starts = table.accelerations().map(|row| dot(row, leap.before));
+        self.jump(starts, leap.state);
+        self.release(leap.state);
+        if leap.is_whole {
+            let size = self.width.max(1);
+            for (index, row) in self.term.as_mut().chunks_exact_mut(size).enumerate() {
+                row.fill(S::constant(0.0));
+                let factors = table.deviation_row(index).iter();
+                for (factor, other) in factors.zip(self.rows.as_ref().chunks_exact(size)) {
+                    add_row(row, other, *factor);
+                }
+            }
+            core::mem::swap(&mut self.rows, &mut self.term);
+            return;
+        }
+        let rates = self
+            .known(leap.state)
+            .unwrap_or_else(|| Rates::of(self.model, table));
+        self.advance(&rates, leap.state, leap.length);
+        self.rates = Some((rates, leap.state.phases.clone()));
+        let mut slopes = self.model.size.cells(leap.after.len(), S::constant(0.0));
+        table.rates(self.model, leap.state, leap.after, slopes.as_mut());
+        let slopes = slopes.as_ref();
+        let masses = self.model.wall();
+        for (mass, own) in self.accelerations.as_mut().iter_mut().enumerate() {
+            *own = at(slopes, masses + mass);
+        }
+        for (j, slope) in self.slopes.as_mut().iter_mut().enumerate() {
+            *slope = table.slope(self.model, leap.state, (j, slopes));
+        }
+        for (j, margin) in self.margins.as_mut().iter_mut().enumerate() {
+            let force = table.force(self.model, (j, leap.after));
+            *margin = self.model.static_friction(j, S::constant(0.0)) - force.abs();
+        }
+    }
+
+    fn stretch(&mut self, series: &Series<S, Z>, end: S, state: &State<S, Z>) {
+        let model = self.model;
+        let rate = S::constant(1.0) / series.length;
+        let starts = (0..model.wall()).map(|mass| rate * at(&series.velocity_terms(mass), 1));
+        self.jump(starts, state);
+        self.release(state);
+        let rates = self.known(state).unwrap_or_else(|| {
+            let tree = Tree::new(model, |j| state.phase(j) == STUCK);
+            Rates::new(model, state, &tree, series.start)
+        });
+        self.advance(&rates, state, end * series.length);
+        self.rates = Some((rates, state.phases.clone()));
+        for (mass, own) in self.accelerations.as_mut().iter_mut().enumerate() {
+            *own = rate * value_and_slope(&series.velocity_terms(mass), end).1;
+        }
+        for (j, slope) in self.slopes.as_mut().iter_mut().enumerate() {
+            let Some(contact) = model.contact(j) else {
+                continue;
+            };
+            let watched = if state.phase(j) == STUCK {
+                series.force_terms(j)
+            } else {
+                series.speed_terms(contact.plus, contact.minus)
+            };
+            let (force, change) = value_and_slope(&watched, end);
+            *slope = rate * change;
+            if state.phase(j) == STUCK {
+                // The static friction force may change with time, too.
+                let time = series.start + end * series.length;
+                let limit = contact.stiction * contact.level.value(time, 1);
+                *slope = *slope - limit.copysign(force * limit);
+                let most = model.static_friction(j, time);
+                set(self.margins.as_mut(), j, most - force.abs());
+            }
+        }
+    }
+
+    fn event(&mut self, _: S, _: &Z::Contacts<i8>, _: &Z::Contacts<i8>) {
+        self.is_at_event = true;
+    }
 }
 
 /// Observer of a motion that consists of two other observers.
 pub(super) struct Both<'o, A, B>(pub(super) &'o mut A, pub(super) &'o mut B);
 
 impl<S: Float, Z: Size, A: Observe<S, Z>, B: Observe<S, Z>> Observe<S, Z> for Both<'_, A, B> {
+    const NEEDS_SERIES: bool = A::NEEDS_SERIES || B::NEEDS_SERIES;
+
+    fn leap(&mut self, leap: &Leap<'_, S, Z>) {
+        self.0.leap(leap);
+        self.1.leap(leap);
+    }
+
     fn stretch(&mut self, series: &Series<S, Z>, end: S, state: &State<S, Z>) {
         self.0.stretch(series, end, state);
         self.1.stretch(series, end, state);

@@ -3,6 +3,7 @@
 
 use super::model::{Contact, Model};
 use super::size::{Size, add, at, set};
+use super::state::State;
 use crate::Float;
 
 /// Mark for a node that does not belong to a tree yet.
@@ -133,6 +134,17 @@ impl<S: Float, Z: Size> Tree<S, Z> {
             set(x, branch.child, place);
             set(v, branch.child, speed);
         }
+    }
+
+    /// Makes the displacements and velocities in a state exactly those of masses that move together.
+    pub(super) fn settle(&self, model: &Model<S, Z>, state: &mut State<S, Z>, time: S) {
+        if self.count == 0 {
+            return;
+        }
+        let (mut x, mut v) = state.nodes(model, time);
+        self.place(x.as_mut(), v.as_mut(), state.places.as_ref());
+        state.keep_places(x.as_ref());
+        state.keep_speeds(v.as_ref());
     }
 
     /// Gives all nodes of a tree the same velocity, so that the momentum of the tree does not change. All nodes of a

@@ -33,23 +33,15 @@ impl<S: Float, Z: Size> Unknowns<'_, S, Z> {
         self.moving.as_ref().get(contact) == Some(&true)
     }
 
-    /// Returns true if the unknown with this index affects the motion that starts from the unknowns. Each contact has
-    /// two indices. The first index is for the slider of an elastic contact. The second index is for the relative
-    /// displacement of a rigid contact that sticks.
-    pub(super) fn uses(&self, motion: &Motion<S, Z>, index: usize) -> bool {
-        let model = motion.model();
-        let Some(which) = index.checked_sub(2 * model.masses().len()) else {
-            return true;
-        };
-        let j = which / 2;
-        let Some(contact) = model.contacts().get(j) else {
-            return false;
-        };
-        self.moves(j)
-            && match which % 2 {
-                0 => !contact.is_rigid(),
-                _ => contact.is_rigid() && motion.state().phase(j) == STUCK,
-            }
+    /// Returns true if the position of a contact affects the motion that starts from the unknowns. The position of a
+    /// rigid contact does so while the contact sticks.
+    pub(super) fn uses(&self, motion: &Motion<S, Z>, contact: usize) -> bool {
+        let phase = motion.state().phase(contact);
+        let is_rigid = motion
+            .model()
+            .contact(contact)
+            .is_some_and(|own| own.is_rigid());
+        self.moves(contact) && phase != FREE && (!is_rigid || phase == STUCK)
     }
 
     /// Returns the unknowns that correspond to the present state of a motion.
@@ -63,18 +55,12 @@ impl<S: Float, Z: Size> Unknowns<'_, S, Z> {
             put(mass, *x / self.place);
             put(masses + mass, *v / self.speed);
         }
-        for (j, contact) in motion.model().contacts().iter().enumerate() {
+        let contacts = motion.model().contacts().iter().enumerate();
+        for (j, contact) in contacts.filter(|(j, _)| self.uses(motion, *j)) {
             let place = motion.relative(j).1;
-            let index = 2 * masses + 2 * j;
-            match contact.stiffness {
-                _ if !self.moves(j) => {}
-                Some(stiffness) => {
-                    let slider = place - at(state.forces.as_ref(), j) / stiffness;
-                    put(index, slider / self.place);
-                }
-                None if state.phase(j) == STUCK => put(index + 1, place / self.place),
-                None => {}
-            }
+            let stretch = contact.stiffness.map(|k| at(state.forces.as_ref(), j) / k);
+            let place = place - stretch.unwrap_or(S::constant(0.0));
+            put(2 * masses + j, place / self.place);
         }
         unknowns
     }
@@ -90,10 +76,10 @@ impl<S: Float, Z: Size> Unknowns<'_, S, Z> {
             set(state.x.as_mut(), mass, own(mass) * self.place);
             set(state.v.as_mut(), mass, own(masses + mass) * self.speed);
         }
-        let of_contact = |j: usize, which: usize| own(2 * masses + 2 * j + which) * self.place;
+        let of_contact = |j: usize| own(2 * masses + j) * self.place;
         let contacts = || model.contacts().iter().enumerate();
         for (j, _) in contacts().filter(|(j, contact)| self.moves(*j) && contact.is_rigid()) {
-            set(state.places.as_mut(), j, of_contact(j, 1));
+            set(state.places.as_mut(), j, of_contact(j));
         }
         moved.restart(state);
         let mut state = moved.state().clone();
@@ -102,7 +88,7 @@ impl<S: Float, Z: Size> Unknowns<'_, S, Z> {
                 continue;
             };
             let slider = if self.moves(j) {
-                of_contact(j, 0)
+                of_contact(j)
             } else {
                 motion.relative(j).1 - at(motion.state().forces.as_ref(), j) / stiffness
             };

@@ -127,6 +127,16 @@ impl<S: Float> Wave<S> {
         terms
     }
 
+    /// Returns [a cos θ, a sin θ] of the harmonic at the instant `time`, where θ = ωt + φ.
+    pub(super) fn quadrature(&self, time: S) -> [S; 2] {
+        if self.amplitude.is_zero() {
+            return [S::constant(0.0); 2];
+        }
+        let angle = self.omega * time + self.phase;
+        let (sin, cos) = (angle * S::inverse_pi()).sin_cos_pi();
+        [self.amplitude * cos, self.amplitude * sin]
+    }
+
     /// Returns the time in which the phase of the harmonic advances by 1 rad. In this time the power series of the
     /// function converges at least as fast as that of the motion.
     pub(super) fn longest_stretch(&self) -> S {

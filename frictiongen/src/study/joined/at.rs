@@ -7,7 +7,7 @@ use super::scene::Joined;
 use super::simulation::JoinedSimulation;
 use super::units::AnswerUnits;
 use crate::study::joints::{
-    Chain, JointError, Motion, Watch, Wave, steady_state_of, stuck_response,
+    Chain, JointError, Motion, Steady, Watch, Wave, steady_state, steady_state_from, stuck_response,
 };
 use crate::{Given, OutOfDomain};
 use frictiongen_model::scene::Excitation;
@@ -30,6 +30,8 @@ pub struct JoinedAt<'a> {
     chain: Chain,
     omega: f64,
     units: AnswerUnits,
+    /// Displacements and velocities at the start of the motions to steady states, if the system has an initial state.
+    start: Option<(Vec<f64>, Vec<f64>)>,
 }
 
 impl<'a> Joined<'a> {
@@ -69,6 +71,7 @@ impl<'a> Joined<'a> {
             speed: omega,
         };
         let mut at = self.loaded(omega, amplitude, units);
+        at.start = self.start().map(|start| start.at(r));
         if !at.chain.law.is_empty() {
             let length = self.length().ok_or(JoinedError::NoAmplitude)?;
             for [speed, _] in &mut at.chain.law {
@@ -98,7 +101,17 @@ impl<'a> Joined<'a> {
             length: 1.0,
             speed: 1.0,
         };
-        Ok(self.loaded(omega, amplitude, units))
+        let mut at = self.loaded(omega, amplitude, units);
+        let length = match self.scene().excitation {
+            Excitation::Force(_) => amplitude / self.scene().first_stiffness(),
+            Excitation::Base => amplitude,
+        };
+        let scaled = |values: Vec<f64>, unit: f64| values.iter().map(|x| unit * x).collect();
+        at.start = self.start().map(|start| {
+            let (x, v) = start.at(omega / self.reference());
+            (scaled(x, length), scaled(v, omega * length))
+        });
+        Ok(at)
     }
 
     /// Starts a free vibration: a motion from a given state without a load, with a moving base at rest. `friction` is the
@@ -139,6 +152,7 @@ impl<'a> JoinedAt<'a> {
             chain,
             omega,
             units,
+            start: None,
         }
     }
 
@@ -171,21 +185,26 @@ impl<'a> JoinedAt<'a> {
         Ok(chain)
     }
 
-    /// Returns the steady state that the motion from rest reaches. `friction` is the common friction, as β = F/P or as
-    /// F in N. The friction force of a contact is its share of the common friction. The period is at most 64 cycles of
-    /// the load.
+    /// Returns the steady state that the motion from rest reaches, except that a contact that never slides is in the
+    /// middle of the interval in which it can stick. If the system
+    /// [starts from](crate::System::starting_from) an initial state, the method returns the steady state that the motion
+    /// from there reaches. `friction` is the common friction, as β = F/P or as F in N. The
+    /// friction force of a contact is its share of the common friction. The period is at most 64 cycles of the load.
     ///
     /// # Errors
     /// [`OutOfDomain`] for a friction that is negative or not finite. [`JoinedError::Engine`] if the motion does not
     /// settle, or if it has too many events.
     pub fn orbit(&self, friction: f64) -> Result<JoinedOrbit<'a>, JoinedError> {
+        if let Some((x, v)) = &self.start {
+            return self.orbit_from(friction, (x, v));
+        }
         let chain = self.chain(friction)?;
-        let motion = Motion::from_rest(&chain)?;
-        self.settled(motion, chain)
+        let steady = steady_state(&chain, self.omega)?;
+        Ok(self.settled(steady, chain))
     }
 
     /// Returns the steady state that the motion from a given state reaches. `state` has the displacement and the
-    /// velocity of each mass.
+    /// velocity of each mass. A contact that never slides stays where the motion has left it.
     ///
     /// # Errors
     /// Same errors as [`orbit`](Self::orbit). [`OutOfDomain::State`] for a state that is not finite, or not one number
@@ -197,17 +216,13 @@ impl<'a> JoinedAt<'a> {
     ) -> Result<JoinedOrbit<'a>, JoinedError> {
         let chain = self.chain(friction)?;
         let motion = self.started(&chain, Some(state))?;
-        self.settled(motion, chain)
+        let steady = steady_state_from(motion, self.omega)?;
+        Ok(self.settled(steady, chain))
     }
 
-    fn settled(&self, motion: Motion, chain: Chain) -> Result<JoinedOrbit<'a>, JoinedError> {
-        let steady = steady_state_of(motion, self.omega)?;
-        Ok(JoinedOrbit::new(
-            self.joined.clone(),
-            chain,
-            (self.omega, self.units),
-            steady,
-        ))
+    fn settled(&self, steady: Steady, chain: Chain) -> JoinedOrbit<'a> {
+        let units = (self.omega, self.units);
+        JoinedOrbit::new(self.joined.clone(), chain, units, steady)
     }
 
     /// Returns the largest |x̄| of every mass over cycles 513 to 576 of the motion from rest. This amplitude replaces

@@ -3,6 +3,7 @@
 use super::error::{JoinedError, UnknownContact};
 use crate::study::error::UnknownMass;
 use crate::study::joints::{Chain, Joint, MAX_MASSES, Wave};
+use crate::study::start::InitialState;
 use crate::study::system::System;
 use crate::{OutOfDomain, Unsupported};
 use frictiongen_kernel::Float;
@@ -24,6 +25,8 @@ pub struct Joined<'a> {
     /// Unit of displacement for results in ratios: P/k₁, or Y for base motion. The solver needs this unit if a
     /// friction law depends on the sliding speed.
     length: Option<f64>,
+    /// Initial state of the motions to steady states, if the system has one.
+    start: Option<InitialState>,
 }
 
 impl<S: Float> System<S> {
@@ -40,6 +43,7 @@ impl<S: Float> System<S> {
         }
         Ok(Joined {
             is_loaded: self.loaded().is_ok(),
+            start: self.start.clone(),
             ..Joined::new(self.scene(), self.modal())
         })
     }
@@ -76,7 +80,13 @@ impl<'a> Joined<'a> {
             chain,
             reference: modal.reference.to_f64(),
             length: None,
+            start: None,
         }
+    }
+
+    /// Returns the initial state of the motions to steady states, if the system has one.
+    pub(super) fn start(&self) -> Option<&InitialState> {
+        self.start.as_ref()
     }
 
     /// Fails if the description has no field `excitation`.

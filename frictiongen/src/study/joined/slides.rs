@@ -2,7 +2,7 @@
 //! contacts.
 
 use crate::study::joints::{Heap, Model, Series, State, Transition};
-use frictiongen_kernel::joints::{FREE, Observe, STUCK};
+use frictiongen_kernel::joints::{FREE, Observe, STUCK, Short};
 
 /// Travelled distance and dissipated energy of each contact since the start of a motion, and the events since the last
 /// call of `take_events`.
@@ -101,7 +101,7 @@ impl Observe<f64, Heap> for Slides {
         }
     }
 
-    fn event(&mut self, time: f64, before: &Vec<i8>, after: &Vec<i8>) {
+    fn event(&mut self, time: f64, before: &Short<i8>, after: &Short<i8>) {
         let phases = before.iter().zip(after);
         for (slide, (before, after)) in self.contacts.iter_mut().zip(phases) {
             if *before == STUCK && ![STUCK, FREE].contains(after) {
@@ -110,8 +110,8 @@ impl Observe<f64, Heap> for Slides {
         }
         let transition = Transition {
             time,
-            before: before.clone(),
-            after: after.clone(),
+            before: before.to_vec(),
+            after: after.to_vec(),
         };
         self.events.push((transition, self.places.clone()));
     }

@@ -39,7 +39,7 @@ impl Chain {
             damping_from_base: self.damping_from_base,
             contacts: contacts.collect::<Result<_, JointError>>()?,
             law: self.law.clone(),
-            loads: self.loads.clone(),
+            loads: self.loads.iter().copied().collect(),
             base: self.base.into(),
             stretch: 0.0,
         };

@@ -1,7 +1,7 @@
 //! Motion in time of a chain with several contacts, stored in `Vec`s.
 
-use super::{Chain, JointError, Model, Series, State, Wave};
-use frictiongen_kernel::joints::{self, Bounds, Observe, Size, Value};
+use super::{Chain, Heap, JointError, Model, Series, State, Wave};
+use frictiongen_kernel::joints::{self, Bounds, Observe, Short};
 
 /// Largest number of events in one call of [`Motion::run`].
 pub const MAX_EVENTS: usize = 100_000;
@@ -13,56 +13,6 @@ const BOUNDS: Bounds = Bounds {
     events: MAX_EVENTS,
     stretches: MAX_STRETCHES,
 };
-
-/// Size of a chain whose data are stored in `Vec`s.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct Heap {
-    pub(super) masses: usize,
-    pub(super) contacts: usize,
-    pub(super) loads: usize,
-}
-
-impl Heap {
-    /// Returns the number of unknowns in the search for a steady state.
-    fn count(&self) -> usize {
-        2 * (self.masses + self.contacts)
-    }
-}
-
-impl Size for Heap {
-    type Masses<T: Value> = Vec<T>;
-    type Nodes<T: Value> = Vec<T>;
-    type Contacts<T: Value> = Vec<T>;
-    type Loads<T: Value> = Vec<T>;
-    type Unknowns<T: Value> = Vec<T>;
-    type Square<T: Value> = Vec<T>;
-    type Points<T: Value> = Vec<T>;
-    type Constants<T: Value> = Vec<T>;
-
-    fn masses<T: Value>(&self, value: T) -> Vec<T> {
-        vec![value; self.masses]
-    }
-
-    fn nodes<T: Value>(&self, value: T) -> Vec<T> {
-        vec![value; self.masses + 2]
-    }
-
-    fn contacts<T: Value>(&self, value: T) -> Vec<T> {
-        vec![value; self.contacts]
-    }
-
-    fn loads<T: Value>(&self, value: T) -> Vec<T> {
-        vec![value; self.loads]
-    }
-
-    fn unknowns<T: Value>(&self, value: T) -> Vec<T> {
-        vec![value; self.count()]
-    }
-
-    fn square<T: Value>(&self, value: T) -> Vec<T> {
-        vec![value; self.count() * self.count()]
-    }
-}
 
 /// An event of a motion. Several contacts may have an event at the same instant.
 #[derive(Clone, Debug, PartialEq)]
@@ -94,11 +44,11 @@ impl Observe<f64, Heap> for Record<'_> {
         (self.watch)(series, end, state);
     }
 
-    fn event(&mut self, time: f64, before: &Vec<i8>, after: &Vec<i8>) {
+    fn event(&mut self, time: f64, before: &Short<i8>, after: &Short<i8>) {
         self.events.push(Transition {
             time,
-            before: before.clone(),
-            after: after.clone(),
+            before: before.to_vec(),
+            after: after.to_vec(),
         });
     }
 }
@@ -155,7 +105,7 @@ impl Motion {
     /// Returns the present force of each contact.
     #[must_use]
     pub fn forces(&self) -> Vec<f64> {
-        self.motion.forces()
+        self.motion.forces().into_vec()
     }
 
     /// Restarts the motion at time 0 from a state of this chain.

@@ -65,23 +65,25 @@ impl Steady {
     }
 }
 
-/// Returns the steady state that the motion from rest reaches, under loads of one frequency.
+/// Returns the steady state that the motion from rest reaches, under loads of one frequency, except that a contact that
+/// never slides is in the middle of the interval in which it can stick.
 ///
 /// # Errors
 ///
 /// [`JointError::NotSteady`] if the motion does not settle on a period of at most [`MAX_PERIOD`] cycles within some
 /// thousand cycles. Other [`JointError`]s if the motion itself fails.
 pub fn steady_state(chain: &Chain, omega: f64) -> Result<Steady, JointError> {
-    steady_state_of(Motion::from_rest(chain)?, omega)
+    let found = joints::settle(&Motion::from_rest(chain)?.into_engine(), omega)?;
+    found.map(Steady::new).ok_or(JointError::NotSteady)
 }
 
-/// Returns the steady state that the motion `motion` reaches, as [`steady_state`] does for the motion from rest.
+/// Returns the steady state that a motion reaches. A contact that never slides stays where the motion has left it.
 ///
 /// # Errors
 ///
 /// Same errors as [`steady_state`].
-pub fn steady_state_of(motion: Motion, omega: f64) -> Result<Steady, JointError> {
-    let found = motion.into_engine().settle(omega)?;
+pub fn steady_state_from(motion: Motion, omega: f64) -> Result<Steady, JointError> {
+    let found = joints::settle_from(&motion.into_engine(), omega)?;
     found.map(Steady::new).ok_or(JointError::NotSteady)
 }
 
@@ -96,6 +98,6 @@ pub fn steady_state_near(chain: &Chain, omega: f64, near: &Steady) -> Result<Ste
     motion.restart(near.state.clone());
     let place = near.cycle.amplitudes.iter().copied().fold(0.0, f64::max);
     let place = if place > 0.0 { place } else { 1.0 };
-    let found = motion.into_engine().refine(omega, (near.period, place))?;
+    let found = joints::refine(&motion.into_engine(), omega, (near.period, place))?;
     found.map(Steady::new).ok_or(JointError::NotSteady)
 }

@@ -31,8 +31,8 @@ pub fn stuck_response(chain: &Chain) -> Result<StuckResponse, JointError> {
     let displacements = response.displacements;
     Ok(StuckResponse {
         amplitudes: displacements.iter().map(|x| x.norm()).collect(),
-        displacements,
-        forces: response.forces,
+        displacements: displacements.into_vec(),
+        forces: response.forces.into_vec(),
         limit: response.limit,
     })
 }

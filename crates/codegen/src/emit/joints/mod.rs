@@ -59,7 +59,7 @@ impl<'a> JointsEmission<'a> {
         let masses = scene.masses.len();
         let mut sizes = vec![masses, masses + 2, contacts.len(), loads.len()];
         let unknowns = if scene.provide.contains(&Provide::Orbit) {
-            2 * (masses + contacts.len())
+            2 * masses + contacts.len()
         } else if scene.provide.contains(&Provide::Stuck) {
             2 * masses
         } else {

@@ -3,7 +3,6 @@
 
 use super::{FRAME, apart, system};
 use crate::Regime;
-use crate::study::InitialState;
 
 const SINGLE: &str = "struct Frame {
     masses: { lower: 3.27, upper: 3.25 },
@@ -21,8 +20,6 @@ fn listed() -> String {
 #[test]
 fn steady_states_are_those_of_a_single_contact() {
     let (one, many) = (system(SINGLE), system(&listed()));
-    // The solver for several contacts gives the state that motion from rest reaches.
-    let one = one.starting_from(InitialState::rest(2));
     let joined = many.joined().expect("answers");
     let (mut seen, mut worst) = (Vec::new(), 0.0_f64);
     for (r, beta) in [(0.9, 0.3), (0.9, 0.6), (0.3, 0.4), (0.05, 0.1), (2.0, 0.8)] {
@@ -39,14 +36,18 @@ fn steady_states_are_those_of_a_single_contact() {
         for name in ["lower", "upper"] {
             let amplitude = expected.mass(name).expect("a mass").amplitude();
             let got = orbit.amplitude(name).expect("a mass");
-            assert!(
-                apart(got, amplitude) < 1e-10,
-                "r {r}, beta {beta}: {got} {amplitude}"
-            );
-            worst = worst.max(apart(got, amplitude));
+            // While the contact sticks at the wall, its mass does not move.
+            let differs = if got == amplitude {
+                0.0
+            } else {
+                apart(got, amplitude)
+            };
+            assert!(differs < 1e-10, "r {r}, beta {beta}: {got} {amplitude}");
+            worst = worst.max(differs);
         }
         let displacement = expected.contact().amplitude();
-        assert!(apart(contact.displacement(), displacement) < 1e-10);
+        let found = contact.displacement();
+        assert!(found == displacement || apart(found, displacement) < 1e-10);
         let symmetric = orbit.is_symmetric().expect("a motion");
         assert_eq!(
             (orbit.is_stable(), symmetric),
@@ -63,9 +64,8 @@ fn steady_states_are_those_of_a_single_contact() {
             let rate = expected.multipliers().iter().map(|m| m.norm());
             let rate = rate.fold(0.0, f64::max);
             let got = orbit.multipliers().first().map_or(0.0, |m| m.norm());
-            // The multipliers of the solver for several contacts come from differences with a step of 1e-6.
             assert!(
-                (got - rate).abs() < 1e-5,
+                (got - rate).abs() < 1e-9,
                 "r {r}, beta {beta}: {got} {rate}"
             );
         }

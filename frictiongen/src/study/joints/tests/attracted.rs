@@ -1,7 +1,7 @@
 //! Compares steady states with the motion from rest, cycle after cycle. All contacts of the chains are elastic with μ
 //! = 1. For such chains, the search may return a steady state before the motion has settled.
 
-use super::super::{Motion, State, steady_state};
+use super::super::{Motion, State, steady_state, steady_state_from};
 use super::{Chain, Random, random_chain};
 use std::f64::consts::TAU;
 
@@ -51,6 +51,41 @@ fn settled(chain: &Chain, omega: f64) -> Option<State> {
     None
 }
 
+/// Checks that the steady state without a given start repeats with the opposite sign after half a cycle, the forces of
+/// contacts that never slide included. If all contacts slide, it is `expected`, the state that the motion from rest
+/// reaches.
+fn centred(chain: &Chain, omega: f64, expected: Option<&State>) {
+    let steady = steady_state(chain, omega).expect("a steady state");
+    let size = steady
+        .cycle
+        .amplitudes
+        .iter()
+        .fold(0.0_f64, |m, x| m.max(*x));
+    let mut motion = Motion::from_rest(chain).expect("a chain");
+    motion.restart(steady.state.clone());
+    motion
+        .run(0.5 * TAU / omega, &mut |_, _, _| {})
+        .expect("a motion");
+    let mut opposite = motion.state().clone();
+    let numbers = opposite.x.iter_mut().chain(&mut opposite.v);
+    for number in numbers.chain(&mut opposite.forces) {
+        *number = -*number;
+    }
+    let (moved, forces) = away(chain, omega, (&opposite, &steady.state));
+    // Newton's method ends at a residual of some 1e-13 of the size of the motion.
+    assert!(
+        moved < 1e-11 * size && forces < 1e-10,
+        "{moved:.1e} {forces:.1e}"
+    );
+    if let Some(expected) = expected {
+        let (moved, forces) = away(chain, omega, (&steady.state, expected));
+        assert!(
+            moved < 1e-9 * size && forces < 1e-9,
+            "{moved:.1e} {forces:.1e}"
+        );
+    }
+}
+
 /// Compares the steady states of random scenes with the motions from rest. Returns the largest difference, and the
 /// number of scenes in which one contact never slides although another contact slides.
 fn compare(count: usize) -> (f64, usize) {
@@ -70,8 +105,14 @@ fn compare(count: usize) -> (f64, usize) {
         let Some(expected) = settled(&chain, omega) else {
             continue;
         };
-        let steady = steady_state(&chain, omega).expect("a steady state");
+        let rest = Motion::from_rest(&chain).expect("a chain");
+        let steady = steady_state_from(rest, omega).expect("a steady state");
         assert_eq!(steady.period, 1);
+        centred(
+            &chain,
+            omega,
+            steady.marginal.is_empty().then_some(&expected),
+        );
         let size = steady
             .cycle
             .amplitudes

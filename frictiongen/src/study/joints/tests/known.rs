@@ -90,7 +90,7 @@ fn oscillator_that_comes_to_rest() {
     let expected = 15.0 - 205.0_f64.sqrt();
     let got = motion.state().x[0];
     assert!((got - expected).abs() < 1e-13, "{got} {expected}");
-    assert_eq!(motion.state().v, [0.0]);
+    assert_eq!(*motion.state().v, [0.0]);
 }
 
 /// Checks the hysteresis loop of an elastic contact whose displacement goes from −5 to 5 and back. The area of the loop

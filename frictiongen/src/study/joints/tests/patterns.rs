@@ -155,16 +155,16 @@ fn decision<'a>(
     Decision {
         model,
         size: forces.iter().map(|f| f.abs()).sum(),
-        forces: nodes,
+        forces: nodes.into(),
         base: 0.0,
         levels: chain.contacts.iter().map(|c| c.level.constant).collect(),
-        asked: vec![true; contacts],
+        asked: (0..contacts).map(|_| true).collect(),
         broke: (0..contacts).map(|j| broke(j).unwrap_or(0)).collect(),
     }
 }
 
 fn decide(decision: &Decision) -> Vec<i8> {
-    decision.decide().expect("a pattern")
+    decision.decide().expect("a pattern").into_vec()
 }
 
 /// Compares random decisions with a search over all patterns, with and without contacts that have just broken away.
@@ -235,7 +235,7 @@ fn accelerations_are_those_of_the_convex_minimum() {
         let model = chain.model().expect("a chain");
         let question = decision(&model, &chain, &forces, &[]);
         let pattern = decide(&question);
-        let (a, _) = question.accelerations(&question.asked, &pattern);
+        let (a, _) = question.accelerations(&question.asked, &pattern.into());
         let cost = |a: &[f64]| {
             let masses: f64 = (0..chain.masses.len())
                 .map(|i| chain.masses[i] * a[i] * a[i] / 2.0 - forces[i] * a[i])

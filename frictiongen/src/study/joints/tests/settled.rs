@@ -1,6 +1,6 @@
 //! Tests of steady states of random scenes, with periods of any length. A third of the scenes have no support.
 
-use super::super::{JointError, Motion, State, steady_state};
+use super::super::{JointError, Motion, State, steady_state_from};
 use super::{Chain, Random, random_chain};
 use std::f64::consts::TAU;
 
@@ -31,11 +31,13 @@ fn settle(count: usize) -> (usize, usize) {
     let (mut open, mut several, mut compared) = (0, 0, 0);
     for index in 0..count {
         let (chain, omega) = random_chain(&mut random);
-        let steady = match steady_state(&chain, omega) {
+        let rest = Motion::from_rest(&chain).expect("a chain");
+        let steady = match steady_state_from(rest, omega) {
             Ok(steady) => steady,
             Err(error) => {
                 assert_eq!(error, JointError::NotSteady, "scene {index}");
                 open += 1;
+
                 continue;
             }
         };

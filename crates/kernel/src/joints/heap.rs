@@ -1,0 +1,159 @@
+//! Arrays and tables at run time, in memory that the program allocates.
+//!
+//! The functions of this module are not generic, so that this crate compiles the search for steady states with its own
+//! optimisation.
+
+use super::run::Motion;
+use super::size::{Size, Value};
+use super::steady::Steady;
+use super::table::{Table, Tables};
+use crate::Float;
+use crate::errors::Halt;
+use smallvec::{SmallVec, smallvec};
+use std::collections::BTreeMap;
+use std::sync::{Arc, Mutex, PoisonError};
+
+/// An array with one entry for each mass, node, contact or load. Up to six entries need no allocation.
+pub type Short<T> = SmallVec<[T; 6]>;
+
+/// Size of a chain at run time.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Heap {
+    /// Number of masses of the chain.
+    pub masses: usize,
+    /// Number of contacts of the chain.
+    pub contacts: usize,
+    /// Number of loads of the chain.
+    pub loads: usize,
+}
+
+impl Heap {
+    /// Returns the number of unknowns in the search for a steady state.
+    fn unknowns(&self) -> usize {
+        2 * self.masses + self.contacts
+    }
+}
+
+impl Size for Heap {
+    type Masses<T: Value> = Short<T>;
+    type Nodes<T: Value> = Short<T>;
+    type Contacts<T: Value> = Short<T>;
+    type Loads<T: Value> = Short<T>;
+    type Unknowns<T: Value> = Vec<T>;
+    type Square<T: Value> = Vec<T>;
+    type Points<T: Value> = Vec<T>;
+    type Constants<T: Value> = Vec<T>;
+    type Cells<T: Value> = Vec<T>;
+    type Tables<S: Float> = KeptTables<S>;
+
+    fn cells<T: Value>(&self, count: usize, value: T) -> Vec<T> {
+        vec![value; count]
+    }
+
+    fn tables<S: Float>(&self) -> KeptTables<S> {
+        KeptTables {
+            all: None,
+            last: None,
+            ends: [Vec::new(), Vec::new()],
+        }
+    }
+
+    fn masses<T: Value>(&self, value: T) -> Short<T> {
+        smallvec![value; self.masses]
+    }
+
+    fn nodes<T: Value>(&self, value: T) -> Short<T> {
+        smallvec![value; self.masses + 2]
+    }
+
+    fn contacts<T: Value>(&self, value: T) -> Short<T> {
+        smallvec![value; self.contacts]
+    }
+
+    fn loads<T: Value>(&self, value: T) -> Short<T> {
+        smallvec![value; self.loads]
+    }
+
+    fn unknowns<T: Value>(&self, value: T) -> Vec<T> {
+        vec![value; self.unknowns()]
+    }
+
+    fn square<T: Value>(&self, value: T) -> Vec<T> {
+        vec![value; self.unknowns() * self.unknowns()]
+    }
+}
+
+/// Tables by the sets of sticking contacts to which they belong.
+type TableMap<S> = BTreeMap<u64, Arc<Table<S, Heap>>>;
+
+/// Tables of the sets of sticking contacts that have occurred so far. Copies of a motion share them.
+#[derive(Clone, Debug)]
+pub struct KeptTables<S: Float> {
+    all: Option<Arc<Mutex<TableMap<S>>>>,
+    last: Option<Arc<Table<S, Heap>>>,
+    ends: [Vec<S>; 2],
+}
+
+impl<S: Float> Tables<S, Heap> for KeptTables<S> {
+    type Found = Arc<Table<S, Heap>>;
+
+    fn enable(&mut self, coordinates: Vec<S>) {
+        self.all.get_or_insert_default();
+        self.ends = [coordinates.clone(), coordinates];
+    }
+
+    fn take(&mut self, key: u64, make: impl FnOnce() -> Table<S, Heap>) -> Option<Self::Found> {
+        let all = self.all.as_ref()?;
+        let last = self.last.take();
+        Some(last.unwrap_or_else(|| {
+            let mut all = all.lock().unwrap_or_else(PoisonError::into_inner);
+            Arc::clone(all.entry(key).or_insert_with(|| Arc::new(make())))
+        }))
+    }
+
+    fn keep(&mut self, found: Self::Found) {
+        self.last = Some(found);
+    }
+
+    fn change(&mut self) {
+        self.last = None;
+    }
+
+    fn ends(&mut self) -> &mut [Vec<S>; 2] {
+        &mut self.ends
+    }
+}
+
+/// Searches for a steady state by [`Motion::settle`].
+///
+/// # Errors
+///
+/// [`Halt`] if the motion exceeds a bound.
+pub fn settle(motion: &Motion<f64, Heap>, omega: f64) -> Result<Option<Steady<f64, Heap>>, Halt> {
+    motion.settle(omega)
+}
+
+/// Searches for a steady state by [`Motion::settle_from`].
+///
+/// # Errors
+///
+/// [`Halt`] if the motion exceeds a bound.
+pub fn settle_from(
+    motion: &Motion<f64, Heap>,
+    omega: f64,
+) -> Result<Option<Steady<f64, Heap>>, Halt> {
+    motion.settle_from(omega)
+}
+
+/// Searches for a steady state by [`Motion::refine`].
+///
+/// # Errors
+///
+/// [`Halt`] if the motion exceeds a bound.
+pub fn refine(
+    motion: &Motion<f64, Heap>,
+    omega: f64,
+    near: (usize, f64),
+) -> Result<Option<Steady<f64, Heap>>, Halt> {
+    motion.refine(omega, near)
+}
