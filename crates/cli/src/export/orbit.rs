@@ -30,7 +30,7 @@ pub fn add(face: &mut ExportedItems, scene: &Scene, unit: &str) {
     let output = ("orbit", Passed::Output(FieldType::Record("orbit")));
     face.functions.push(ExportedFunction {
         name: "orbit",
-        about: "Returns the steady state that motion from rest reaches, in any regime.".to_owned(),
+        about: "Returns the steady state that motion from rest reaches, in any regime. A contact that never slides is in the middle of the interval in which it may rest.".to_owned(),
         parameters: vec![R, BETA, output.clone()],
         body: format!(
             "let found = Scene::at(r).map_err(domain)?.orbit(beta).map_err(no_orbit)?;\n{WRITTEN}"
@@ -39,7 +39,7 @@ pub fn add(face: &mut ExportedItems, scene: &Scene, unit: &str) {
     let list = |of: &str| of_masses(scene, |field, _| format!("start.{field}.{of}")).join(", ");
     face.functions.push(ExportedFunction {
         name: "orbit_from",
-        about: "Returns the steady state that motion from another state reaches. With mu > 1 several states may exist."
+        about: "Returns the steady state that motion from another state reaches. With mu > 1 several states may exist. A contact that never slides stays where the motion leaves it."
             .to_owned(),
         parameters: vec![R, BETA, ("start", Passed::Input("orbit_start")), output],
         body: format!(
