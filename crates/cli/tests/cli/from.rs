@@ -156,7 +156,6 @@ fn wrong_states() {
         "response --r 1",
         "map --r 1",
         "curve --r 1:2",
-        "optimum --r 1:2 --of m",
         "time --r 1 --steady",
     ] {
         let line = format!("{} --from rest", beta(line));
