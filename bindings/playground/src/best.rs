@@ -23,6 +23,7 @@ pub fn answer(question: &Question) -> Result<Value, String> {
         OptimumKind::NoFriction => "any friction increases the largest amplitude",
         OptimumKind::Stuck => "the contact is stuck, and more friction changes nothing",
         OptimumKind::Trivial => "the contact is stuck over the whole range, and this motion rests",
+        OptimumKind::Flat => "the amplitude is the same over an interval of friction",
         OptimumKind::Bounded => "a bound keeps the friction from a smaller amplitude",
         OptimumKind::Balanced => "more friction raises one quantity, less raises another",
     };

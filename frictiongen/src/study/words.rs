@@ -191,10 +191,11 @@ pub fn event(event: Event) -> &'static str {
 #[must_use]
 pub fn kind(kind: OptimumKind) -> &'static str {
     match kind {
-        OptimumKind::EqualPeaks => "equal peaks",
+        OptimumKind::EqualPeaks => "two equal peaks",
         OptimumKind::SinglePeak => "one peak at its least",
         OptimumKind::NoFriction => "friction only does harm",
         OptimumKind::Stuck => "stuck: more friction changes nothing",
+        OptimumKind::Flat => "flat: the same over an interval of friction",
         OptimumKind::Bounded => "a bound on another quantity",
         OptimumKind::Balanced => "balance: more friction raises one quantity, less raises another",
         OptimumKind::Trivial => "trivial: nothing that is asked for moves or acts",
@@ -207,6 +208,9 @@ pub fn end(end: OptimumEnd) -> &'static str {
     match end {
         OptimumEnd::Converged => "converged",
         OptimumEnd::Jump => "at a jump to a larger steady state",
+        OptimumEnd::Unconfirmed => {
+            "the best so far: each finer scan of the band found a higher peak"
+        }
         OptimumEnd::WorkSpent => {
             "the best so far: the work of one search was done before it converged"
         }

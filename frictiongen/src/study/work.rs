@@ -23,6 +23,14 @@ const DAMPED: usize = 8;
 /// square of the number of masses.
 const UNDAMPED: usize = 6;
 
+/// Work of a steady state of several contacts that settles at once, for each mass, in units of about 10 µs.
+const OF_CONTACTS: usize = 15;
+/// Work of a motion of several contacts that does not settle, for each mass, in units of about 10 µs.
+const OF_CONTACTS_UNSETTLED: usize = 4000;
+/// Number of cycles that doubles the work of a steady state of several contacts. In this number of cycles, a deviation
+/// from the steady state falls to 1/e.
+const CYCLES: f64 = 4.0;
+
 /// Returns the work of the response `found` at the frequency ratio r, in units of about 10 µs.
 pub(in crate::study) fn work(
     system: &System,
@@ -52,4 +60,14 @@ pub(in crate::study) fn work(
         Err(Error::NoOrbit(_)) => spent,
         Err(_) => 1,
     }
+}
+
+/// Returns the work of a steady state of several contacts, in units of about 10 µs. `multiplier` is the modulus of its
+/// largest Floquet multiplier, or `None` for a motion that does not settle.
+pub(in crate::study) fn of_contacts(masses: usize, multiplier: Option<f64>) -> usize {
+    let Some(multiplier) = multiplier else {
+        return OF_CONTACTS_UNSETTLED * masses;
+    };
+    let cycles = (1.0 / (1.0 - multiplier).max(1e-3)).min(500.0);
+    (OF_CONTACTS as f64 * masses as f64 * (1.0 + cycles / CYCLES)) as usize
 }

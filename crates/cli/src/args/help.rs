@@ -256,17 +256,18 @@ Exit status:
 pub const OPTIMA: &str = "\
 What is searched:
   For one friction the search finds the largest amplitude over the band a:b, over all regimes. It
-  evaluates the amplitude at every resonance of the chain, free and with its contact stuck, and at their
-  sub-harmonics. It also evaluates regime changes and a grid of frequencies. With the best friction this
-  largest amplitude is smallest. The best friction lies between zero and the friction that keeps the
-  contact stuck over the whole band. The amplitude is infinite if friction does not bound an undamped
-  resonance.
+  evaluates the amplitude on a grid of frequencies, which is closer at the resonances of the chain with
+  every set of stuck contacts, and refines the largest maxima. With the best friction this largest
+  amplitude is smallest. A finer grid with steps of 0.25 % checks the result. The best friction lies
+  between zero and the friction that keeps all contacts stuck over the whole band. The amplitude is
+  infinite if friction does not bound an undamped resonance.
 
 Quantities:
   friction     the best friction, in N with --force or --base, otherwise as beta
-  what limits it  why no other friction is better. `equal peaks`: two peaks are equal, and more friction
-                  raises one and lowers the other. `one peak at its least`: more friction and less friction
-                  both raise the only largest peak
+  what limits it  why no other friction is better. `two equal peaks`: more friction raises one and lowers
+                  the other. `one peak at its least`: more friction and less friction both raise the only
+                  largest peak. `flat`: the peak is the same over an interval of friction, because no
+                  contact slides at its frequency. `stuck`: all contacts are stuck over the whole band
   how the search ended  it converged; or the best friction is at a jump, beyond which the amplitude is larger;
                   or the search stopped early, at its limit of work or by Ctrl-C, and prints the best friction
                   so far. If it did not converge, an interval of frictions contains the best friction
@@ -289,8 +290,8 @@ With --vary NAME=a:b:
   Without a load, r and beta refer to the first mass and spring of the original description.
   With --keep as well, the search takes only frictions within the bounds. A value at which no friction
   holds them has the amplitude inf.
-  With the field `contacts`, only shares can vary: `share pads=a:b` is the share of one contact, and `share=a:b` are
-  the shares of all contacts but the first. The search begins at the shares of the description, changes one number
+  With the field `contacts`, shares can vary too: `share pads=a:b` is the share of one contact, and `share=a:b` are
+  the shares of all contacts but the first. This search begins at the shares of the description, changes one number
   at a time, and finds a local minimum.
 
 Exit status:

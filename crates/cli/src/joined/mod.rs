@@ -3,7 +3,6 @@
 
 #[cfg(feature = "pictures")]
 mod draw;
-mod optimum;
 #[cfg(feature = "report")]
 mod page;
 mod report;
@@ -30,7 +29,6 @@ use std::io::Write;
 
 #[cfg(feature = "pictures")]
 pub use draw::Picture;
-pub use optimum::optimum;
 #[cfg(feature = "report")]
 pub use page::write as write_page;
 pub use time::OfTime;

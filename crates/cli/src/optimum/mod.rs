@@ -1,6 +1,7 @@
 //! `frictiongen optimum`: finds the friction with which the largest amplitude over a band of frequencies is smallest.
 
 mod keep;
+mod shares;
 mod valued;
 mod weigh;
 
@@ -10,7 +11,6 @@ use crate::failure::Failure;
 use crate::frequency::Band;
 use crate::from;
 use crate::interrupt;
-use crate::joined;
 use crate::measure::{self, Measure};
 use crate::output::{self, ResultTable, Visitor};
 use crate::progress::Progress;
@@ -18,6 +18,7 @@ use crate::summary::Summary;
 use crate::vary::Vary;
 use frictiongen::System;
 use frictiongen::study::columns::{Column, OptimumLine, OptimumTable, Setting, Tuned};
+use frictiongen::study::joined::JoinedError;
 use frictiongen::study::optimum::{
     FrequencyBand, OptimumError, OptimumRequest, Tunable, TunedOptimum,
 };
@@ -29,9 +30,6 @@ use valued::QuantityArgument;
 /// Runs `frictiongen optimum`.
 pub fn run(arguments: &OptimumArguments, out: &mut dyn Write) -> Result<(), Failure> {
     let description = arguments.file.any(&SizeLimits::RUN_TIME)?;
-    if description.scene.is_joined() {
-        return joined::optimum(arguments, description.scene, out);
-    }
     let system = System::try_from(description.scene).map_err(Failure::new)?;
     let band = Band::parse(&arguments.frequency, &system)?;
     if band.widest.is_some() {
@@ -40,6 +38,10 @@ pub fn run(arguments: &OptimumArguments, out: &mut dyn Write) -> Result<(), Fail
         ));
     }
     let measure = measure::of(&arguments.load, &system)?;
+    // Without a spring the ratios r and β are not defined.
+    if system.scene().springs.is_empty() && !(band.is_physical() && measure.scale().is_some()) {
+        return Err(Failure::new(JoinedError::NoSpring));
+    }
     let system = from::started(arguments.start.from.as_deref(), system, &measure)?;
     let several = arguments.several(&system, &measure)?;
     let part = arguments.first(&system, &several)?;
@@ -63,6 +65,16 @@ pub fn run(arguments: &OptimumArguments, out: &mut dyn Write) -> Result<(), Fail
     };
     let table = table_of(&part);
     let kept = keep::parsed(&system, &arguments.keep, &measure)?;
+    let ranges = arguments
+        .vary
+        .as_deref()
+        .map(|text| shares::ranges(&system, text));
+    let ranges = ranges.transpose()?.flatten();
+    if ranges.is_some() && !kept.is_empty() {
+        return Err(Failure::new(
+            "--keep does not work with --vary share; leave one of them out",
+        ));
+    }
     interrupt::watch();
     let progress = Mutex::new(Progress::search());
     let watch = || {
@@ -71,17 +83,18 @@ pub fn run(arguments: &OptimumArguments, out: &mut dyn Write) -> Result<(), Fail
         }
         !interrupt::pressed()
     };
-    let lines = match &arguments.vary {
-        _ if !several.is_empty() => weigh::lines(&table_of, &request, &several, &watch)?,
-        None if !kept.is_empty() => keep::lines(&table, &request, &kept, &watch)?,
-        None => {
+    let lines = match (&arguments.vary, &ranges) {
+        (_, Some(ranges)) => shares::lines(&table, &request, ranges, &watch)?,
+        (..) if !several.is_empty() => weigh::lines(&table_of, &request, &several, &watch)?,
+        (None, _) if !kept.is_empty() => keep::lines(&table, &request, &kept, &watch)?,
+        (None, _) => {
             let found = system.optimum_watched(&request, &watch);
             table.lines(&found.map_err(Failure::new)?, None)
         }
-        Some(text) if !kept.is_empty() => {
+        (Some(text), _) if !kept.is_empty() => {
             keep::varied_lines(&table, &request, &kept, text, &watch)?
         }
-        Some(text) => {
+        (Some(text), _) => {
             let (of, found) = tuned(&system, &request, text, &watch)?;
             let tuned = Tuned { of, found: &found };
             table.lines(&tuned.optimum(), Some(&tuned))

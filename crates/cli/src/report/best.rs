@@ -117,6 +117,7 @@ pub fn kind(optimum: &Optimum) -> &'static str {
             "the best result within the time limit of a page; “frictiongen optimum” searches longer"
         }
         (_, OptimumEnd::Stopped) => words::end(optimum.end),
+        (OptimumKind::Flat, _) => words::kind(optimum.kind),
         (OptimumKind::EqualPeaks, _) => {
             "two peaks are equally high: more friction raises one, less friction raises the other"
         }
@@ -185,7 +186,7 @@ fn row(best: &Best, asked: &ReportRequest) -> Markup {
             @match &best.found {
                 Err(error) => td colspan="8" { "none: " (error) },
                 Ok(optimum) => {
-                    td { (words.friction(optimum.beta)) @if matches!(optimum.kind, OptimumKind::Stuck | OptimumKind::Trivial) { " or more" } }
+                    td { (words.friction(optimum.beta)) @if matches!(optimum.kind, OptimumKind::Stuck | OptimumKind::Trivial) || optimum.bracket[1].is_infinite() { " or more" } }
                     td { (bound(words, optimum.amplitude)) }
                     td {
                         @for (index, peak) in optimum.peaks.iter().enumerate().filter(|(_, peak)| peak.amplitude > 0.0) {

@@ -55,7 +55,7 @@ pub fn html(
                                 "For " strong { (best.part.name) } ", which moves farthest, a stuck contact is best: with a friction of "
                                 (words.friction(optimum.beta)) " or more it moves by at most " (words.length(optimum.amplitude)) " between " (from) " and " (to) "."
                             }
-                            OptimumKind::EqualPeaks | OptimumKind::SinglePeak | OptimumKind::Bounded | OptimumKind::Balanced => {
+                            OptimumKind::EqualPeaks | OptimumKind::SinglePeak | OptimumKind::Flat | OptimumKind::Bounded | OptimumKind::Balanced => {
                                 strong { "Best friction: " (words.friction(optimum.beta)) }
                                 @if optimum.end == OptimumEnd::WorkSpent { ", the best result within the time limit" } ", chosen for " strong { (best.part.name) }
                                 ", which moves farthest. With this friction it moves by at most "

@@ -108,11 +108,8 @@ fn of_several() -> Vec<Mistake> {
             &["--of: `upper-lower` is no mass", "write the name of a mass"],
         ),
         mistake(
-            "optimum SEVERAL --hz 1:3 --base 2m/s2 --of lower",
-            &[
-                "--base: the amplitude of this load depends on frequency",
-                "give a base motion in m",
-            ],
+            "optimum SEVERAL --hz 1:3 --base 2m/s2 --of accel(lower)",
+            &["the search minimises displacements of masses only"],
         ),
         mistake(
             "time SEVERAL POINT --spectrum",

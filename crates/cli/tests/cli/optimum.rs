@@ -58,7 +58,8 @@ fn in_units_and_in_three_formats() {
     }
     let table = output(BLOCK, &split(&line));
     assert!(
-        table.contains("stuck: more friction changes nothing") && table.contains("converged"),
+        table.contains("flat: the same over an interval of friction")
+            && table.contains("converged"),
         "{table}"
     );
 }

@@ -9,7 +9,7 @@ use super::column::{Column, Head, TableRow};
 use super::measure::PhysicalQuantity;
 use super::setting::{AtFrequency, Frequency, MovingPart, Setting};
 use crate::study::{
-    optimum::{Optimum, OptimumEnd, OptimumPeak, Tolerance},
+    optimum::{Optimum, OptimumEnd, OptimumKind, OptimumPeak, Tolerance},
     sensitivity::{OperatingPoint, Parameter},
     words,
 };
@@ -144,7 +144,7 @@ impl<'a> OptimumTable<'a> {
         columns.word(head, "", |of| Some(words::kind(of.kind)));
         let head = Head::new("end").titled(&["how the search ended"]);
         columns.word(head, "", |of| Some(words::end(of.end)));
-        let open = |of: &Optimum| of.end != OptimumEnd::Converged;
+        let open = |of: &Optimum| of.end != OptimumEnd::Converged || of.kind == OptimumKind::Flat;
         let head = Head::of("bracket_from", Force).titled(&["the least lies from"]);
         columns.number(head, |of| of.bracket.first().copied());
         columns.say_if(open);
@@ -168,12 +168,16 @@ impl<'a> OptimumTable<'a> {
         columns.say_if(|of| 0.0 < of.unbounded_to);
         let head = Head::of("free_of_sticking", Force).titled(&["nothing sticks up to"]);
         columns.number(head, |of| Some(of.free_of_sticking));
+        columns.say_if(|of| !of.free_of_sticking.is_nan());
         let head = Head::of("locked", Force).titled(&["stuck over the whole band from"]);
         columns.number(head, |of| Some(of.locked));
         let label = "largest amplitude without friction";
         let head = Head::of("without_friction", self.size()).titled(&[label]);
         columns.number(head, |of| Some(of.without_friction));
-        let label = "largest amplitude with the contact stuck";
+        let label = match self.setting.system.scene().is_joined() {
+            true => "largest amplitude with all contacts stuck",
+            false => "largest amplitude with the contact stuck",
+        };
         let head = Head::of("with_contact_locked", self.size()).titled(&[label]);
         columns.number(head, |of| Some(of.with_contact_locked));
         columns.done()
@@ -184,6 +188,10 @@ impl<'a> OptimumTable<'a> {
         let mut columns = Columns::new(&self.setting.measure);
         let head = Head::new("evaluations").titled(&["amplitudes computed"]);
         columns.count(head, |of: &Optimum| Some(of.evaluations));
+        let label = "frequencies at which the motion does not settle";
+        let head = Head::new("unsettled").titled(&[label]);
+        columns.count(head, |of| Some(of.unsettled.len()));
+        columns.say_if(|of| !of.unsettled.is_empty());
         let head = Head::new("unanswered").titled(&["of these without an answer"]);
         columns.count(head, |of| Some(of.unanswered));
         columns.say_if(|of| 0 < of.unanswered);

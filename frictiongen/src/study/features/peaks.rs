@@ -4,8 +4,7 @@
 use super::places::{changes, merge, samples, steps};
 use super::sensed::Sensed;
 use super::{FeatureError, Features, check_friction, check_range};
-use crate::study::optimum::peaks::AmplitudeBand;
-use crate::study::optimum::{FrictionAmount, Objective};
+use crate::study::optimum::Band;
 use crate::study::physical::swing;
 use crate::study::sensitivity::{Sensitive, Varied};
 use crate::{Of, Regime};
@@ -126,8 +125,7 @@ impl Features<'_> {
     }
 
     fn true_peak(&self, of: Of, beta: f64, range: [f64; 2]) -> Option<TruePeak> {
-        let band = AmplitudeBand::new(self.system, Objective::displacement(of), range);
-        let peaks = band.peaks(FrictionAmount::Ratio(beta));
+        let peaks = Band::peaks_of(self.system, of, range, beta);
         let best = peaks.first().filter(|peak| !peak.edge)?;
         let none = |value: f64| Sensed {
             value,

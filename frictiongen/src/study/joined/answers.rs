@@ -40,7 +40,7 @@ impl<'a> LinearResponse<'a> {
     }
 
     /// Returns the complex amplitude X of the mass with this index.
-    pub(super) fn displacement(&self, mass: usize) -> Complex<f64> {
+    pub(in crate::study) fn displacement(&self, mass: usize) -> Complex<f64> {
         let found = self.displacements.get(mass).copied();
         found.unwrap_or_default() / self.units.length
     }
@@ -100,6 +100,11 @@ impl<'a> StuckState<'a> {
     /// [`UnknownMass`] if no mass has this name.
     pub fn mass(&self, name: &str) -> Result<Complex<f64>, UnknownMass> {
         self.linear.mass(name)
+    }
+
+    /// Returns the complex amplitude of the displacement of the mass with this index, while no contact slides.
+    pub(in crate::study) fn displacement(&self, mass: usize) -> Complex<f64> {
+        self.linear.displacement(mass)
     }
 
     /// Returns the amplitude of the force in the contact called `name`, while no contact slides.

@@ -126,10 +126,19 @@ impl<'a> Joined<'a> {
     }
 
     /// Replaces each contact's share of the common friction. `shares` has the order of the scene description.
-    pub(super) fn set_shares(&mut self, shares: &[f64]) {
+    fn set_shares(&mut self, shares: &[f64]) {
         for (contact, share) in self.chain.contacts.iter_mut().zip(shares) {
             contact.level = Wave::constant(*share);
         }
+    }
+
+    /// Returns this scene with other shares of the common friction. A contact without a number in `shares` keeps its
+    /// share.
+    #[must_use]
+    pub fn with_shares(&self, shares: &[f64]) -> Self {
+        let mut joined = self.clone();
+        joined.set_shares(shares);
+        joined
     }
 
     /// Returns the names of the contacts, in the order of the scene description.

@@ -13,8 +13,13 @@ pub enum OptimumKind {
     SinglePeak,
     /// The best friction is 0, because any friction increases the largest amplitude.
     NoFriction,
-    /// The amplitude is smallest while the contact is stuck. More friction does not change the amplitude.
+    /// The amplitude is smallest while the contacts are stuck at every frequency of the band. More friction does not
+    /// change anything.
     Stuck,
+    /// The largest amplitude is the same over an interval of friction, because no contact slides at the frequency of
+    /// the peak. [`Optimum::bracket`] contains the interval, whose upper bound may be infinite. The best friction is its
+    /// lower bound.
+    Flat,
     /// The requested quantity is 0, so that the result is trivial. Either the contact is stuck over the whole band, or
     /// the quantity is the contact force and there is no friction.
     Trivial,
@@ -63,6 +68,9 @@ pub enum OptimumEnd {
     /// The search ended at a friction at which the amplitude jumps. On one side of the jump the motion reaches another
     /// steady state, which has a larger amplitude.
     Jump,
+    /// Every check on a finer grid of frequencies found a higher peak, up to the largest number of checks. The amplitude
+    /// of the result is the largest found.
+    Unconfirmed,
     /// The search reached its bound on work. The result is the best friction that the search found before.
     WorkSpent,
     /// The caller stopped the search. The result is the best friction that the search found before.
@@ -88,8 +96,8 @@ pub struct Optimum {
     pub kind: OptimumKind,
     /// The event that ended the search.
     pub end: OptimumEnd,
-    /// Interval of β that contains the best friction. It is the narrowest interval that the search has found. If the
-    /// search did not refine its scan, the bounds are the neighbouring points of the best point in the scan.
+    /// Interval of β that contains the best friction. It is the narrowest interval that the search has found. For
+    /// [`OptimumKind::Flat`] it is the interval of friction with the best amplitude.
     pub bracket: [f64; 2],
     /// Largest amplitude over the band just beyond the jump at which the search ended. The search evaluates this
     /// amplitude at only some frequencies of the band. `None` if the search did not end at a jump.
@@ -100,7 +108,7 @@ pub struct Optimum {
     /// contains no undamped resonance.
     pub unbounded_to: f64,
     /// Smallest value of the limits β_lim and β*_lim over the band, as friction ratio. At less friction, no stuck
-    /// state exists in the band, and the contact can slide all the time at every frequency.
+    /// state exists in the band, and the contact can slide all the time at every frequency. NaN for several contacts.
     pub free_of_sticking: f64,
     /// Smallest friction ratio at which a stuck state exists at every frequency of the band. It is infinite if at some
     /// frequency of the band no friction keeps the contact stuck. Such a frequency is a resonance of the chain with
@@ -119,6 +127,9 @@ pub struct Optimum {
     pub sensitivities: Vec<(Parameter, f64)>,
     /// Number of amplitudes that the search has computed.
     pub evaluations: usize,
+    /// Frequency ratios of the band at which the motion does not settle with the best friction. The search takes the
+    /// largest value of its last cycles there.
+    pub unsettled: Vec<f64>,
     /// Number of amplitudes that the search could not compute, because the motion has too many stops in a cycle or the
     /// solvers found no motion.
     pub unanswered: usize,

@@ -1,67 +1,49 @@
 //! Finds the best friction, which makes the largest amplitude over a band of frequencies smallest. The search covers
 //! all regimes.
 
-mod amplitude;
 mod answer;
-mod bounds;
-mod candidates;
-mod creep;
-mod flat;
-mod grid;
-mod kept;
+mod band;
+mod evaluator;
 mod line;
-mod look;
-mod minima;
+mod number;
 mod objective;
-pub(in crate::study) mod peaks;
-mod places;
 mod problem;
 mod request;
-mod resonance;
-mod scan;
 mod search;
+mod several;
+mod shares;
 mod tuned;
-mod verified;
-mod weighted;
-mod whole;
 
 use super::system::System;
-pub(in crate::study) use amplitude::FrictionAmount;
 pub use answer::{Optimum, OptimumEnd, OptimumKind, OptimumPeak, Tolerance};
-#[doc(hidden)]
-pub use kept::{KeptOptimum, KeptQuantity};
-pub(in crate::study) use objective::Objective;
+pub(in crate::study) use band::Band;
+pub use number::{Tunable, UnknownTunable};
 use problem::OptimumProblem;
 pub use request::{FrequencyBand, OptimumError, OptimumRequest};
-pub use tuned::{Tunable, TunedOptimum, TunedPoint, Tuning, UnknownTunable};
 #[doc(hidden)]
-pub use weighted::{Weighted, WeightedOptimum};
+pub use several::{KeptOptimum, KeptQuantity, Weighted, WeightedOptimum};
+pub use shares::{ShareRange, SharesOptimum};
+pub use tuned::{TunedOptimum, TunedPoint, Tuning};
 
 /// Default bound on the work of a search for the best friction, in units of about 10 µs of computing time.
-const WORK: usize = 2_000_000;
+const WORK: usize = 600_000;
 
 impl System {
-    /// Returns the friction with which the largest amplitude of a motion over a band of frequencies is smallest. If the
-    /// contact slides all the time, the amplitude is that of the closed form. Otherwise it is that of the steady state
-    /// with stops, or of the stuck response.
+    /// Returns the friction with which the largest amplitude of a motion over a band of frequencies is smallest, for one
+    /// contact or for several. The friction of several contacts is their common friction, which multiplies the share of
+    /// each contact.
     ///
-    /// The search scans friction ratios from zero to a value above which more friction no longer reduces the
-    /// amplitude. At each friction ratio the search evaluates the amplitude near the resonances of the chain with a
-    /// free and with a stuck contact, and near the sub-harmonics of these resonances. Further frequencies are on a
-    /// grid and on both sides of regime changes. The search evaluates closed forms first. If the closed forms exceed
-    /// the best amplitude so far by a margin, the search rejects the friction ratio. The search computes motions in
-    /// time only at frequencies at which the amplitude may be the largest.
+    /// The search scans the friction from zero to a value from which all contacts are stuck. At each friction it
+    /// evaluates the amplitude on a grid of frequencies, which is closer near the resonances of the chain with every set
+    /// of stuck contacts, and refines the largest maxima. It leaves a friction as soon as one amplitude is too large.
+    /// Golden sections narrow the best intervals of the scan, and secants equalise two equal peaks. The search then
+    /// checks the best friction on a finer grid with steps of 0.25 %. If the check finds a higher peak, the search
+    /// includes its frequency and goes on. The amplitude of the result is the largest found. A narrower peak between two
+    /// frequencies of the finer grid may be higher.
     ///
     /// The search counts its work and ends at a bound. Because the bound is not a time limit, the result is the same
-    /// on every machine. Motions that do not settle take most of the work. [`Optimum::end`] says if the search reached
-    /// the bound, or ended at a friction at which the motion jumps to another steady state. [`Optimum::bracket`] then
-    /// contains the best friction ratio.
-    ///
-    /// If static exceeds kinetic friction (μ > 1), several steady states may exist at one frequency. The first
-    /// comparison of friction ratios uses the closed form where β is less than β_lim and β*_lim. At the friction
-    /// ratios that seem best, the search then computes the motion from rest over a fine grid of the band. The
-    /// amplitude of the result is the largest on that grid. Grid points are 0.25 % apart, and 0.0025 % around the
-    /// largest peak. A peak between two grid points may be higher.
+    /// on every machine. Motions that do not settle take most of the work. [`Optimum::end`] says if the search converged
+    /// or reached the bound, or ended at a friction at which the motion jumps to another steady state.
     ///
     /// ```
     /// use frictiongen::study::{System, optimum::{FrequencyBand, OptimumKind, OptimumRequest}, response::MotionQuantity,
@@ -120,6 +102,6 @@ impl System {
         watch: &(dyn Fn() -> bool + Sync),
     ) -> Result<Optimum, OptimumError> {
         let problem = OptimumProblem::new(self, request)?;
-        problem.watched_by(Some(watch)).solved(WORK)
+        problem.watched_by(watch).solved(WORK)
     }
 }

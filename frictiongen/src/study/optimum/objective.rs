@@ -1,7 +1,6 @@
 //! The quantity whose largest value over a band of frequencies the search minimises. The module also converts values
 //! at different frequencies to the same units.
 
-use super::resonance;
 use crate::Of;
 use crate::study::response::{MotionQuantity, SystemResponse};
 use crate::study::system::System;
@@ -47,12 +46,6 @@ impl Objective {
         }
     }
 
-    /// Returns the friction ratio β at the frequency ratio r. `friction` is the friction force divided by the amplitude
-    /// P that the load has at r = 1 (by k₁Y for base motion).
-    pub fn beta(&self, friction: f64, r: f64) -> f64 {
-        friction * r.powi(self.fall)
-    }
-
     /// Returns the factor that makes a value of the quantity at r comparable with values at other frequencies.
     pub fn factor(&self, r: f64) -> f64 {
         let rate = match self.size {
@@ -71,13 +64,6 @@ impl Objective {
     /// the scene does not have the motion of the quantity.
     pub fn of_response(&self, response: &SystemResponse<'_>) -> Option<f64> {
         response.largest(self.of, self.size)
-    }
-
-    /// Returns the limits β_lim and β*_lim at the frequency ratio r, as friction forces divided by the amplitude P that
-    /// the load has at r = 1 (by k₁Y for base motion).
-    pub fn limits(&self, system: &System, r: f64) -> [f64; 2] {
-        let factor = r.powi(self.fall);
-        resonance::limits(system, r).map(|limit| limit / factor)
     }
 
     /// Returns true if the quantity is constant while the contact is stuck, as the contact's own motion is.

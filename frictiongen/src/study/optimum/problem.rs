@@ -1,43 +1,58 @@
 //! A checked request for the best friction, and the complete result for a friction.
 
-use super::amplitude::{FrictionAmount, KeepGoing};
-use super::answer::{Optimum, OptimumEnd, OptimumKind, OptimumPeak};
-use super::flat;
+use super::answer::{Optimum, OptimumEnd, OptimumKind, OptimumPeak, Tolerance};
+use super::band::{Band, BandPeak, Closely, KeepGoing, Look, Merit};
+use super::evaluator::{Evaluator, FrictionAmount, Goal, OneContact, SeveralContacts};
 use super::objective::Objective;
-use super::peaks::AmplitudeBand;
 use super::request::{FrequencyBand, OptimumError, OptimumRequest};
-use super::scan::{self, Scanned};
-use super::search::{self, Least, MinimumKind, SearchEnd};
+use super::search::{Least, NEARLY_EQUAL, Range, SearchEnd, insert};
 use crate::Regime;
-use crate::study::parameter::{OperatingPoint, Parameter, Slope};
+use crate::study::joined::Joined;
+use crate::study::parameter::{OperatingPoint, Parameter};
 use crate::study::physical::ResponseSensitivities;
 use crate::study::response::MotionQuantity;
 use crate::study::system::System;
 use crate::study::units::{Load, angular_frequency};
 
-/// Bound on the work of completing the result of a search for the best friction, in units of about 10 µs of computing
-/// time.
+/// Bound on the work of completing the result of a search, in units of about 10 µs of computing time.
 const WORK_OF_A_REPORT: usize = 60_000;
+/// Bound on the work of one evaluation of the whole band, in units of about 10 µs of computing time.
+const WORK_OF_A_CHECK: usize = 500_000;
 /// Excesses (amplitude − best amplitude)/best amplitude for which the result has an interval of friction.
 const EXCESSES: [f64; 3] = [0.01, 0.05, 0.1];
-/// Largest relative difference between a peak and the highest peak at which both count as equally high.
-const EQUAL: f64 = 1e-9;
+/// Largest relative slope at which a peak counts as stationary: the relative change of the amplitude, divided by the
+/// relative change of friction.
+const STATIONARY: f64 = 1e-4;
+/// Relative distance from the best friction at which the search looks for a jump of the amplitude.
+const BESIDE: f64 = 1e-5;
+/// Largest number of checks of the lower bound of an interval of friction with the same amplitude.
+const MOST_EDGES: usize = 8;
+/// Smallest relative distance of two peaks in the result.
+const SEPARATE: f64 = 0.01;
+/// Smallest relative width of an interval of friction that counts as flat.
+const WIDE: f64 = 1e-6;
 
 /// A request for the best friction after all checks, with the system and the band of frequencies.
 pub(super) struct OptimumProblem<'s> {
     pub system: &'s System,
     pub objective: Objective,
-    pub load: Option<Load>,
+    /// The solver of a scene with several contacts or dashpots.
+    pub joined: Option<Joined<'s>>,
+    load: Option<Load>,
     /// Lower and upper bound of the band, as frequency ratios r.
-    pub ends: [f64; 2],
-    watch: Option<KeepGoing<'s>>,
+    ends: [f64; 2],
+    pub watch: Option<KeepGoing<'s>>,
+}
+
+/// The best friction with the band of frequencies in which the search has found it.
+pub(super) struct Found<'s> {
+    pub band: Band<'s>,
+    pub range: Range,
+    pub least: Least,
 }
 
 impl<'s> OptimumProblem<'s> {
-    pub(super) fn new(system: &'s System, request: &OptimumRequest) -> Result<Self, OptimumError> {
-        system
-            .single()
-            .map_err(|_| OptimumError::Load(crate::study::units::LoadError::SeveralContacts))?;
+    pub fn new(system: &'s System, request: &OptimumRequest) -> Result<Self, OptimumError> {
         let ends = match request.band {
             FrequencyBand::Ratio(from, to) => [from, to],
             FrequencyBand::Hertz(from, to) => {
@@ -51,30 +66,28 @@ impl<'s> OptimumProblem<'s> {
         if !(from < to) {
             return Err(OptimumError::Width);
         }
-        let fall = request.load.map_or(0, |load| load.fall());
-        let (of, size) = (request.of, request.size);
-        if !system.has_motion(of) {
-            return Err(OptimumError::NoSuchMotion(of));
-        }
-        let objective = Objective { of, size, fall };
-        if !objective.is_sound() {
-            return Err(OptimumError::Size);
-        }
-        let modal = system.modal();
-        let constants = modal.damping_ratios.iter().zip(&modal.loads);
-        let mut constants = constants.zip(&modal.contacts);
-        let lost = constants.position(|((zeta, load), contact)| {
-            zeta.is_zero() && contact.is_zero() && !load.is_zero()
-        });
-        if let Some(mode) = lost {
-            return Err(OptimumError::Undamped(mode));
+        let objective = Objective {
+            of: request.of,
+            size: request.size,
+            fall: request.load.map_or(0, |load| load.fall()),
+        };
+        if !system.has_motion(request.of) {
+            return Err(OptimumError::NoSuchMotion(request.of));
         }
         if let Some(load) = request.load {
             system.load_scale(load)?;
         }
+        let joined = match system.scene().is_joined() {
+            true => Some(checked(system, &objective, request.load, from)?),
+            false => {
+                check_single(system, &objective)?;
+                None
+            }
+        };
         Ok(Self {
             system,
             objective,
+            joined,
             load: request.load,
             ends,
             watch: None,
@@ -82,217 +95,330 @@ impl<'s> OptimumProblem<'s> {
     }
 
     /// Sets the caller's function that can stop every search of this problem.
-    pub(super) fn watched_by(self, watch: Option<KeepGoing<'s>>) -> Self {
+    pub fn watched_by(self, watch: KeepGoing<'s>) -> Self {
+        let watch = Some(watch);
         Self { watch, ..self }
     }
 
-    pub(super) fn band(&self) -> AmplitudeBand<'s> {
-        let band = AmplitudeBand::new(self.system, self.objective, self.ends);
-        band.amplitude.watched_by(self.watch);
+    pub fn band(&self, goal: Goal) -> Band<'s> {
+        let band = Band::new(self.evaluator(goal, None), self.ends);
+        band.watch.set(self.watch);
         band
     }
 
-    /// Returns the friction with which the largest amplitude is smallest. The search covers all frictions, within a
-    /// bound on work.
-    pub(super) fn least(band: &AmplitudeBand<'_>, work: usize) -> Result<Least, OptimumError> {
-        search::least(band, work).ok_or_else(|| {
-            if band.amplitude.is_stopped() {
-                OptimumError::Stopped
-            } else if band.amplitude.is_spent() {
-                OptimumError::TooLong
-            } else {
-                OptimumError::Unbounded
-            }
-        })
+    /// Returns the evaluator of this problem's scene. `shares` replaces the shares of several contacts.
+    pub fn evaluator(&self, goal: Goal, shares: Option<&[f64]>) -> Box<dyn Evaluator + 's> {
+        let Some(joined) = &self.joined else {
+            return Box::new(OneContact::new(self.system, goal));
+        };
+        let joined = shares.map_or_else(|| joined.clone(), |shares| joined.with_shares(shares));
+        let scale = self.load.and_then(|load| self.system.load_scale(load).ok());
+        Box::new(SeveralContacts::new((self.system, joined), goal, scale))
     }
 
-    pub(super) fn solved(&self, work: usize) -> Result<Optimum, OptimumError> {
-        let band = self.band();
-        let least = Self::least(&band, work)?;
-        self.told(&band, &least)
+    /// Returns the friction ratio up to which the amplitude at an undamped resonance of the band is unbounded, or 0.
+    fn unbounded_to(&self) -> f64 {
+        let (system, [from, to]) = (self.system, self.ends);
+        let zetas = system.modal().damping_ratios.iter();
+        let modes = zetas.zip(system.resonances());
+        let modes = modes.zip(system.resonance_thresholds());
+        modes
+            .filter(|((zeta, r), _)| zeta.is_zero() && from <= **r && **r <= to)
+            .filter_map(|((_, r), threshold)| Some(threshold? / r.powi(self.objective.fall)))
+            .fold(0.0, f64::max)
     }
 
-    /// Returns the complete result for a friction: peaks, limits, intervals of friction and derivatives.
-    pub(super) fn told(
+    /// Finds the friction with which the goal is reached best, within a bound on work. `window` restricts the search to
+    /// an interval of friction.
+    pub fn found(
         &self,
-        band: &AmplitudeBand<'_>,
-        least: &Least,
-    ) -> Result<Optimum, OptimumError> {
-        let stopped = band.amplitude.end_watch();
-        let largest = |friction: FrictionAmount| {
-            let peaks = band.peaks(friction);
-            peaks.first().map_or(f64::NAN, |peak| peak.value)
+        goal: Goal,
+        work: usize,
+        window: Option<[f64; 2]>,
+    ) -> Result<Found<'s>, OptimumError> {
+        let band = self.band(goal);
+        let range = band.range();
+        let least = band
+            .least((range, self.unbounded_to()), window, work)
+            .ok_or_else(|| {
+                if band.stopped.get() {
+                    OptimumError::Stopped
+                } else if band.is_spent() {
+                    OptimumError::TooLong
+                } else {
+                    OptimumError::Unbounded
+                }
+            })?;
+        Ok(Found { band, range, least })
+    }
+
+    pub fn solved(&self, work: usize) -> Result<Optimum, OptimumError> {
+        let goal = Goal::one(self.objective);
+        self.told(self.found(goal, work, None)?, true)
+    }
+
+    /// Evaluates the whole band of this problem's quantity at one friction.
+    pub fn whole(&self, beta: f64) -> Look {
+        let band = self.band(Goal::one(self.objective));
+        band.check(beta, Merit::WORST, WORK_OF_A_CHECK)
+    }
+
+    /// Returns the complete result: peaks, limits, intervals of friction and derivatives. `is_minimum` is false if a
+    /// bound, or another quantity, determines the friction.
+    pub fn told(&self, found: Found<'s>, is_minimum: bool) -> Result<Optimum, OptimumError> {
+        let Found {
+            band,
+            range,
+            mut least,
+        } = found;
+        band.watch.set(None);
+        let stopped = band.stopped.replace(false);
+        band.allow(WORK_OF_A_REPORT);
+        let own = self.band(Goal::one(self.objective));
+        own.watch.set(None);
+        let largest = |friction| {
+            let look = own.look(friction, Merit::WORST, Closely::Grid);
+            look.merit.value
         };
         let without_friction = largest(FrictionAmount::Ratio(0.0));
         if without_friction == 0.0 && self.objective.size != MotionQuantity::Force {
             return Err(OptimumError::AtRest);
         }
-        let beta = least.at.beta;
-        band.amplitude.allow(WORK_OF_A_REPORT);
-        let locked = band.amplitude.locks() && least.locked_from <= beta;
-        let friction = if least.kind == MinimumKind::Held && locked {
-            FrictionAmount::Locked
-        } else {
-            FrictionAmount::Ratio(beta)
-        };
-        let peaks = equal_peaks(band, (&least.at, least.kind), friction);
-        let smooth = self.objective.has_derivatives();
-        let sensitivities = match least.end {
-            SearchEnd::Converged if smooth => self.sensitivities(beta, &peaks).unwrap_or_default(),
-            // Derivatives exist only for a minimum that moves smoothly with a parameter. A minimum at a jump of the
-            // amplitude has no derivatives.
-            _ => Vec::new(),
-        };
-        // If the search has reached its bound on work, its friction ratios are not verified. An interval between two
-        // such friction ratios would not be reliable.
-        let verified = EXCESSES.iter().filter(|_| least.end != SearchEnd::Spent);
-        let tolerances = verified
-            .map(|excess| flat::tolerance(band, least, *excess))
-            .collect();
         let with_contact_locked = largest(FrictionAmount::Locked);
-        let beyond_jump = (least.end == SearchEnd::Jump)
-            .then(|| beyond(band, least))
+        let kind = if is_minimum {
+            self.kind(&band, range, &mut least)
+        } else {
+            OptimumKind::SinglePeak
+        };
+        let beta = least.at.beta;
+        let peaks = peaks(&band, &least.at);
+        let beyond_jump = (kind == OptimumKind::SinglePeak && is_minimum)
+            .then(|| beyond(&band, &least.at, &peaks))
             .flatten();
+        let end = match least.end {
+            SearchEnd::Spent if stopped => OptimumEnd::Stopped,
+            SearchEnd::Spent => OptimumEnd::WorkSpent,
+            SearchEnd::Unconfirmed => OptimumEnd::Unconfirmed,
+            SearchEnd::Converged if beyond_jump.is_some() => OptimumEnd::Jump,
+            SearchEnd::Converged => OptimumEnd::Converged,
+        };
+        // If the search has reached its bound on work, its frictions are not checked. An interval between two such
+        // frictions would not be reliable.
+        let checked = EXCESSES
+            .iter()
+            .filter(|_| is_minimum && least.end != SearchEnd::Spent);
+        let tolerances = checked.map_while(|excess| {
+            let [from, to] = band.tolerance(&least, range, *excess);
+            let excess = *excess;
+            (!band.is_spent()).then_some(Tolerance { excess, from, to })
+        });
+        let tolerances = tolerances.collect();
+        let sensitivities = match end {
+            OptimumEnd::Converged if is_minimum => self.sensitivities(beta, &peaks),
+            _ => None,
+        };
         Ok(Optimum {
             beta,
-            amplitude: least.at.value,
+            amplitude: least.at.merit.value,
             reference: self.system.angular_frequency(1.0),
-            kind: match least.kind {
-                MinimumKind::Held
-                    if self.objective.rests_if_stuck(self.system) && least.locked_from <= beta =>
-                {
-                    OptimumKind::Trivial
-                }
-                MinimumKind::Held | MinimumKind::Without if least.at.value == 0.0 => {
-                    OptimumKind::Trivial
-                }
-                MinimumKind::Crossing => OptimumKind::EqualPeaks,
-                MinimumKind::Smooth => OptimumKind::SinglePeak,
-                MinimumKind::Without => OptimumKind::NoFriction,
-                MinimumKind::Held => OptimumKind::Stuck,
-            },
-            end: match least.end {
-                SearchEnd::Converged => OptimumEnd::Converged,
-                SearchEnd::Jump => OptimumEnd::Jump,
-                SearchEnd::Spent if stopped => OptimumEnd::Stopped,
-                SearchEnd::Spent => OptimumEnd::WorkSpent,
-            },
+            kind,
+            end,
             bracket: least.bracket,
             beyond_jump,
             tolerances,
             peaks,
-            unbounded_to: scan::unbounded_to(band),
-            free_of_sticking: least.free_to,
-            locked: least.locked_from,
+            unbounded_to: self.unbounded_to(),
+            free_of_sticking: range.free_to,
+            locked: range.locked_from,
             without_friction,
             with_contact_locked,
-            sensitivities,
-            evaluations: band.amplitude.asked.get(),
-            unanswered: band.amplitude.silent.get(),
+            sensitivities: sensitivities.unwrap_or_default(),
+            evaluations: band.asked.get(),
+            unsettled: least.at.unsettled,
+            unanswered: band.silent.get(),
         })
+    }
+
+    /// Returns the reason why the friction is the best one. On an interval of friction with the same amplitude, this
+    /// function moves the result to the lower bound of the interval.
+    fn kind(&self, band: &Band<'_>, range: Range, least: &mut Least) -> OptimumKind {
+        let value = least.at.merit.value;
+        let mut highest = least.at.peaks.iter();
+        let is_stuck = highest
+            .next()
+            .is_none_or(|peak| peak.regime == Regime::Stuck);
+        if least.at.beta > 0.0 && (is_stuck || value == 0.0) {
+            let mut to = least.at.beta;
+            // The tolerance follows only known peaks. A check of the whole band may find a higher peak at its bound.
+            for _ in 0..MOST_EDGES {
+                let from;
+                [from, to] = band.tolerance(least, range, 0.0);
+                if least.at.beta <= from || band.is_spent() {
+                    break;
+                }
+                let level = least.at.merit.times(1.0 + STATIONARY * STATIONARY);
+                let unanswered = band.silent.get();
+                let check = band.check(from, level, WORK_OF_A_CHECK);
+                if check.complete && band.silent.get() == unanswered {
+                    let merit = least.at.merit;
+                    least.at = Look { merit, ..check };
+                    break;
+                }
+                let merit = Merit {
+                    value: f64::INFINITY,
+                    ..check.merit
+                };
+                let merit = if check.complete { merit } else { check.merit };
+                insert(&mut least.scan, Look { merit, ..check });
+            }
+            let beta = least.at.beta;
+            least.bracket = [beta, to.max(beta)];
+            if band.evaluator.locks() && range.locked_from <= beta {
+                let rests = value == 0.0 || self.objective.rests_if_stuck(self.system);
+                return if rests {
+                    OptimumKind::Trivial
+                } else {
+                    OptimumKind::Stuck
+                };
+            }
+            if value > 0.0 && beta * (1.0 + WIDE) < to {
+                return OptimumKind::Flat;
+            }
+            least.bracket = [beta; 2];
+        }
+        let rests = self.objective.rests_if_stuck(self.system);
+        if value == 0.0 || (rests && range.locked_from <= least.at.beta) {
+            OptimumKind::Trivial
+        } else if least.at.beta == 0.0 {
+            OptimumKind::NoFriction
+        } else if let Some(two) = band.crossing(&least.at) {
+            // The two peaks of equal height come first.
+            let rank = |peak: &BandPeak| two.iter().position(|one| one.r == peak.r).unwrap_or(2);
+            least.at.peaks.sort_by_key(rank);
+            OptimumKind::EqualPeaks
+        } else {
+            OptimumKind::SinglePeak
+        }
     }
 
     /// Returns the relative derivatives d ln X/d ln p of the best amplitude X with respect to each parameter p. For one
     /// peak they are the derivatives of the peak. For two equal peaks they are the derivatives of the common height,
     /// while the friction changes so that the peaks stay equal.
     fn sensitivities(&self, beta: f64, peaks: &[OptimumPeak]) -> Option<Vec<(Parameter, f64)>> {
-        let all = self.slopes(self.load?, beta, peaks)?;
-        let weights = weights(&all)?;
-        let parameters = all.first()?.parameters.iter().map(|of| of.parameter);
-        let kept = parameters
-            .filter(|parameter| !matches!(parameter, Parameter::Friction | Parameter::Frequency));
-        kept.map(|parameter| {
-            let parts = weights.iter().zip(&all);
-            let parts = parts.map(|(weight, all)| {
-                let (value, slope) = slope(all, parameter)?;
-                Some(weight * slope.relative(value)?)
-            });
-            Some((parameter, parts.sum::<Option<f64>>()?))
-        })
-        .collect()
-    }
-
-    /// Returns the derivatives of the amplitude at each peak with respect to all parameters, under a load.
-    pub(super) fn slopes(
-        &self,
-        load: Load,
-        beta: f64,
-        peaks: &[OptimumPeak],
-    ) -> Option<Vec<ResponseSensitivities>> {
-        let system = self.system;
-        let scale = system.load_scale(load).ok()?;
+        if !self.objective.has_derivatives() || self.joined.is_some() {
+            return None;
+        }
+        let (system, load) = (self.system, self.load?);
+        let friction = system.load_scale(load).ok()?.friction(beta);
         let of = |peak: &OptimumPeak| {
+            let hertz = system.hertz(peak.r);
             let point = OperatingPoint::Physical {
-                hertz: system.hertz(peak.r),
-                friction: scale.friction(beta),
+                hertz,
+                friction,
                 load,
             };
             system.response_sensitivities(point, self.objective.of).ok()
         };
-        peaks.iter().map(of).collect()
-    }
-}
-
-/// Returns the largest amplitude at the two bounds of the interval (bracket) that contains the best friction. Returns
-/// `None` if this amplitude does not exceed the best amplitude. Otherwise one of the bounds is beyond the jump.
-fn beyond(band: &AmplitudeBand<'_>, least: &Least) -> Option<f64> {
-    let others = least
-        .bracket
-        .into_iter()
-        .filter(|beta| *beta != least.at.beta);
-    let values = others.map(|beta| scan::scanned_at(band, beta, f64::INFINITY).value);
-    let most = values.fold(f64::NAN, f64::max);
-    (least.at.value < most).then_some(most)
-}
-
-/// Returns two results: the value of `parameter`, and a peak's amplitude with its derivative with respect to
-/// `parameter`.
-pub(super) fn slope(of: &ResponseSensitivities, parameter: Parameter) -> Option<(f64, Slope)> {
-    let mut found = of.parameters.iter();
-    let found = found.find(|of| of.parameter == parameter)?;
-    Some((found.value, found.amplitude))
-}
-
-/// Returns the weight of each peak in the derivative of the common height of two equal peaks. For this derivative, the
-/// friction changes so that the peaks stay equal. A single peak has the weight 1.
-pub(super) fn weights(all: &[ResponseSensitivities]) -> Option<Vec<f64>> {
-    let along_friction = |of: &ResponseSensitivities| {
-        let (value, slope) = slope(of, Parameter::Friction)?;
-        slope.relative(value)
-    };
-    match all {
-        [_] => Some(vec![1.0]),
-        [a, b] => {
-            let (a, b) = (along_friction(a)?, along_friction(b)?);
-            Some(vec![b / (b - a), -a / (b - a)])
-        }
-        _ => None,
-    }
-}
-
-/// Returns the peaks that are as high as the highest peak to rounding.
-pub(super) fn equal_peaks(
-    band: &AmplitudeBand<'_>,
-    (at, kind): (&Scanned, MinimumKind),
-    friction: FrictionAmount,
-) -> Vec<OptimumPeak> {
-    // A stuck contact may move with the base at all frequencies of a range. The amplitude is then the same in the whole
-    // range, and one peak represents the range.
-    let most = if kind == MinimumKind::Held { 1 } else { 8 };
-    let equal = at.peaks.iter();
-    let equal = equal.filter(|peak| at.value * (1.0 - EQUAL) <= peak.value);
-    equal
-        .take(most)
-        .map(|peak| {
-            let regime = band.amplitude.regime(peak.r, friction);
-            let slope = scan::slope(band, at.beta, peak);
-            OptimumPeak {
-                r: peak.r,
-                amplitude: peak.value,
-                regime,
-                at_end: peak.edge,
-                slope: (slope.is_finite() && regime != Regime::Stuck).then_some(slope),
+        let all = peaks.iter().map(of).collect::<Option<Vec<_>>>()?;
+        let relative = |of: &ResponseSensitivities, parameter: Parameter| {
+            let mut found = of.parameters.iter();
+            let found = found.find(|of| of.parameter == parameter)?;
+            found.amplitude.relative(found.value)
+        };
+        let weights = match all.as_slice() {
+            [_] => vec![1.0],
+            [a, b] => {
+                let [a, b] = [a, b].map(|of| relative(of, Parameter::Friction));
+                let (a, b) = (a?, b?);
+                vec![b / (b - a), -a / (b - a)]
             }
-        })
-        .collect()
+            _ => return None,
+        };
+        let parameters = all.first()?.parameters.iter().map(|of| of.parameter);
+        let kept = parameters
+            .filter(|parameter| !matches!(parameter, Parameter::Friction | Parameter::Frequency));
+        let derivatives = kept.map(|parameter| {
+            let parts = weights.iter().zip(&all);
+            let parts = parts.map(|(weight, all)| Some(weight * relative(all, parameter)?));
+            Some((parameter, parts.sum::<Option<f64>>()?))
+        });
+        derivatives.collect()
+    }
+}
+
+/// Checks a request for a scene with one contact.
+fn check_single(system: &System, objective: &Objective) -> Result<(), OptimumError> {
+    if !objective.is_sound() {
+        return Err(OptimumError::Size);
+    }
+    let modal = system.modal();
+    let constants = modal.damping_ratios.iter().zip(&modal.loads);
+    let mut constants = constants.zip(&modal.contacts);
+    let lost = constants
+        .position(|((zeta, load), contact)| zeta.is_zero() && contact.is_zero() && !load.is_zero());
+    lost.map_or(Ok(()), |mode| Err(OptimumError::Undamped(mode)))
+}
+
+/// Checks a request for a scene with several contacts or dashpots, and returns its solver.
+fn checked<'s>(
+    system: &'s System,
+    objective: &Objective,
+    load: Option<Load>,
+    r: f64,
+) -> Result<Joined<'s>, OptimumError> {
+    let is_mass = matches!(objective.of, crate::Of::Mass(_));
+    if !is_mass || objective.size != MotionQuantity::Displacement {
+        return Err(OptimumError::OnlyMasses);
+    }
+    let joined = system.joined()?;
+    match load.map(|load| system.load_scale(load)).transpose()? {
+        Some(scale) => joined.with_length(scale.length()).at_any(r)?,
+        None => joined.at_any(r)?,
+    };
+    Ok(joined)
+}
+
+/// Returns the peaks that are as high as the highest peak, within a thousandth.
+fn peaks(band: &Band<'_>, at: &Look) -> Vec<OptimumPeak> {
+    let equal = at.peaks.iter();
+    let equal = equal.filter(|peak| at.merit.value * (1.0 - NEARLY_EQUAL) <= peak.value);
+    // A stuck contact may move with the base at all frequencies of a range. One peak then represents the range. One peak
+    // also represents a peak whose top is uneven.
+    let mut separate: Vec<&BandPeak> = Vec::new();
+    for peak in equal {
+        let is_same = |other: &&BandPeak| {
+            let stuck = [peak, *other]
+                .iter()
+                .all(|peak| peak.regime == Regime::Stuck);
+            stuck || (peak.r - other.r).abs() <= SEPARATE * peak.r
+        };
+        if !separate.iter().any(is_same) {
+            separate.push(peak);
+        }
+    }
+    let told = separate.into_iter().take(8).map(|peak| {
+        let moves = peak.regime != Regime::Stuck && 0.0 < at.beta;
+        OptimumPeak {
+            r: peak.r,
+            amplitude: peak.value,
+            regime: peak.regime,
+            at_end: peak.edge,
+            slope: moves.then(|| band.slope(at.beta, peak)).flatten(),
+        }
+    });
+    told.collect()
+}
+
+/// Returns the largest amplitude just beyond a jump at the best friction. Returns `None` if the amplitude does not jump.
+fn beyond(band: &Band<'_>, at: &Look, peaks: &[OptimumPeak]) -> Option<f64> {
+    let slope = peaks.first().and_then(|peak| peak.slope);
+    if slope.is_some_and(|slope| (slope * at.beta).abs() <= STATIONARY * at.merit.value) {
+        return None;
+    }
+    let sides = [1.0 - BESIDE, 1.0 + BESIDE].map(|share| {
+        let friction = FrictionAmount::Ratio(share * at.beta);
+        band.look(friction, Merit::WORST, Closely::Grid).merit.value
+    });
+    let most = sides.into_iter().fold(0.0, f64::max);
+    (at.merit.value * (1.0 + NEARLY_EQUAL) < most).then_some(most)
 }

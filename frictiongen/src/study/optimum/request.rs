@@ -2,6 +2,7 @@
 
 use crate::Of;
 use crate::study::error::{InvalidScene, UnknownMass, no_such_motion};
+use crate::study::joined::JoinedError;
 use crate::study::response::MotionQuantity;
 use crate::study::units::{Load, LoadError};
 
@@ -66,6 +67,10 @@ pub enum OptimumError {
     /// The request contains several quantities. The value by which the search divides one of the quantities is
     /// missing, 0, negative, infinite or NaN.
     Weight,
+    /// The scene has several contacts or dashpots, and the quantity is not the displacement of a mass.
+    OnlyMasses,
+    /// The solver for several contacts does not support the scene or the request.
+    Joined(JoinedError),
     /// No friction satisfies this bound together with all earlier bounds in the request. If the request varies a number
     /// of the scene description, this is true for every value of the number in its interval.
     Unreachable {
@@ -106,6 +111,8 @@ impl std::fmt::Display for OptimumError {
             Self::Stopped => "the search was stopped before it found a valid friction",
             Self::Interval => "both bounds of an interval must be finite, the second above the first",
             Self::Scene(error) => return error.fmt(f),
+            Self::OnlyMasses => "with `contacts` or `dampers`, the search minimises displacements of masses only",
+            Self::Joined(error) => return error.fmt(f),
             Self::Weight => "each of several quantities needs a value above 0 to divide it by",
             Self::Unreachable {
                 index,
@@ -135,6 +142,12 @@ impl std::error::Error for OptimumError {}
 impl From<UnknownMass> for OptimumError {
     fn from(error: UnknownMass) -> Self {
         Self::UnknownMass(error)
+    }
+}
+
+impl From<JoinedError> for OptimumError {
+    fn from(error: JoinedError) -> Self {
+        Self::Joined(error)
     }
 }
 

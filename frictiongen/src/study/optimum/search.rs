@@ -1,218 +1,548 @@
-//! Finds the friction ratio with which the largest amplitude over a band is smallest.
+//! Finds the friction with which the largest amplitude over a band is smallest.
 //!
-//! The largest amplitude, as a function of friction, is the maximum of smooth branches. There is one branch for each
-//! peak. The largest amplitude jumps at frictions at which the motion reaches another steady state. A scan over
-//! friction gives the amplitude and its slope. If the slope is negative at one point and positive at the next, a
-//! minimum lies between the two points.
-//!
-//! A minimum is either a crossing of two peaks or the minimum of one peak. Newton's method on the difference of the two
-//! heights finds a crossing. The zero of the slope gives the minimum of one peak. If the search finds neither, golden
-//! sections narrow the bracket around the best friction ratio. Golden sections need no slopes.
+//! A scan over friction brackets the minima of the largest amplitude. Golden sections narrow each bracket: the largest
+//! amplitude has corners where two peaks are equally high, and jumps where the motion reaches another steady state. At
+//! two equal peaks, secants then equalise the two heights. A finer grid of frequencies checks the result. If it shows a
+//! higher peak, the search goes on and includes the frequency of this peak.
 
-use super::amplitude::FrictionAmount;
-use super::candidates::{FrictionCandidate, HOLDS, before, of_scan, stays};
-use super::look::{BandPeak, Closely};
-use super::minima::{minima, minimum, narrowed};
-use super::peaks::AmplitudeBand;
-use super::scan::{Scanned, add, best, closer, scanned, scanned_at, slope, with_slope};
-use super::verified::{raise, verified};
-use crate::Regime;
+use super::band::{Band, BandPeak, Closely, FINELY, Look, Merit};
+use super::evaluator::FrictionAmount;
+use super::line;
 
-/// Largest number of checks of the best friction ratio over the whole band. The search makes a further check if the
-/// last check has found a higher peak.
-const CHECKS: usize = 6;
-/// Largest relative slope at which a peak counts as stationary. The relative slope is the relative change of the
-/// amplitude, divided by the relative change of friction.
-const STATIONARY: f64 = 1e-4;
-/// Bound on the work of a search at one value of a varied number of the scene description, in units of about 10 µs of
-/// computing time. The bound corresponds to a few seconds.
-pub(super) const WORK_OF_ONE: usize = 300_000;
-/// Bound on the work of a search, divided by the bound on the work of its final check.
-const OF_A_CHECK: usize = 6;
-/// Largest amplitude of a scanned friction that the search evaluates a second time, divided by the best amplitude. The
-/// widest tolerance of the friction depends on all amplitudes up to 10 % above the best.
-const HIGHEST_TOLERANCE: f64 = 1.12;
+/// Smallest friction of the scan, divided by the median of β*_lim over the band.
+const LEAST: f64 = 0.02;
+/// Largest possible friction of the scan, divided by the median of β*_lim over the band.
+const MOST: f64 = 1000.0;
+/// Largest quotient of two neighbouring frictions of the scan.
+const STEP: f64 = 1.16;
+/// Smallest number of steps of the scan.
+const STEPS: f64 = 40.0;
+/// Additional frictions of the scan, divided by the smallest friction with a stuck state over the whole band. The motion
+/// from rest may still slide at these frictions.
+const BEYOND: [f64; 6] = [1.05, 1.15, 1.3, 1.6, 2.5, 4.0];
+/// Additional frictions of the scan above the friction that bounds the amplitude at all resonances, as relative
+/// distances from this friction.
+const BOUNDED: [f64; 6] = [1e-3, 0.01, 0.03, 0.06, 0.1, 0.2];
+/// The scan evaluates a friction completely if its amplitude, divided by the best amplitude, is at most this. The widest
+/// tolerance of the friction depends on all amplitudes up to 10 % above the best.
+const MARGIN: f64 = 1.12;
+/// Largest number of minima of the scan that the search narrows.
+const MOST_VALLEYS: usize = 5;
+/// Relative widths of an interval of friction at which golden sections pause for secants, and end.
+const PAUSE: f64 = 1e-4;
+const NARROW: f64 = 2e-7;
+/// Largest relative change of the amplitude, divided by the relative change of friction, for which golden sections stay
+/// in an interval whose amplitude is above another minimum.
+const STEEP: f64 = 3.0;
+/// Largest number of peaks that golden sections follow from each friction.
+const FOLLOWED: usize = 4;
+/// Golden sections follow a peak if its amplitude, divided by the largest amplitude, is at least this.
+const WORTH: f64 = 0.8;
+/// Largest number of golden sections.
+const SECTIONS: usize = 60;
+/// Larger of the two fractions into which a golden section divides an interval.
+const GOLDEN: f64 = 0.618_033_988_749_894_8;
+/// Largest number of checks on the finer grid.
+const CHECKS: usize = 5;
+/// Relative excess of a check over the search up to which the check confirms the result.
+const SAME: f64 = 1e-5;
+/// Relative difference of two peaks from which secants may equalise them.
+pub(super) const NEARLY_EQUAL: f64 = 1e-3;
+/// Relative difference of two peaks at which they count as equally high.
+const EQUAL: f64 = 1e-13;
+/// Relative step in friction of the finite differences of a peak.
+const DIFFERENCE: f64 = 1e-6;
+/// Relative tolerance of the maxima of the limits over frequency.
+const PLACE: f64 = 1e-10;
+/// Largest relative difference of an amplitude on an interval of friction that counts as flat.
+const FLAT: f64 = 1e-9;
 
-/// The type of a minimum of the largest amplitude as a function of friction.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) enum MinimumKind {
-    /// At this minimum two peaks have equal height. With more friction one peak falls, and the other peak rises.
-    Crossing,
-    /// At this minimum one peak is at its own minimum over friction, or at a jump of its height.
-    Smooth,
-    /// The largest amplitude is smallest at zero friction.
-    Without,
-    /// At this minimum the contact is stuck, either at the frequency of the peak or over the whole band.
-    Held,
-}
-
-/// The event that ended the search: convergence, a jump, or the bound on work.
+/// The event that ended the search.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum SearchEnd {
     Converged,
-    Jump,
+    /// Each check on the finer grid has found a higher peak.
+    Unconfirmed,
     Spent,
 }
 
-/// The best friction ratio that a search has found, with its scan over friction.
+/// The best friction that a search has found.
 #[derive(Clone, Debug)]
 pub(super) struct Least {
-    pub at: Scanned,
-    pub kind: MinimumKind,
+    pub at: Look,
     pub end: SearchEnd,
-    /// Interval of β that contains the best friction ratio. It is the narrowest interval that the search has found.
+    /// Interval of β that contains the best friction: the narrowest interval of the golden sections.
     pub bracket: [f64; 2],
-    pub scan: Vec<Scanned>,
-    /// Smallest friction ratio at which a stuck state exists at every frequency of the band.
-    pub locked_from: f64,
+    /// The scan over friction, in ascending order.
+    pub scan: Vec<Look>,
+}
+
+/// The limits of friction over a band.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Range {
+    /// Smallest value of β_lim and β*_lim over the band; NaN for several contacts.
     pub free_to: f64,
+    /// Largest value of β*_lim. It is infinite if at some frequency no friction keeps all contacts stuck.
+    pub locked_from: f64,
+    /// Median of the finite values of β*_lim.
+    middle: f64,
 }
 
-/// Finds the friction with which the largest amplitude over the band is smallest. Returns `None` if no friction bounds
-/// the amplitude.
-pub(super) fn least(band: &AmplitudeBand<'_>, work: usize) -> Option<Least> {
-    band.amplitude.allow(work);
-    let [free_to, locked_from] = band.limits();
-    let mut scan = scanned(band, free_to, locked_from);
-    closer(band, &mut scan);
-    let spent = band.amplitude.is_spent();
-    let best = if 1.0 < band.amplitude.system.scene().stiction {
-        band.amplitude.follow_from_rest();
-        band.amplitude.allow(work);
-        let best = verified(band, &mut scan, locked_from)?;
-        band.amplitude.allow(work / OF_A_CHECK);
-        raise(band, &mut scan, HIGHEST_TOLERANCE * best.at.value);
-        best
-    } else {
-        let mut candidates = of_scan(&scan);
-        candidates.extend(minima(band, &scan, best(&scan)));
-        let spent = band.amplitude.is_spent();
-        band.amplitude.allow(work / OF_A_CHECK);
-        checked(band, &mut scan, candidates, spent)?
-    };
-    let spent = spent || band.amplitude.is_spent();
-    let kind = kind(band, &best.at, locked_from);
-    Some(Least {
-        end: end(&best.at, kind, spent),
-        bracket: if kind == MinimumKind::Without {
-            [best.at.beta; 2]
-        } else {
-            about(best.bracket, best.at.beta)
-        },
-        at: best.at,
-        kind,
-        scan,
-        locked_from,
-        free_to,
-    })
-}
-
-/// Finds the friction ratio at which the largest amplitude over the band is smallest, between two nearby bounds
-/// (`ends`). Returns a result only if the amplitude falls at the first bound and rises at the second.
-pub(super) fn near(band: &AmplitudeBand<'_>, ends: [f64; 2]) -> Option<Least> {
-    band.amplitude.allow(WORK_OF_ONE);
-    let [below, above] = ends.map(|beta| scanned_at(band, beta, f64::INFINITY));
-    if !(below.slope < 0.0 && 0.0 <= above.slope) {
-        return None;
-    }
-    let found = minimum(band, below, above, f64::INFINITY)?;
-    let (free_to, locked_from) = (0.0, f64::INFINITY);
-    let kind = kind(band, &found.at, locked_from);
-    Some(Least {
-        end: end(&found.at, kind, band.amplitude.is_spent()),
-        bracket: about(found.bracket, found.at.beta),
-        at: found.at,
-        kind,
-        scan: Vec::new(),
-        locked_from,
-        free_to,
-    })
-}
-
-/// Extends a bracket of friction ratios so that it contains β. If a minimum is flat, the two bounds of the bracket may
-/// be closer to each other than the accuracy of β.
-fn about([from, to]: [f64; 2], beta: f64) -> [f64; 2] {
-    [from.min(beta), to.max(beta)]
-}
-
-/// Evaluates the candidates at all frequencies of the band, and returns the best candidate.
-fn checked(
-    band: &AmplitudeBand<'_>,
-    scan: &mut Vec<Scanned>,
-    mut candidates: Vec<FrictionCandidate>,
-    spent: bool,
-) -> Option<FrictionCandidate> {
-    let locked = stays(scan);
-    for _ in 0..CHECKS {
-        let least = candidates.iter_mut().min_by(|a, b| before(a, b, locked))?;
-        if least.at.whole || band.amplitude.is_spent() {
-            return Some(least.clone());
-        }
-        let beta = least.at.beta;
-        let open = band.open(FrictionAmount::Ratio(beta));
-        let look = band.look(open, f64::INFINITY, Closely::Whole);
-        let found = with_slope(beta, look, |peak| slope(band, beta, peak));
-        let holds = found.value <= least.at.value * (1.0 + HOLDS);
-        if !found.complete {
-            least.at.value = least.at.value.max(found.value);
-            least.at.whole = true;
-            continue;
-        }
-        let bracket = least.bracket;
-        least.at = Scanned {
-            whole: true,
-            ..found
+impl Band<'_> {
+    /// Returns the limits of friction over the band.
+    pub(super) fn range(&self) -> Range {
+        let places = self.frequencies();
+        let limits: Vec<[f64; 2]> = places.iter().map(|r| self.evaluator.limits(*r)).collect();
+        let sliding = limits.iter().map(|[_, sliding]| *sliding);
+        let mut finite: Vec<f64> = sliding
+            .filter(|limit| 0.0 < *limit && limit.is_finite())
+            .collect();
+        finite.sort_by(f64::total_cmp);
+        let middle = finite.get(finite.len() / 2).copied().unwrap_or(1.0);
+        let extreme = |of: &dyn Fn([f64; 2]) -> f64| {
+            let value = |index: Option<usize>| {
+                index
+                    .and_then(|index| limits.get(index))
+                    .map_or(f64::NEG_INFINITY, |limits| of(*limits))
+            };
+            let mut best = f64::NEG_INFINITY;
+            for (index, r) in places.iter().enumerate() {
+                let own = value(Some(index));
+                let sides = [index.checked_sub(1), Some(index + 1)];
+                if !own.is_finite() || sides.iter().any(|side| own < value(*side)) {
+                    best = best.max(own);
+                    continue;
+                }
+                let ends = sides.map(|side| {
+                    let side = side.and_then(|side| places.get(side));
+                    side.copied().unwrap_or(*r)
+                });
+                let f = |r: f64| of(self.evaluator.limits(r));
+                best = best.max(line::largest(f, ends, (*r, own), PLACE).1);
+            }
+            best
         };
-        if holds || spent {
-            continue;
-        }
-        // The first evaluation, at only some frequencies, has missed a peak. Later evaluations therefore include the
-        // frequencies of all peaks at this friction ratio.
-        for peak in &least.at.peaks {
-            band.learn(peak.r);
-        }
-        let from = least.at.clone();
-        scan.retain(|scanned| !bracket.contains(&scanned.beta) && scanned.beta != beta);
-        add(band, scan, bracket.into_iter().chain([beta]));
-        let beside = |wanted: f64| scan.iter().find(|scanned| scanned.beta == wanted).cloned();
-        let [below, above] = bracket.map(|beta| beside(beta).unwrap_or_else(|| from.clone()));
-        if below.beta < above.beta {
-            candidates.push(narrowed(band, (&below, &above), Some(from)));
+        let locked_from = extreme(&|[_, sliding]| sliding);
+        // The minimum of NaN and a number would be the number.
+        let free_to = -extreme(&|[continuous, sliding]| match continuous < sliding {
+            true => -continuous,
+            false if continuous.is_nan() => f64::NAN,
+            false => -sliding,
+        });
+        Range {
+            free_to: if free_to.is_finite() {
+                free_to
+            } else {
+                f64::NAN
+            },
+            locked_from: if locked_from < MOST * MOST * middle {
+                locked_from
+            } else {
+                f64::INFINITY
+            },
+            middle,
         }
     }
-    let least = candidates.into_iter().min_by(|a, b| before(a, b, locked));
-    least.filter(|least| least.at.value.is_finite())
-}
 
-fn end(least: &Scanned, kind: MinimumKind, spent: bool) -> SearchEnd {
-    let stationary = (least.slope * least.beta).abs() <= STATIONARY * least.value;
-    match kind {
-        _ if spent => SearchEnd::Spent,
-        MinimumKind::Smooth if !stationary => SearchEnd::Jump,
-        _ => SearchEnd::Converged,
+    /// Returns the frictions of the scan in the order in which the search evaluates them. `window` restricts the scan to
+    /// an interval.
+    fn frictions(&self, range: Range, unbounded_to: f64, window: Option<[f64; 2]>) -> Vec<f64> {
+        let middle = range.middle;
+        let top = range.locked_from.min(MOST * middle).max(2.0 * unbounded_to);
+        let low = (LEAST * middle).min(0.5 * top);
+        let steps = ((top / low).ln() / STEP.ln()).ceil().max(STEPS);
+        let step = |place: u32| low * (top / low).powf(f64::from(place) / steps);
+        let mut all: Vec<f64> = (0..steps as u32).map(step).collect();
+        all.extend(BOUNDED.map(|share| unbounded_to * (1.0 + share)));
+        all.extend([0.0, top]);
+        all.extend(Some(range.free_to).filter(|free| free.is_finite() && *free < top));
+        if !self.evaluator.locks() {
+            all.extend(BEYOND.map(|share| top * share));
+        }
+        if let Some([from, to]) = window {
+            all.retain(|beta| from < *beta && *beta < to);
+            all.extend([from, to]);
+        }
+        all.sort_by(f64::total_cmp);
+        all.dedup();
+        // The first frictions are those in the middle of the range: their amplitudes exclude most of the others early.
+        let start = middle;
+        let distance = |beta: &f64| (beta.max(1e-9 * start) / start).ln().abs();
+        all.sort_by(|a, b| distance(a).total_cmp(&distance(b)));
+        all
+    }
+
+    /// Finds the friction with which the largest amplitude over the band is smallest, within a bound on work. Returns
+    /// `None` if no friction bounds the amplitude. `window` restricts the search to an interval of friction.
+    pub(super) fn least(
+        &self,
+        (range, unbounded_to): (Range, f64),
+        window: Option<[f64; 2]>,
+        work: usize,
+    ) -> Option<Least> {
+        self.allow(work);
+        let mut scan: Vec<Look> = Vec::new();
+        let mut best = Merit::WORST;
+        for beta in self.frictions(range, unbounded_to, window) {
+            let look = self.look(
+                FrictionAmount::Ratio(beta),
+                best.times(MARGIN),
+                Closely::Grid,
+            );
+            if look.complete && look.merit < best {
+                best = look.merit;
+            }
+            scan.push(look);
+            if self.is_spent() && best < Merit::WORST {
+                break;
+            }
+        }
+        scan.sort_by(|a, b| a.beta.total_cmp(&b.beta));
+        let mut checked: Vec<(Look, [f64; 2])> = Vec::new();
+        let (mut end, mut ran_out) = (SearchEnd::Unconfirmed, false);
+        for _ in 0..CHECKS {
+            let Some((found, bracket)) = self.best_of(&mut scan) else {
+                break;
+            };
+            let known = checked.iter().map(|(look, _)| look.merit);
+            let known = known.fold(
+                Merit::WORST,
+                |best, merit| if merit < best { merit } else { best },
+            );
+            let mut spent = self.is_spent();
+            let check = self.check(found.beta, known.times(1.0 + SAME), work);
+            let (value, expected) = (check.merit.value, found.merit.value);
+            let confirmed = check.complete
+                && (value - expected).abs() <= SAME * expected
+                && check.merit.excess <= found.merit.excess.max(SAME);
+            if check.complete {
+                checked.push((check.clone(), bracket));
+            } else if checked.is_empty() {
+                // The check has reached its bound on work.
+                let merit = if check.merit < found.merit {
+                    found.merit
+                } else {
+                    check.merit
+                };
+                let look = Look {
+                    merit,
+                    ..check.clone()
+                };
+                checked.push((look, bracket));
+                (spent, ran_out) = (true, true);
+            }
+            insert(&mut scan, check);
+            if confirmed || spent || self.is_spent() {
+                end = SearchEnd::Converged;
+                break;
+            }
+            if !self.follows.replace(true) {
+                // The closed forms have not led to the motion from rest. The search evaluates the best frictions again.
+                for look in &mut scan {
+                    look.complete = look.beta == found.beta && look.complete;
+                }
+            }
+        }
+        if self.is_spent() || ran_out {
+            end = SearchEnd::Spent;
+        }
+        let order = |a: &(Look, [f64; 2]), b: &(Look, [f64; 2])| {
+            let order = a.0.merit.partial_cmp(&b.0.merit);
+            order.unwrap_or(std::cmp::Ordering::Equal)
+        };
+        let (at, bracket) = checked.into_iter().min_by(order)?;
+        let value = at.merit.value;
+        value.is_finite().then_some(Least {
+            at,
+            end,
+            bracket,
+            scan,
+        })
+    }
+
+    /// Returns the best friction between the points of the scan, and an interval that contains it. Evaluates the points
+    /// again whose known amplitude is a lower bound near the best amplitude.
+    fn best_of(&self, scan: &mut [Look]) -> Option<(Look, [f64; 2])> {
+        let mut best = Merit::WORST;
+        for look in scan.iter() {
+            if look.complete && look.merit < best {
+                best = look.merit;
+            }
+        }
+        for look in scan.iter_mut() {
+            if !look.complete && look.merit <= best.times(MARGIN) && !self.is_spent() {
+                let friction = FrictionAmount::Ratio(look.beta);
+                *look = self.look(friction, best.times(MARGIN), Closely::Grid);
+                if look.complete && look.merit < best {
+                    best = look.merit;
+                }
+            }
+        }
+        let merit = |index: Option<usize>| {
+            index
+                .and_then(|index| scan.get(index))
+                .map_or(Merit::WORST, |look| look.merit)
+        };
+        let mut valleys: Vec<usize> = (0..scan.len())
+            .filter(|index| {
+                let own = merit(Some(*index));
+                let complete = scan.get(*index).is_some_and(|look| look.complete);
+                complete && own <= merit(index.checked_sub(1)) && own < merit(Some(index + 1))
+                    || complete && own == best
+            })
+            .collect();
+        valleys.sort_by(|a, b| {
+            let order = merit(Some(*a)).partial_cmp(&merit(Some(*b)));
+            order.unwrap_or(std::cmp::Ordering::Equal)
+        });
+        let mut found: Option<(Look, [f64; 2])> = None;
+        for index in valleys.into_iter().take(MOST_VALLEYS) {
+            let Some(at) = scan.get(index) else { continue };
+            if best.times(MARGIN) < at.merit {
+                break;
+            }
+            let end = |index: Option<usize>| {
+                index
+                    .and_then(|index| scan.get(index))
+                    .map_or(at.beta, |look| look.beta)
+            };
+            let ends = [end(index.checked_sub(1)), end(Some(index + 1))];
+            let around = [index.checked_sub(1), Some(index), Some(index + 1)];
+            let around = around.iter().filter_map(|index| scan.get((*index)?));
+            let rival = found
+                .as_ref()
+                .map_or(Merit::WORST, |(found, _)| found.merit);
+            let narrowed = self.narrowed(seeds(around), (at.clone(), ends), rival);
+            if found
+                .as_ref()
+                .is_none_or(|(found, _)| narrowed.0.merit < found.merit)
+            {
+                found = Some(narrowed);
+            }
+        }
+        found
+    }
+
+    /// Narrows an interval of friction around the best friction. The golden sections follow only the highest peaks. If
+    /// the whole grid then shows a higher peak, they start again and include this peak.
+    fn narrowed(
+        &self,
+        mut seeds: Vec<f64>,
+        (start, ends): (Look, [f64; 2]),
+        rival: Merit,
+    ) -> (Look, [f64; 2]) {
+        if start.merit.value == 0.0 && start.merit.excess == 0.0 {
+            return (start, ends);
+        }
+        let mut best: Option<(Look, [f64; 2])> = None;
+        let mut from = start;
+        for _ in 0..CHECKS {
+            let (found, bracket) = self.sections(&seeds, (from, ends), (rival, PAUSE));
+            let (found, bracket) = match self.equalised(&found, bracket) {
+                Some(found) => found,
+                None => self.sections(&seeds, (found, bracket), (rival, NARROW)),
+            };
+            let friction = FrictionAmount::Ratio(found.beta);
+            let check = self.look(friction, Merit::WORST, Closely::Grid);
+            if !check.complete {
+                return best.unwrap_or((found, bracket));
+            }
+            let higher = found.merit.times(1.0 + SAME) < check.merit;
+            for peak in check.peaks.iter().take(FOLLOWED) {
+                add_seed(&mut seeds, peak.r);
+            }
+            if best
+                .as_ref()
+                .is_none_or(|(best, _)| check.merit < best.merit)
+            {
+                best = Some((check.clone(), bracket));
+            }
+            from = check;
+            if !higher || self.is_spent() {
+                break;
+            }
+        }
+        best.unwrap_or((from, ends))
+    }
+
+    /// Narrows an interval of friction by golden sections, up to a relative width.
+    fn sections(
+        &self,
+        seeds: &[f64],
+        (mut at, [mut low, mut high]): (Look, [f64; 2]),
+        (rival, width): (Merit, f64),
+    ) -> (Look, [f64; 2]) {
+        for _ in 0..SECTIONS {
+            let relative = (high - low) / high;
+            if relative <= width
+                || rival.times(1.0 + STEEP * relative) < at.merit
+                || self.is_spent()
+            {
+                break;
+            }
+            let side = if high - at.beta < at.beta - low {
+                low
+            } else {
+                high
+            };
+            let beta = at.beta + (1.0 - GOLDEN) * (side - at.beta);
+            let look = match self.evaluator.has_bounds() {
+                true => self.look(FrictionAmount::Ratio(beta), at.merit, Closely::Grid),
+                false => self.tracked(beta, seeds, at.merit),
+            };
+            let worse = if look.complete && look.merit < at.merit {
+                std::mem::replace(&mut at, look).beta
+            } else {
+                beta
+            };
+            if worse < at.beta {
+                low = worse;
+            } else {
+                high = worse;
+            }
+        }
+        (at, [low, high])
+    }
+
+    /// Equalises two peaks of nearly the same height by secants, if one falls and the other rises with friction.
+    fn equalised(&self, at: &Look, bracket: [f64; 2]) -> Option<(Look, [f64; 2])> {
+        let seeds = self.crossing(at)?.map(|peak| peak.r);
+        let apart = |beta: f64| match self.near(beta, &seeds, FINELY).as_slice() {
+            [a, b] => ((a.value - b.value) / a.value, a.value.max(b.value)),
+            _ => (f64::NAN, f64::NAN),
+        };
+        let (mut last, mut beta) = (at.beta * (1.0 + DIFFERENCE), at.beta);
+        let (mut before, mut here) = (apart(last), apart(beta));
+        for _ in 0..12 {
+            let next = beta - here.0 * (beta - last) / (here.0 - before.0);
+            if here.0.abs() <= EQUAL || !next.is_finite() || self.is_spent() {
+                break;
+            }
+            (last, before) = (beta, here);
+            (beta, here) = (next, apart(next));
+        }
+        let is_close = (beta / at.beta - 1.0).abs() < NEARLY_EQUAL && here.0.abs() <= 10.0 * EQUAL;
+        let [low, high] = bracket;
+        let merit = Merit {
+            value: here.1,
+            ..at.merit
+        };
+        let found = Look {
+            beta,
+            merit,
+            ..at.clone()
+        };
+        is_close.then_some((found, [low.min(beta), high.max(beta)]))
+    }
+
+    /// Returns two peaks of nearly the same height, of which one falls and the other rises with friction.
+    pub(super) fn crossing(&self, at: &Look) -> Option<[BandPeak; 2]> {
+        let top = at.peaks.first()?;
+        let slope = self.slope(at.beta, top)?;
+        let mut others = at.peaks.iter().skip(1);
+        let other = others.find(|peak| {
+            top.value * (1.0 - NEARLY_EQUAL) <= peak.value
+                && self
+                    .slope(at.beta, peak)
+                    .is_some_and(|other| other * slope < 0.0)
+        })?;
+        Some([*top, *other])
+    }
+
+    /// Returns the derivative of a peak's amplitude with respect to friction. Returns `None` if the amplitude jumps, or
+    /// is not bounded.
+    pub(super) fn slope(&self, beta: f64, peak: &BandPeak) -> Option<f64> {
+        let step = DIFFERENCE * beta;
+        let [below, above] = [beta - step, beta + step].map(|beta| {
+            let found = self.near(beta, &[peak.r], FINELY);
+            found.first().map_or(f64::NAN, |peak| peak.value)
+        });
+        let bent = |value: f64| (value - peak.value).abs() <= NEARLY_EQUAL * peak.value;
+        let slope = (above - below) / (2.0 * step);
+        (slope.is_finite() && bent(below) && bent(above)).then_some(slope)
+    }
+
+    /// Returns the interval of friction around the best friction in which the amplitude exceeds the best amplitude by at
+    /// most the fraction `excess`. Its upper bound is infinite if no point of the scan exceeds this.
+    pub(super) fn tolerance(&self, least: &Least, range: Range, excess: f64) -> [f64; 2] {
+        let best = &least.at;
+        let level = best.merit.value * (1.0 + excess.max(FLAT));
+        let below = least.scan.iter().rev().filter(|look| look.beta < best.beta);
+        let above = least.scan.iter().filter(|look| best.beta < look.beta);
+        let from = self.edge(best, below, level).unwrap_or(0.0);
+        let to = self.edge(best, above, level).unwrap_or(f64::INFINITY);
+        let (locked, accuracy) = (range.locked_from, self.evaluator.accuracy());
+        let near =
+            |beta: f64| locked.is_finite() && (beta - locked).abs() <= 2.0 * accuracy * locked;
+        [from, to].map(|beta| if near(beta) { locked } else { beta })
+    }
+
+    /// Returns the friction at which the largest amplitude reaches `level`, from the best friction outwards. Returns
+    /// `None` if no scanned amplitude exceeds the level.
+    fn edge<'l>(
+        &self,
+        best: &'l Look,
+        mut outwards: impl Iterator<Item = &'l Look>,
+        level: f64,
+    ) -> Option<f64> {
+        let mut inside = best;
+        let outside = loop {
+            let look = outwards.next()?;
+            if level < look.merit.value || 0.0 < look.merit.excess {
+                break look;
+            }
+            inside = look;
+        };
+        let seeds = seeds([inside, outside, best].into_iter());
+        let above = |beta: f64| self.highest_near(beta, &seeds) - level;
+        let (mut a, mut at_a) = (inside.beta, inside.merit.value - level);
+        let (mut b, mut at_b) = (outside.beta, above(outside.beta));
+        // Regula falsi with the Illinois rule; bisection if an amplitude is infinite.
+        for _ in 0..40 {
+            if (b - a).abs() <= self.evaluator.accuracy() * b.abs() || self.is_spent() {
+                break;
+            }
+            let mut middle = b - at_b * (b - a) / (at_b - at_a);
+            if !(middle.is_finite() && (middle - a) * (middle - b) < 0.0) {
+                middle = 0.5 * (a + b);
+            }
+            let value = above(middle);
+            if value <= 0.0 {
+                at_b *= 0.5;
+                (a, at_a) = (middle, value);
+            } else {
+                at_a *= 0.5;
+                (b, at_b) = (middle, value);
+            }
+        }
+        Some(a)
     }
 }
 
-fn kind(band: &AmplitudeBand<'_>, least: &Scanned, locked_from: f64) -> MinimumKind {
-    let equal: Vec<&BandPeak> = least
-        .peaks
-        .iter()
-        .filter(|peak| least.value * (1.0 - 1e-9) <= peak.value)
-        .collect();
-    let stuck = |peak: &&BandPeak| {
-        band.amplitude
-            .regime(peak.r, FrictionAmount::Ratio(least.beta))
-            == Regime::Stuck
-    };
-    if least.beta == 0.0 {
-        MinimumKind::Without
-    } else if (band.amplitude.locks() && locked_from <= least.beta)
-        || (least.slope == 0.0 && equal.iter().all(stuck))
-    {
-        MinimumKind::Held
-    } else if equal.len() > 1 {
-        MinimumKind::Crossing
-    } else {
-        MinimumKind::Smooth
+/// Returns the frequency ratios of the highest peaks at some frictions.
+fn seeds<'l>(looks: impl Iterator<Item = &'l Look>) -> Vec<f64> {
+    let mut all = Vec::new();
+    for look in looks {
+        let worth = look.peaks.iter().take(FOLLOWED);
+        for peak in worth.filter(|peak| WORTH * look.merit.value <= peak.value) {
+            add_seed(&mut all, peak.r);
+        }
+    }
+    all
+}
+
+/// Adds a frequency ratio, unless a search from a known one would probably lead to the same peak.
+fn add_seed(seeds: &mut Vec<f64>, r: f64) {
+    if !seeds.iter().any(|seed| (seed - r).abs() <= 1e-3 * r) {
+        seeds.push(r);
+    }
+}
+
+/// Inserts a point into the scan. It replaces a point with the same friction.
+pub(super) fn insert(scan: &mut Vec<Look>, look: Look) {
+    let place = scan.partition_point(|other| other.beta < look.beta);
+    match scan.get_mut(place).filter(|other| other.beta == look.beta) {
+        Some(known) => *known = look,
+        None => scan.insert(place, look),
     }
 }

@@ -5,6 +5,7 @@
 //! RAYON_NUM_THREADS=1 cargo test --release -p generated-tests --test study answers:: -- --ignored --nocapture --test-threads 1
 //! ```
 
+mod contacts;
 pub mod frames;
 mod map;
 

@@ -5,8 +5,11 @@ use crate::study::columns::builder::Columns;
 use crate::study::columns::cell::Cell;
 use crate::study::columns::column::{Column, ColumnKind, Head, Shown, TableRow};
 use crate::study::columns::measure::PhysicalQuantity;
-use crate::study::columns::setting::MovingPart;
-use crate::study::optimum::{Optimum, Tunable, TunedOptimum};
+use crate::study::columns::setting::{Frequency, MovingPart};
+use crate::study::optimum::{Optimum, SharesOptimum, Tunable, TunedOptimum};
+
+/// Largest number of frequencies without a steady state that the result names.
+const MOST_UNSETTLED: usize = 5;
 
 /// A row of the result about the best friction: one value with its label and its key.
 #[derive(Clone, Debug)]
@@ -142,6 +145,68 @@ impl<'a> OptimumTable<'a> {
             self.scan_lines(tuned, &mut lines);
         }
         once(&mut lines, self.effort());
+        self.unsettled_lines(optimum, &mut lines);
+        lines
+    }
+
+    /// Adds one line for each of the first frequencies at which the motion does not settle.
+    fn unsettled_lines(&self, optimum: &Optimum, lines: &mut Vec<OptimumLine>) {
+        for (row, r) in (1..=MOST_UNSETTLED).zip(&optimum.unsettled) {
+            let mut entry = LineEntry {
+                lines: &mut *lines,
+                list: Some("unsettled"),
+                row: Some(row),
+                excess: None,
+                name: "",
+            };
+            let frequency = Frequency::at(self.setting.system, *r);
+            let (key, value, unit) = match self.setting.frequency.has_hertz() {
+                true => ("frequency_Hz", frequency.hertz, "Hz"),
+                false => ("r", frequency.r, ""),
+            };
+            entry.line(
+                key,
+                "  the last 64 cycles count at".to_owned(),
+                value.into(),
+                unit,
+            );
+        }
+    }
+
+    /// Returns the lines of the best shares of several contacts, and the best amplitude with the shares of the scene
+    /// description.
+    #[must_use]
+    pub fn share_lines(&self, found: &SharesOptimum) -> Vec<OptimumLine> {
+        let mut lines = Vec::new();
+        let contacts = self.setting.system.scene().named_contacts();
+        for (row, (contact, share)) in (1..).zip(contacts.iter().zip(&found.shares)) {
+            let mut entry = LineEntry {
+                lines: &mut lines,
+                list: Some("shares"),
+                row: Some(row),
+                excess: None,
+                name: "",
+            };
+            let label = format!("share of {}", contact.name);
+            entry.line(contact.name.as_str(), label, (*share).into(), "");
+        }
+        let measure = &self.setting.measure;
+        let before = measure.convert(self.size(), found.before, found.optimum.reference);
+        let mut entry = LineEntry {
+            lines: &mut lines,
+            list: None,
+            row: None,
+            excess: None,
+            name: "",
+        };
+        let label = "largest amplitude with the shares of the description".to_owned();
+        let key = measure.name("amplitude_before", self.size());
+        entry.line(
+            key,
+            label,
+            before.into(),
+            measure.unit_or_reference(self.size()),
+        );
         lines
     }
 

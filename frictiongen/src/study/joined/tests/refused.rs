@@ -26,13 +26,6 @@ fn other_calls_name_the_fields() {
     ask(text(frame.stuck_amplitudes(0.9)));
     ask(text(frame.compile(0.2..2.5, 1e-4)));
     ask(text(frame.features(None)));
-    let request = crate::study::optimum::OptimumRequest {
-        of: crate::Of::Mass(0),
-        size: crate::study::response::MotionQuantity::Displacement,
-        band: crate::study::optimum::FrequencyBand::Ratio(0.5, 1.5),
-        load: None,
-    };
-    ask(text(frame.optimum(&request)));
     let point = crate::study::sensitivity::OperatingPoint::Groups { r: 0.9, beta: 0.3 };
     ask(text(
         frame.response_sensitivities(point, crate::Of::Mass(0)),

@@ -63,6 +63,7 @@ impl Tunable {
     }
 
     /// Returns all quantities of the scene description that change together with this number.
+    #[cfg(feature = "measure")]
     pub(crate) fn quantities(self, scene: &Scene) -> Vec<Quantity> {
         match self {
             Self::Quantity(quantity) => vec![quantity],

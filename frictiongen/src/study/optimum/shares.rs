@@ -1,14 +1,15 @@
-//! Finds the best common friction together with the best shares of the contacts.
+//! Finds the best common friction together with the best shares of several contacts.
 
-use super::error::JoinedError;
-use super::optimum::{Early, FrictionSearch, JoinedOptimum};
-use super::scene::Joined;
-use frictiongen_model::scene::Scene;
+use super::band::{Band, Closely, KeepGoing, Merit};
+use super::evaluator::{FrictionAmount, Goal};
+use super::problem::OptimumProblem;
+use super::{Optimum, OptimumEnd, OptimumError, OptimumRequest, WORK};
+use crate::study::joined::JoinedError;
+use crate::study::system::System;
 
 /// First step of the search. A step is a factor on a share or on the friction.
 const FIRST: f64 = 1.6;
-/// Lower bound of the steps. The search ends when the next step is not above this bound. A step is a factor on a share
-/// or on the friction.
+/// Lower bound of the steps. The search ends when the next step is not above this bound.
 const LAST: f64 = 1.02;
 /// Number of compared distributions (friction and shares) after which the search begins no further pass over all
 /// numbers.
@@ -26,28 +27,20 @@ pub struct ShareRange {
 }
 
 /// Result of a search for the best common friction and the best shares of the contacts.
-#[derive(Clone, Debug, PartialEq)]
-pub struct JoinedDistribution {
+#[derive(Clone, Debug)]
+pub struct SharesOptimum {
     /// The best share of each contact, in the order of the scene description.
     pub shares: Vec<f64>,
     /// The best common friction with these shares.
-    pub optimum: JoinedOptimum,
-    /// The best common friction with the shares of the scene description.
-    pub before: JoinedOptimum,
+    pub optimum: Optimum,
+    /// The largest amplitude over the band with the best common friction and the shares of the scene description.
+    pub before: f64,
 }
 
-impl<'a> Joined<'a> {
-    /// Returns this scene with other shares of the common friction. A contact without a number in `shares` keeps its
-    /// share.
-    #[must_use]
-    pub fn with_shares(&self, shares: &[f64]) -> Self {
-        let mut joined = self.clone();
-        joined.set_shares(shares);
-        joined
-    }
-
-    /// Finds the common friction and the shares with which the largest amplitude of a mass over a band of frequency
-    /// ratios is smallest. The search calls `watch` before each steady state, and stops if `watch` returns false.
+impl System {
+    /// Finds the common friction and the shares with which the largest amplitude of a mass over a band of frequencies is
+    /// smallest. The search calls `watch` after each steady state, and ends with the best result so far if `watch`
+    /// returns false.
     ///
     /// The search begins at the best common friction with the shares of the scene description. In each round, it
     /// multiplies or divides the friction and then each share by a factor, and keeps every change that reduces the
@@ -57,61 +50,65 @@ impl<'a> Joined<'a> {
     /// The result is a local minimum. Another distribution far from the description may be better.
     ///
     /// # Errors
-    /// Same errors as [`optimum_watched`](Self::optimum_watched). [`JoinedError::Shares`] for an interval that does
-    /// not begin above 0, does not end above its start, or is not finite. [`JoinedError::Shares`] also for a contact
-    /// that does not exist.
+    /// Same errors as [`optimum`](System::optimum). [`JoinedError::Shares`] for an interval that does not begin above 0,
+    /// does not end above its start, or is not finite, and for a contact that does not exist.
+    #[doc(hidden)]
     pub fn best_shares(
         &self,
-        mass: &str,
-        band: (f64, f64),
+        request: &OptimumRequest,
         ranges: &[ShareRange],
-        watch: &dyn Fn() -> bool,
-    ) -> Result<JoinedDistribution, JoinedError> {
-        let given: Vec<f64> = shares(self.scene());
+        watch: &(dyn Fn() -> bool + Sync),
+    ) -> Result<SharesOptimum, OptimumError> {
+        let contacts = self.scene().named_contacts().into_iter();
+        let given: Vec<f64> = contacts.map(|contact| contact.law.share).collect();
         for range in ranges {
             let sound = 0.0 < range.from && range.from < range.to && range.to.is_finite();
             if !sound || given.len() <= range.contact {
-                return Err(JoinedError::Shares);
+                return Err(JoinedError::Shares.into());
             }
         }
-        let before = self.optimum_watched(mass, band, watch)?;
+        let mut problem = OptimumProblem::new(self, request)?.watched_by(watch);
+        let goal = Goal::one(problem.objective);
+        let before = problem.found(goal.clone(), WORK, None)?;
         let mut descent = Descent {
-            search: FrictionSearch::new(self, mass, band, watch)?,
+            band: problem.band(goal.clone()),
+            problem: &problem,
             ranges,
             compared: 0,
             best: Distribution {
                 shares: given,
-                friction: before.friction,
-                peak: (before.amplitude, before.r),
+                friction: before.least.at.beta,
+                merit: before.least.at.merit,
             },
         };
-        let followed = match before.is_complete {
-            true => descent.run(),
-            false => Err(Early::Stopped),
-        };
-        let is_complete = match followed {
-            Ok(()) => true,
-            Err(Early::Stopped) => false,
-            Err(Early::Failed(error)) => return Err(error),
-        };
-        let (best, search) = (descent.best, descent.search);
-        let told = search.told(best.friction, best.peak, is_complete);
-        Ok(JoinedDistribution {
+        if watch() {
+            descent.run();
+        }
+        let (best, asked) = (descent.best, descent.band.asked.get());
+        problem.joined = problem
+            .joined
+            .map(|joined| joined.with_shares(&best.shares));
+        let stopped = !watch();
+        let quiet: KeepGoing<'_> = &|| true;
+        if stopped {
+            problem = problem.watched_by(quiet);
+        }
+        let found = problem.found(goal, WORK, None)?;
+        let optimum = problem.told(found, true)?;
+        Ok(SharesOptimum {
             shares: best.shares,
-            optimum: JoinedOptimum {
-                evaluations: before.evaluations + told.evaluations,
-                frictions: before.frictions + told.frictions,
-                ..told
+            optimum: Optimum {
+                end: if stopped {
+                    OptimumEnd::Stopped
+                } else {
+                    optimum.end
+                },
+                evaluations: asked + before.band.asked.get() + optimum.evaluations,
+                ..optimum
             },
-            before,
+            before: before.least.at.merit.value,
         })
     }
-}
-
-/// Returns each contact's share of the common friction in the scene description.
-fn shares(scene: &Scene) -> Vec<f64> {
-    let contacts = scene.named_contacts().into_iter();
-    contacts.map(|contact| contact.law.share).collect()
 }
 
 /// A common friction and the shares of all contacts.
@@ -119,55 +116,54 @@ fn shares(scene: &Scene) -> Vec<f64> {
 struct Distribution {
     shares: Vec<f64>,
     friction: f64,
-    /// Largest amplitude of the mass over the band, and the frequency ratio at which it occurs.
-    peak: (f64, f64),
+    merit: Merit,
 }
 
 /// A search that multiplies one number after the other by a factor: first the friction, then each share.
-struct Descent<'j, 'a> {
-    search: FrictionSearch<'j, 'a>,
-    ranges: &'j [ShareRange],
+struct Descent<'p, 's> {
+    problem: &'p OptimumProblem<'s>,
+    band: Band<'s>,
+    ranges: &'p [ShareRange],
     compared: usize,
     best: Distribution,
 }
 
 impl Descent<'_, '_> {
-    fn run(&mut self) -> Result<(), Early> {
+    fn run(&mut self) {
         let mut start = self.best.clone();
         for range in self.ranges {
             if let Some(share) = start.shares.get_mut(range.contact) {
                 *share = share.clamp(range.from, range.to);
             }
         }
-        start.peak = self.peak(&start, f64::INFINITY)?;
+        start.merit = self.merit(&start, Merit::WORST);
         // The shares of the scene description may be outside the permitted intervals. The search therefore begins at
         // `start`.
         self.best = start;
-        self.descend(FIRST)
+        self.descend(FIRST);
     }
 
     /// Multiplies or divides one number after the other by a factor. If no change gives a smaller peak, reduces the
     /// factor.
-    fn descend(&mut self, mut factor: f64) -> Result<(), Early> {
-        while LAST < factor && self.compared < MOST {
+    fn descend(&mut self, mut factor: f64) {
+        while LAST < factor && self.compared < MOST && !self.band.is_spent() {
             let before = self.best.clone();
             for number in 0..=self.ranges.len() {
-                if !self.better(number, factor)? {
-                    self.better(number, 1.0 / factor)?;
+                if !self.better(number, factor) {
+                    self.better(number, 1.0 / factor);
                 }
             }
-            if self.best.peak.0 < before.peak.0 {
-                self.leap(&before)?;
+            if self.best.merit < before.merit {
+                self.leap(&before);
             } else {
                 factor = factor.sqrt();
             }
         }
-        Ok(())
     }
 
     /// Tries the best distribution with one number multiplied by a factor. The number is the friction or a share.
     /// Returns true if the changed distribution is better.
-    fn better(&mut self, number: usize, factor: f64) -> Result<bool, Early> {
+    fn better(&mut self, number: usize, factor: f64) -> bool {
         let mut tried = self.best.clone();
         match number
             .checked_sub(1)
@@ -176,11 +172,11 @@ impl Descent<'_, '_> {
             None => tried.friction *= factor,
             Some(range) => {
                 let Some(share) = tried.shares.get_mut(range.contact) else {
-                    return Ok(false);
+                    return false;
                 };
                 let moved = (*share * factor).clamp(range.from, range.to);
                 if moved == *share {
-                    return Ok(false);
+                    return false;
                 }
                 *share = moved;
             }
@@ -191,7 +187,7 @@ impl Descent<'_, '_> {
     /// Repeats the change from `before` to the best distribution, because this change has reduced the peak. The call
     /// multiplies the friction and each share by their ratio to the value in `before`. It keeps the result if the peak
     /// is smaller.
-    fn leap(&mut self, before: &Distribution) -> Result<(), Early> {
+    fn leap(&mut self, before: &Distribution) {
         let mut tried = self.best.clone();
         tried.friction *= tried.friction / before.friction;
         for range in self.ranges {
@@ -200,24 +196,29 @@ impl Descent<'_, '_> {
                 *share = (*share * *share / earlier).clamp(range.from, range.to);
             }
         }
-        self.keep(tried).map(|_| ())
+        self.keep(tried);
     }
 
     /// Stores the distribution `tried` if it is better than the best distribution so far. Returns true if it is better.
-    fn keep(&mut self, mut tried: Distribution) -> Result<bool, Early> {
-        tried.peak = self.peak(&tried, self.best.peak.0)?;
-        let better = tried.peak.0 < self.best.peak.0;
+    fn keep(&mut self, mut tried: Distribution) -> bool {
+        tried.merit = self.merit(&tried, self.best.merit);
+        let better = tried.merit < self.best.merit;
         if better {
             self.best = tried;
         }
-        Ok(better)
+        better
     }
 
-    /// Returns the largest amplitude of the mass over the band with a distribution, and the frequency ratio at which
-    /// it occurs. Ends early with the first amplitude above `cutoff`.
-    fn peak(&mut self, tried: &Distribution, cutoff: f64) -> Result<(f64, f64), Early> {
+    /// Returns the merit of a distribution, or a lower bound of it beyond `cutoff`.
+    fn merit(&mut self, tried: &Distribution, cutoff: Merit) -> Merit {
         self.compared += 1;
-        self.search.set_shares(&tried.shares);
-        self.search.largest(tried.friction, cutoff)
+        let goal = Goal::one(self.problem.objective);
+        self.band.evaluator = self.problem.evaluator(goal, Some(&tried.shares));
+        let friction = FrictionAmount::Ratio(tried.friction);
+        let look = self.band.look(friction, cutoff, Closely::Grid);
+        match look.complete {
+            true => look.merit,
+            false => Merit::WORST,
+        }
     }
 }
