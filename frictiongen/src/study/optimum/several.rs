@@ -11,6 +11,9 @@ use crate::Of;
 use crate::study::response::MotionQuantity;
 use crate::study::system::System;
 
+/// Bound on the work of a search with several quantities, each of which counts, in units of about 10 µs.
+const WORK: usize = 4 * super::WORK;
+
 /// Largest relative difference at which two quotients count as equal.
 const BALANCE: f64 = 1e-3;
 /// A bound counts as reached if the quantity, divided by its bound, is at least this number.
@@ -88,7 +91,7 @@ impl System {
         watch: &(dyn Fn() -> bool + Sync),
     ) -> Result<KeptOptimum, OptimumError> {
         let problem = KeptProblem::new(self, request, kept, watch)?;
-        problem.told(problem.found(super::WORK, None)?)
+        problem.told(problem.found(WORK, None)?)
     }
 
     /// Returns the best friction for several quantities. With the best friction, the largest quotient of a quantity and
@@ -129,7 +132,7 @@ impl System {
             bounded: Vec::new(),
         };
         let first = problems.first().ok_or(OptimumError::Weight)?;
-        let found = first.found(goal, super::WORK, None)?;
+        let found = first.found(goal, WORK, None)?;
         if !watch() {
             return Err(OptimumError::Stopped);
         }
