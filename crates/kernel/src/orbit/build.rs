@@ -10,7 +10,9 @@ use super::start::Start;
 use super::types::{MAX_CYCLES, MAX_SEGMENTS, MAX_STEPS, Orbit, SegmentStart};
 use super::wander::wander;
 use crate::errors::{NoOrbit, OutOfDomain, Slice};
-use crate::motion::{ContactChain, ContactState, Dynamics, Law, MotionSetting, Part, leap};
+use crate::motion::{
+    Contact, ContactChain, ContactState, Dynamics, Law, MotionSetting, Part, leap,
+};
 use crate::number::complex::Complex;
 use crate::number::scalar::{Float, Plain};
 use crate::oscillator::mode::{Kind, Mode};
@@ -151,7 +153,7 @@ where
             (Settled::Not(error), None) if !question.last => return Err(error),
             (settled, _) => settled,
         };
-        let (settled, left_at) = match settled {
+        let (settled, mut left_at) = match settled {
             Settled::Stuck(offset) if start == Start::Rest => (
                 Settled::Stuck(S::constant(0.0)),
                 Some(setting.mean_at(offset)),
@@ -164,13 +166,30 @@ where
             MAX_SEGMENTS
         };
         let mut record = OrbitRecord::new(&mut marks, states, 2 * modes, most);
-        let found = followed(&mut cycle_map, &mut workspace, settled, &mut record)?;
+        let mut found = followed(&mut cycle_map, &mut workspace, settled, &mut record)?;
+        let mut period = record.done();
+        // The search may find a state in which the contact only touches its limit, and sticks in between.
+        let touches = holding.is_some() && start == Start::Rest && left_at.is_none();
+        if touches && found.settled && sticks(&marks, &period) {
+            let zero = S::constant(0.0);
+            let (_, offset) = setting.start_sticking(
+                cycle_map.modes,
+                cycle_map.stuck_modes,
+                &cycle_map.contact_state,
+                zero,
+            );
+            left_at = Some(setting.mean_at(offset));
+            let mut record = OrbitRecord::new(&mut marks, states, 2 * modes, most);
+            let stuck = Settled::Stuck(zero);
+            found = followed(&mut cycle_map, &mut workspace, stuck, &mut record)?;
+            period = record.done();
+        }
         let RecordedPeriod {
             count,
             stops,
             reversals,
             origin,
-        } = record.done();
+        } = period;
         let mut orbit = Self {
             setting,
             parts: clean,
@@ -194,6 +213,12 @@ where
         orbit.offset_range = range.or(found.reach.map(|reach| orbit.offset().abs() * reach));
         Ok(orbit)
     }
+}
+
+/// Returns true if the contact sticks in every segment of a recorded period.
+fn sticks<S: Float>(marks: &[SegmentStart<S>], period: &RecordedPeriod<S>) -> bool {
+    let mut marks = marks.iter().take(period.count);
+    period.stops == 0 && marks.all(|mark| mark.contact_state.contact == Contact::Stuck)
 }
 
 /// Follows the motion from its initial state `start` to a steady state. If a stuck state exists, `holding` is the
