@@ -79,7 +79,7 @@ pub fn clutches() -> Result<Clutches, Box<dyn Error>> {
         }
         match change {
             Some((clutch, torque)) => motion.set_level(clutch, Wave::constant(torque))?,
-            None => found.speeds.push((time, motion.state().v.clone())),
+            None => found.speeds.push((time, motion.state().v.to_vec())),
         }
     }
     Ok(found)
