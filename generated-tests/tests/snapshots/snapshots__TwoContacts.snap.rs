@@ -42,7 +42,7 @@ pub struct TwoContacts;
 pub struct TwoContactsStepper(
     ::frictiongen::kernel::joints::Stepper<
         ::core::primitive::f64,
-        ::frictiongen::kernel::joints::Fixed<2, 4, 2, 1, 8, 64>,
+        ::frictiongen::kernel::joints::Fixed<2, 4, 2, 1, 6, 36>,
     >,
 );
 /// Loads on [`TwoContacts`] and friction forces, in the units of the scene: the input of a step.
@@ -95,7 +95,7 @@ pub struct TwoContactsFriction {
 pub struct TwoContactsSimulation(
     ::frictiongen::kernel::joints::Simulation<
         ::core::primitive::f64,
-        ::frictiongen::kernel::joints::Fixed<2, 4, 2, 1, 8, 64>,
+        ::frictiongen::kernel::joints::Fixed<2, 4, 2, 1, 6, 36>,
     >,
 );
 /// [`TwoContacts`] at one frequency.
@@ -104,7 +104,7 @@ pub struct TwoContactsSimulation(
 pub struct TwoContactsAt(
     ::frictiongen::kernel::joints::At<
         ::core::primitive::f64,
-        ::frictiongen::kernel::joints::Fixed<2, 4, 2, 1, 8, 64>,
+        ::frictiongen::kernel::joints::Fixed<2, 4, 2, 1, 6, 36>,
     >,
 );
 /// State of [`TwoContacts`] in which no contact slides, in closed form.  Displacements are over P/k₁ (over Y for base motion), and forces are over P (over k₁Y).
@@ -113,7 +113,7 @@ pub struct TwoContactsAt(
 pub struct TwoContactsStuck(
     ::frictiongen::kernel::joints::StuckState<
         ::core::primitive::f64,
-        ::frictiongen::kernel::joints::Fixed<2, 4, 2, 1, 8, 64>,
+        ::frictiongen::kernel::joints::Fixed<2, 4, 2, 1, 6, 36>,
     >,
 );
 /// Steady state of [`TwoContacts`].  Displacements are over P/k₁ (over Y for base motion), forces are over P (over k₁Y), and energies are over P²/k₁ (over k₁Y²).
@@ -122,7 +122,7 @@ pub struct TwoContactsStuck(
 pub struct TwoContactsOrbit(
     ::frictiongen::kernel::joints::Orbit<
         ::core::primitive::f64,
-        ::frictiongen::kernel::joints::Fixed<2, 4, 2, 1, 8, 64>,
+        ::frictiongen::kernel::joints::Fixed<2, 4, 2, 1, 6, 36>,
     >,
 );
 #[allow(
@@ -165,7 +165,7 @@ const _: () = {
         /// is its share. The start of a motion sets the stretch.
         const CHAIN: ::frictiongen::kernel::joints::Model<
             ::core::primitive::f64,
-            ::frictiongen::kernel::joints::Fixed<2, 4, 2, 1, 8, 64>,
+            ::frictiongen::kernel::joints::Fixed<2, 4, 2, 1, 6, 36>,
         > = ::frictiongen::kernel::joints::Model {
             size: ::frictiongen::kernel::joints::Fixed,
             masses: &[2000.0, 1500.0],
@@ -294,7 +294,7 @@ const _: () = {
     impl ::core::ops::Deref for TwoContactsStepper {
         type Target = ::frictiongen::kernel::joints::Stepper<
             ::core::primitive::f64,
-            ::frictiongen::kernel::joints::Fixed<2, 4, 2, 1, 8, 64>,
+            ::frictiongen::kernel::joints::Fixed<2, 4, 2, 1, 6, 36>,
         >;
         fn deref(&self) -> &Self::Target {
             &self.0
@@ -389,7 +389,7 @@ const _: () = {
     impl ::core::ops::Deref for TwoContactsSimulation {
         type Target = ::frictiongen::kernel::joints::Simulation<
             ::core::primitive::f64,
-            ::frictiongen::kernel::joints::Fixed<2, 4, 2, 1, 8, 64>,
+            ::frictiongen::kernel::joints::Fixed<2, 4, 2, 1, 6, 36>,
         >;
         fn deref(&self) -> &Self::Target {
             &self.0
@@ -415,7 +415,7 @@ const _: () = {
     impl ::core::ops::Deref for TwoContactsAt {
         type Target = ::frictiongen::kernel::joints::At<
             ::core::primitive::f64,
-            ::frictiongen::kernel::joints::Fixed<2, 4, 2, 1, 8, 64>,
+            ::frictiongen::kernel::joints::Fixed<2, 4, 2, 1, 6, 36>,
         >;
         fn deref(&self) -> &Self::Target {
             &self.0
@@ -458,7 +458,7 @@ const _: () = {
     impl ::core::ops::Deref for TwoContactsStuck {
         type Target = ::frictiongen::kernel::joints::StuckState<
             ::core::primitive::f64,
-            ::frictiongen::kernel::joints::Fixed<2, 4, 2, 1, 8, 64>,
+            ::frictiongen::kernel::joints::Fixed<2, 4, 2, 1, 6, 36>,
         >;
         fn deref(&self) -> &Self::Target {
             &self.0
@@ -524,7 +524,7 @@ const _: () = {
     impl ::core::ops::Deref for TwoContactsOrbit {
         type Target = ::frictiongen::kernel::joints::Orbit<
             ::core::primitive::f64,
-            ::frictiongen::kernel::joints::Fixed<2, 4, 2, 1, 8, 64>,
+            ::frictiongen::kernel::joints::Fixed<2, 4, 2, 1, 6, 36>,
         >;
         fn deref(&self) -> &Self::Target {
             &self.0

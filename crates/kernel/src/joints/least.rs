@@ -86,7 +86,8 @@ fn rotate<S: Float>(one: &mut [S], other: &mut [S], (cosine, sine): (S, S)) {
     }
 }
 
-fn dot<S: Float>(a: &[S], b: &[S]) -> S {
+/// Returns the sum of the products of corresponding entries.
+pub(super) fn dot<S: Float>(a: &[S], b: &[S]) -> S {
     let products = a.iter().zip(b);
     products.fold(S::constant(0.0), |sum, (a, b)| sum + *a * *b)
 }

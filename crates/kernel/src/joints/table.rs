@@ -6,6 +6,7 @@
 //! summed at the end of the stretch. The same series gives the first coefficients of each watched quantity: the
 //! relative velocity of a contact that slides, and the force of one that sticks.
 
+use super::least::dot;
 use super::model::{Contact, Model};
 use super::poly::{Poly, nothing, terms_of};
 use super::rates::{Unit, UnitMotion};
@@ -99,7 +100,7 @@ impl<S: Float, Z: Size> Leap<'_, S, Z> {
             let of = |node: usize| match node.checked_sub(masses) {
                 None => at(coordinates, node),
                 Some(0) => S::constant(0.0),
-                // The base is the last wave, so that its displacement is the last coordinate but one.
+                // The last two coordinates are those of the base: its displacement a cos θ, and a sin θ.
                 Some(_) => at(coordinates, self.table.count.saturating_sub(2)),
             };
             of(plus) - of(minus)
@@ -230,13 +231,8 @@ impl<S: Float, Z: Size> Table<S, Z> {
         coordinates: &[S],
         rates: &mut [S],
     ) {
-        let masses = model.wall();
-        let speed = |node: usize| match node.checked_sub(masses) {
-            None => at(coordinates, masses + node),
-            Some(0) => S::constant(0.0),
-            Some(_) => -model.base.wave.omega * at(coordinates, self.count.saturating_sub(1)),
-        };
-        let speeds = (0..masses).map(speed);
+        let speed = |node: usize| self.speed(model, node, coordinates);
+        let speeds = (0..model.wall()).map(speed);
         let accelerations = self.accelerations().map(|row| dot(row, coordinates));
         let contacts = model.contacts().iter().enumerate();
         let forces = contacts.map(|(j, contact)| match contact.stiffness {
@@ -257,6 +253,17 @@ impl<S: Float, Z: Size> Table<S, Z> {
         }
     }
 
+    /// Returns the velocity of a node from the coordinates of a motion, or its acceleration from their derivatives.
+    fn speed(&self, model: &Model<S, Z>, node: usize, coordinates: &[S]) -> S {
+        let masses = model.wall();
+        match node.checked_sub(masses) {
+            None => at(coordinates, masses + node),
+            Some(0) => S::constant(0.0),
+            // The velocity of the base is −ω a sin θ, and a sin θ is the last coordinate.
+            Some(_) => -model.base.wave.omega * at(coordinates, self.count.saturating_sub(1)),
+        }
+    }
+
     /// Returns the force of a contact that sticks.
     pub(super) fn force(&self, model: &Model<S, Z>, (j, coordinates): (usize, &[S])) -> S {
         match model.contact(j) {
@@ -272,19 +279,13 @@ impl<S: Float, Z: Size> Table<S, Z> {
         state: &State<S, Z>,
         (j, rates): (usize, &[S]),
     ) -> S {
-        let masses = model.wall();
         let Some(contact) = model.contact(j) else {
             return S::constant(0.0);
         };
         if state.phase(j) == STUCK {
             return self.force(model, (j, rates));
         }
-        let acceleration = |node: usize| match node.checked_sub(masses) {
-            None => at(rates, masses + node),
-            Some(0) => S::constant(0.0),
-            Some(_) => -model.base.wave.omega * at(rates, self.count.saturating_sub(1)),
-        };
-        acceleration(contact.plus) - acceleration(contact.minus)
+        self.speed(model, contact.plus, rates) - self.speed(model, contact.minus, rates)
     }
 
     /// Returns the power series of the watched quantity of a contact: its relative velocity while it slides, its force
@@ -346,14 +347,8 @@ fn without<S: Float>(zeros: usize, terms: [S; QUICK]) -> [S; QUICK] {
     divided
 }
 
-/// Returns the product of a row and the coordinates.
-pub(super) fn dot<S: Float>(row: &[S], values: &[S]) -> S {
-    let products = row.iter().zip(values);
-    products.fold(S::constant(0.0), |sum, (a, b)| sum + *a * *b)
-}
-
 /// Adds the product of a row and a factor to another row.
-fn add_row<S: Float>(sum: &mut [S], row: &[S], factor: S) {
+pub(super) fn add_row<S: Float>(sum: &mut [S], row: &[S], factor: S) {
     for (sum, value) in sum.iter_mut().zip(row) {
         *sum = *sum + factor * *value;
     }

@@ -9,6 +9,7 @@
 //! The force of an elastic contact has no deviation while the contact slides, and its deviation starts from 0 when the
 //! contact sticks again.
 
+use super::least::dot;
 use super::model::{Contact, Model};
 use super::poly::{terms_of, value_and_slope};
 use super::rates::Rates;
@@ -16,7 +17,7 @@ use super::run::{Motion, Observe};
 use super::series::Series;
 use super::size::{Size, at, set};
 use super::state::{FREE, STUCK, State};
-use super::table::{Leap, dot};
+use super::table::{Leap, add_row};
 use super::tree::Tree;
 use super::unknowns::Unknowns;
 use crate::Float;
@@ -341,13 +342,6 @@ impl<'m, S: Float, Z: Size> Tangent<'m, S, Z> {
             }
         }
         core::mem::swap(&mut self.term, &mut self.raised);
-    }
-}
-
-/// Adds the product of a row and a factor to another row.
-fn add_row<S: Float>(sum: &mut [S], row: &[S], factor: S) {
-    for (sum, value) in sum.iter_mut().zip(row) {
-        *sum = *sum + factor * *value;
     }
 }
 

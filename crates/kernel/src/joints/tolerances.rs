@@ -6,8 +6,9 @@ use crate::Float;
 pub(super) struct Tolerances<S> {
     /// Relative difference of two states below which the search treats the states as equal.
     pub(super) same: S,
-    /// Step of the finite differences, divided by the size of the unknowns.
-    pub(super) step: S,
+    /// Error of a Floquet multiplier, up to which a multiplier above 1 in absolute value may belong to a motion that does
+    /// not grow.
+    pub(super) noise: S,
     /// Singular value below which a direction is neutral. A deviation in a neutral direction changes no force.
     pub(super) rank: S,
     /// Largest distance of a Floquet multiplier from 1 at which the multiplier may belong to a neutral direction.
@@ -21,16 +22,15 @@ pub(super) struct Tolerances<S> {
 
 impl<S: Float> Tolerances<S> {
     pub(super) fn new() -> Self {
-        let [same, step, rank, split, close, attracts] = if S::EPSILON < 1e-10 {
+        let [same, noise, rank, split, close, attracts] = if S::EPSILON < 1e-10 {
             [2e-13, 1e-6, 1e-7, 1e-3, 1e-9, 1e-3]
         } else {
-            // In `f32` a cycle has a rounding error of about 1e-6. The finite differences divide this error by their
-            // step.
+            // In `f32` a cycle has a rounding error of about 1e-6.
             [2e-6, 2e-3, 2e-3, 0.1, 1e-4, 2e-2]
         };
         Self {
             same: S::constant(same),
-            step: S::constant(step),
+            noise: S::constant(noise),
             rank: S::constant(rank),
             split: S::constant(split),
             close: S::constant(close),

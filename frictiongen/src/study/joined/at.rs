@@ -186,10 +186,10 @@ impl<'a> JoinedAt<'a> {
     }
 
     /// Returns the steady state that the motion from rest reaches, except that a contact that never slides is in the
-    /// middle of the interval in which it can stick. If the system
-    /// [starts from](crate::System::starting_from) an initial state, the method returns the steady state that the motion
-    /// from there reaches. `friction` is the common friction, as β = F/P or as F in N. The
-    /// friction force of a contact is its share of the common friction. The period is at most 64 cycles of the load.
+    /// middle of the interval in which it can stick. If the system [starts from](crate::System::starting_from) an
+    /// initial state, the method returns the steady state that the motion from there reaches. `friction` is the common
+    /// friction, as β = F/P or as F in N. The friction force of a contact is its share of the common friction. The
+    /// period is at most 64 cycles of the load.
     ///
     /// # Errors
     /// [`OutOfDomain`] for a friction that is negative or not finite. [`JoinedError::Engine`] if the motion does not
