@@ -3,9 +3,10 @@
 //! The functions of this module are not generic, so that this crate compiles the search for steady states with its own
 //! optimisation.
 
+use super::cycle::Cycle;
 use super::run::Motion;
 use super::size::{Size, Value};
-use super::steady::Steady;
+use super::steady::{Place, Steady};
 use super::table::{Table, Tables};
 use crate::Float;
 use crate::errors::Halt;
@@ -143,6 +144,20 @@ pub fn settle_from(
     omega: f64,
 ) -> Result<Option<Steady<f64, Heap>>, Halt> {
     motion.settle_from(omega)
+}
+
+/// Searches for a steady state by [`Motion::settle_soon`].
+///
+/// # Errors
+///
+/// [`Halt`] if the motion exceeds a bound.
+pub fn settle_soon(
+    motion: &Motion<f64, Heap>,
+    omega: f64,
+    attempts: usize,
+    place: Place,
+) -> Result<Result<Steady<f64, Heap>, Cycle<f64, Heap>>, Halt> {
+    motion.settle_soon(omega, attempts, place)
 }
 
 /// Searches for a steady state by [`Motion::refine`].

@@ -68,7 +68,7 @@ pub use base::Curve;
 pub use cycle::{ContactCycle, Cycle, Watch};
 pub use decide::{Decision, MAX_PATTERNS};
 #[cfg(any(test, feature = "std"))]
-pub use heap::{Heap, KeptTables, Short, refine, settle, settle_from};
+pub use heap::{Heap, KeptTables, Short, refine, settle, settle_from, settle_soon};
 pub use model::{Contact, Link, Model};
 pub use now::{ContactState, MassState};
 pub use orbit::{At, ContactOrbit, MassOrbit, Orbit, StuckState};
@@ -79,7 +79,7 @@ pub use series::Series;
 pub use simulation::{MAX_EVENTS, MAX_STRETCHES, Reference, Simulation};
 pub use size::{Array, Fixed, Size, Value, add, at, set};
 pub use state::{FREE, STUCK, State};
-pub use steady::{MAX_PERIOD, Steady};
+pub use steady::{MAX_PERIOD, Place, Steady};
 pub use stepper::{MAX_STEP, MAX_STEP_EVENTS, Stepper};
 pub use stuck::StuckResponse;
 pub use table::{Leap, NoTables, Table, Tables};

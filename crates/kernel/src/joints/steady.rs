@@ -42,6 +42,15 @@ pub(super) const BOUNDS: Bounds = Bounds {
     stretches: MAX_STRETCHES,
 };
 
+/// The place of a contact that never slides.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Place {
+    /// In the middle of the interval in which it can stick.
+    Centred,
+    /// Where the motion has left it.
+    Reached,
+}
+
 /// A steady state of a chain with several contacts. Its motion repeats after one or several cycles of the load.
 #[derive(Clone, Debug)]
 pub struct Steady<S: Float, Z: Size> {
@@ -109,17 +118,8 @@ impl<S: Float, Z: Size> Motion<S, Z> {
     ///
     /// [`Halt`] if the motion exceeds a bound.
     pub fn settle(&self, omega: S) -> Result<Option<Steady<S, Z>>, Halt> {
-        let mut search = Search::new(self, omega, S::constant(1.0));
-        let start = self.clone().with_tables();
-        // If this search exceeds a bound, the code ignores the error, because the search below may still find a steady
-        // state.
-        if let Ok(Some(steady)) = search.only(&start) {
-            return Ok(Some(steady));
-        }
-        let Some(steady) = self.settle_from(omega)? else {
-            return Ok(None);
-        };
-        search.centred(&start, steady).map(Some)
+        let mut motion = self.clone().with_tables();
+        motion.reach(omega, ATTEMPTS, Place::Centred)
     }
 
     /// Searches for the steady state that the motion reaches, under loads of the angular frequency ω. A contact that
@@ -133,24 +133,56 @@ impl<S: Float, Z: Size> Motion<S, Z> {
     ///
     /// [`Halt`] if the motion exceeds a bound.
     pub fn settle_from(&self, omega: S) -> Result<Option<Steady<S, Z>>, Halt> {
-        let mut search = Search::new(self, omega, S::constant(1.0));
         let mut motion = self.clone().with_tables();
-        let mut cycles = WARM;
-        for _ in 0..ATTEMPTS {
-            let period = search.warm(&mut motion, cycles)?;
-            for period in [Some(1), period.filter(|&period| period > 1)]
-                .into_iter()
-                .flatten()
-            {
-                if let Some(steady) = search.newton(&motion, ShotSpan::Cycles(period))?
-                    && search.accepts(&mut motion, &steady)?
-                {
-                    return search.about_its_mean(&motion, steady).map(Some);
-                }
-            }
-            cycles *= 2;
+        motion.reach(omega, ATTEMPTS, Place::Reached)
+    }
+
+    /// Searches as [`settle`](Self::settle) does, or as [`settle_from`](Self::settle_from) if `place` is
+    /// [`Place::Reached`], but with a number of attempts. Before the first attempt the motion runs for 30 cycles, and
+    /// before each further attempt for twice as many as before the previous one. If the motion does not settle, the
+    /// function returns the results of the next [`MAX_PERIOD`] cycles.
+    ///
+    /// # Errors
+    ///
+    /// [`Halt`] if the motion exceeds a bound.
+    pub fn settle_soon(
+        &self,
+        omega: S,
+        attempts: usize,
+        place: Place,
+    ) -> Result<Result<Steady<S, Z>, Cycle<S, Z>>, Halt> {
+        let mut motion = self.clone().with_tables();
+        if let Some(steady) = motion.reach(omega, attempts, place)? {
+            return Ok(Ok(steady));
         }
-        Ok(None)
+        let search = Search::new(&motion, omega, S::constant(1.0));
+        let mut watch = Watch::new(motion.model());
+        search.advance(&mut motion, MAX_PERIOD, &mut watch)?;
+        Ok(Err(watch.cycle(search.length(MAX_PERIOD))))
+    }
+
+    /// Searches for a steady state. Afterwards the motion is at the end of the last cycle that the search has followed.
+    fn reach(
+        &mut self,
+        omega: S,
+        attempts: usize,
+        place: Place,
+    ) -> Result<Option<Steady<S, Z>>, Halt> {
+        let mut search = Search::new(self, omega, S::constant(1.0));
+        if place == Place::Reached {
+            return search.followed(self, attempts);
+        }
+        let start = self.clone();
+        // If this search exceeds a bound, the code ignores the error, because the search below may still find a steady
+        // state.
+        if let Ok(Some(steady)) = search.only(&start) {
+            return Ok(Some(steady));
+        }
+        let mut search = Search::new(self, omega, S::constant(1.0));
+        let Some(steady) = search.followed(self, attempts)? else {
+            return Ok(None);
+        };
+        search.centred(&start, steady).map(Some)
     }
 }
 
@@ -245,6 +277,30 @@ impl<S: Float, Z: Size> Search<S, Z> {
         let near = S::constant(0.02) * most;
         let mut aways = aways.iter().take(window);
         Ok(aways.position(|away| *away <= near).map(|place| place + 1))
+    }
+
+    /// Follows a motion until it settles. Returns `None` if it does not settle within a number of attempts.
+    fn followed(
+        &mut self,
+        motion: &mut Motion<S, Z>,
+        attempts: usize,
+    ) -> Result<Option<Steady<S, Z>>, Halt> {
+        let mut cycles = WARM;
+        for _ in 0..attempts {
+            let period = self.warm(motion, cycles)?;
+            for period in [Some(1), period.filter(|&period| period > 1)]
+                .into_iter()
+                .flatten()
+            {
+                if let Some(steady) = self.newton(motion, ShotSpan::Cycles(period))?
+                    && self.accepts(motion, &steady)?
+                {
+                    return self.about_its_mean(motion, steady).map(Some);
+                }
+            }
+            cycles *= 2;
+        }
+        Ok(None)
     }
 
     /// Updates the number of cycles without sliding.

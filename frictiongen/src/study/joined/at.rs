@@ -7,16 +7,14 @@ use super::scene::Joined;
 use super::simulation::JoinedSimulation;
 use super::units::AnswerUnits;
 use crate::study::joints::{
-    Chain, JointError, Motion, Steady, Watch, Wave, steady_state, steady_state_from, stuck_response,
+    Chain, JointError, Motion, Place, Steady, Wave, steady_state, steady_state_from,
+    steady_state_soon, stuck_response,
 };
 use crate::{Given, OutOfDomain};
 use frictiongen_model::scene::Excitation;
 
-/// Number of cycles of the load before the code takes the amplitude of a motion that does not settle.
-const SKIPPED: usize = 512;
-/// Number of cycles of the load over which the code takes the amplitude of a motion that does not settle. `SKIPPED`
-/// cycles precede them.
-const KEPT: usize = 64;
+/// Number of attempts of a search that soon gives up a motion that does not settle. It then has followed 210 cycles.
+const ATTEMPTS: usize = 3;
 
 /// Displacements and velocities of all masses, in the units of [`JoinedAt::units`].
 type GivenState<'s> = (&'s [f64], &'s [f64]);
@@ -225,28 +223,24 @@ impl<'a> JoinedAt<'a> {
         JoinedOrbit::new(self.joined.clone(), chain, units, steady)
     }
 
-    /// Returns the largest |x̄| of every mass over cycles 513 to 576 of the motion from rest. This amplitude replaces
-    /// that of the steady state if the motion does not settle.
-    ///
-    /// # Errors
-    /// Same errors as [`simulation`](Self::simulation).
-    pub fn last_cycles(&self, friction: f64) -> Result<Vec<f64>, JoinedError> {
-        let mut motion = self.started(&self.chain(friction)?, None)?;
-        let cycle = std::f64::consts::TAU / self.omega;
-        for _ in 0..SKIPPED {
-            let state = motion.state().clone();
-            motion.restart(state);
-            motion.run(cycle, &mut |_, _, _| {})?;
-        }
-        let mut watch = Watch::new(motion.model());
-        for _ in 0..KEPT {
-            let state = motion.state().clone();
-            motion.restart(state);
-            motion.run_with(cycle, &mut watch)?;
-        }
-        let amplitudes = watch.cycle(KEPT as f64 * cycle).amplitudes;
-        let amplitudes = amplitudes.into_iter().map(|x| x / self.units.length);
-        Ok(amplitudes.collect())
+    /// Returns the steady state of [`orbit`](Self::orbit) if the motion settles in few cycles. Otherwise returns the largest
+    /// |x̄| of every mass in 64 later cycles.
+    pub(in crate::study) fn orbit_soon(
+        &self,
+        friction: f64,
+    ) -> Result<Result<JoinedOrbit<'a>, Vec<f64>>, JoinedError> {
+        let chain = self.chain(friction)?;
+        let start = self.start.as_ref().map(|(x, v)| (&x[..], &v[..]));
+        let place = match start {
+            None => Place::Centred,
+            Some(_) => Place::Reached,
+        };
+        let motion = self.started(&chain, start)?;
+        let found = steady_state_soon(motion, self.omega, (ATTEMPTS, place))?;
+        let ratios = |largest: Vec<f64>| largest.iter().map(|x| x / self.units.length).collect();
+        Ok(found
+            .map(|steady| self.settled(steady, chain))
+            .map_err(ratios))
     }
 
     /// Starts a motion from a given state, or from rest if no state is given.

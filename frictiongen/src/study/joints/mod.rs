@@ -20,7 +20,10 @@ mod tests;
 
 pub use frictiongen_kernel::joints::Heap;
 pub use run::{MAX_EVENTS, MAX_STRETCHES, Motion, Transition};
-pub use steady::{MAX_PERIOD, Steady, steady_state, steady_state_from, steady_state_near};
+pub use steady::{
+    MAX_PERIOD, Place, Steady, steady_state, steady_state_from, steady_state_near,
+    steady_state_soon,
+};
 pub use stuck::{StuckResponse, stuck_response};
 
 use frictiongen_kernel::joints::{self, Halt, MAX_PATTERNS};

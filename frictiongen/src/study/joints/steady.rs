@@ -5,7 +5,7 @@ use super::{Chain, Cycle, Heap, JointError, State};
 use frictiongen_kernel::joints;
 use nalgebra::Complex;
 
-pub use frictiongen_kernel::joints::MAX_PERIOD;
+pub use frictiongen_kernel::joints::{MAX_PERIOD, Place};
 
 /// A steady state of a chain with several contacts: a motion that repeats after some cycles of the load.
 #[derive(Clone, Debug)]
@@ -85,6 +85,23 @@ pub fn steady_state(chain: &Chain, omega: f64) -> Result<Steady, JointError> {
 pub fn steady_state_from(motion: Motion, omega: f64) -> Result<Steady, JointError> {
     let found = joints::settle_from(&motion.into_engine(), omega)?;
     found.map(Steady::new).ok_or(JointError::NotSteady)
+}
+
+/// Returns the steady state that a motion reaches after few cycles, or the largest displacements of the masses in later
+/// cycles. `attempts` and `place` are those of the engine's [`settle_soon`](joints::Motion::settle_soon).
+///
+/// # Errors
+///
+/// Other [`JointError`]s than [`JointError::NotSteady`] if the motion itself fails.
+pub fn steady_state_soon(
+    motion: Motion,
+    omega: f64,
+    (attempts, place): (usize, Place),
+) -> Result<Result<Steady, Vec<f64>>, JointError> {
+    let found = joints::settle_soon(&motion.into_engine(), omega, attempts, place)?;
+    Ok(found
+        .map(Steady::new)
+        .map_err(|cycle| cycle.amplitudes.into_vec()))
 }
 
 /// Returns the steady state of a chain near a known steady state of a similar chain. Newton's method starts from the

@@ -381,9 +381,10 @@ impl<'s> Band<'s> {
             let near = 3.0 * ROUGHLY * top.0;
             *ends = [a.max(top.0 - near), b.min(top.0 + near)];
         }
+        // A maximum may be a corner. A rough search would then put a quantity above its bound.
         let near = match closely {
-            Closely::Grid => NEARLY,
-            Closely::Whole => FINELY,
+            Closely::Grid if !self.evaluator.has_bounds() => NEARLY,
+            Closely::Grid | Closely::Whole => FINELY,
         };
         for (ends, top) in worth {
             if WORTH_FINELY * most <= of(&top.1) {

@@ -372,30 +372,18 @@ impl<'s> SeveralContacts<'s> {
         {
             return Ok(stuck(&state));
         }
-        let orbit = match &self.system.start {
-            None => at.orbit(beta),
-            Some(start) => {
-                let (x, v) = start.at(r);
-                at.orbit_from(beta, (&x, &v))
-            }
-        };
-        let (amplitudes, regime, multiplier) = match orbit {
+        let (amplitudes, regime, multiplier) = match at.orbit_soon(beta)? {
             Ok(orbit) if orbit.regime() == Regime::Stuck && self.system.start.is_none() => {
                 return Ok(stuck(&at.stuck()?));
             }
             Ok(orbit) => {
-                let multiplier = orbit
-                    .multipliers()
-                    .first()
-                    .map_or(0.0, |value| value.norm());
+                let multiplier = orbit.multipliers().first();
+                let multiplier = multiplier.map_or(0.0, |value| value.norm());
                 (orbit.amplitudes(), orbit.regime(), Some(multiplier))
             }
             // The common friction may be just below the limit of the stuck state. The contacts then move less and less
             // in each cycle, but never come to rest.
-            Err(JoinedError::Engine(JointError::NotSteady)) => {
-                (at.last_cycles(beta)?, Regime::StickSlip, None)
-            }
-            Err(error) => return Err(error),
+            Err(largest) => (largest, Regime::StickSlip, None),
         };
         let value = |objective: &Objective| amplitudes.get(mass(objective)?).copied();
         let state = (regime, multiplier.is_some());

@@ -26,7 +26,7 @@ pub use shares::{ShareRange, SharesOptimum};
 pub use tuned::{TunedOptimum, TunedPoint, Tuning};
 
 /// Default bound on the work of a search for the best friction, in units of about 10 µs of computing time.
-const WORK: usize = 600_000;
+const WORK: usize = 1_200_000;
 
 impl System {
     /// Returns the friction with which the largest amplitude of a motion over a band of frequencies is smallest, for one

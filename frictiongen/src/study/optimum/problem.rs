@@ -15,7 +15,7 @@ use crate::study::system::System;
 use crate::study::units::{Load, angular_frequency};
 
 /// Bound on the work of completing the result of a search, in units of about 10 µs of computing time.
-const WORK_OF_A_REPORT: usize = 60_000;
+const WORK_OF_A_REPORT: usize = 120_000;
 /// Bound on the work of one evaluation of the whole band, in units of about 10 µs of computing time.
 const WORK_OF_A_CHECK: usize = 500_000;
 /// Excesses (amplitude − best amplitude)/best amplitude for which the result has an interval of friction.

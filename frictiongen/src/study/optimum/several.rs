@@ -18,6 +18,9 @@ const WORK: usize = 4 * super::WORK;
 const BALANCE: f64 = 1e-3;
 /// A bound counts as reached if the quantity, divided by its bound, is at least this number.
 pub(super) const DECISIVE: f64 = 1.0 - 1e-6;
+/// The search aims at bounds that are smaller by this fraction. Rounding and a finer grid then do not lift a quantity above
+/// its bound.
+const BELOW: f64 = 5e-7;
 
 /// A quantity whose largest value over the band must not exceed a bound.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -263,12 +266,15 @@ impl<'s> KeptProblem<'s> {
             });
         }
         let found = match self.within(&self.own, self.kept.len(), work) {
-            Ok(found) if found.least.at.merit.excess == 0.0 => found,
-            Ok(_) | Err(OptimumError::Unbounded) => return Err(self.unreachable(work)),
+            Ok(found) => found,
+            Err(OptimumError::Unbounded) => return Err(self.unreachable(work)),
             Err(error) => return Err(error),
         };
         self.go_on()?;
         let largest = self.largest(found.least.at.beta);
+        if !self.holds(&largest) {
+            return Err(self.unreachable(work));
+        }
         Ok(KeptFound {
             found,
             is_bounded: true,
@@ -284,7 +290,8 @@ impl<'s> KeptProblem<'s> {
         work: usize,
     ) -> Result<Found<'s>, OptimumError> {
         let bounded = self.kept.iter().take(bounds);
-        let bounded = bounded.map(|(problem, most)| -> Quotient { (problem.objective, *most) });
+        let bounded = bounded
+            .map(|(problem, most)| -> Quotient { (problem.objective, *most * (1.0 - BELOW)) });
         let goal = Goal {
             minimised: vec![(problem.objective, 1.0)],
             bounded: bounded.collect(),
