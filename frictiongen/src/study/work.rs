@@ -24,9 +24,9 @@ const DAMPED: usize = 8;
 const UNDAMPED: usize = 6;
 
 /// Work of a steady state of several contacts that settles at once, for each mass, in units of about 10 µs.
-const OF_CONTACTS: usize = 15;
+const OF_CONTACTS: usize = 25;
 /// Work of a motion of several contacts that does not settle, for each mass, in units of about 10 µs.
-const OF_CONTACTS_UNSETTLED: usize = 1000;
+const OF_CONTACTS_UNSETTLED: usize = 2500;
 /// Number of cycles that doubles the work of a steady state of several contacts. In this number of cycles, a deviation
 /// from the steady state falls to 1/e.
 const CYCLES: f64 = 4.0;

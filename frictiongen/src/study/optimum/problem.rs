@@ -248,6 +248,20 @@ impl<'s> OptimumProblem<'s> {
             .next()
             .is_none_or(|peak| peak.regime == Regime::Stuck);
         if least.at.beta > 0.0 && (is_stuck || value == 0.0) {
+            let level = least.at.merit.times(1.0 + STATIONARY * STATIONARY);
+            let checked = |beta: f64| {
+                let unanswered = band.silent.get();
+                let check = band.check(beta, level, WORK_OF_A_CHECK);
+                (band.silent.get() == unanswered, check)
+            };
+            // The motion from rest may stick at the smallest friction at which all contacts can stick.
+            if range.locked_from < least.at.beta
+                && let (true, check) = checked(range.locked_from)
+                && check.complete
+            {
+                let merit = least.at.merit;
+                least.at = Look { merit, ..check };
+            }
             let mut to = least.at.beta;
             // The tolerance follows only known peaks. A check of the whole band may find a higher peak at its bound.
             for _ in 0..MOST_EDGES {
@@ -256,10 +270,8 @@ impl<'s> OptimumProblem<'s> {
                 if least.at.beta <= from || band.is_spent() {
                     break;
                 }
-                let level = least.at.merit.times(1.0 + STATIONARY * STATIONARY);
-                let unanswered = band.silent.get();
-                let check = band.check(from, level, WORK_OF_A_CHECK);
-                if check.complete && band.silent.get() == unanswered {
+                let (is_answered, check) = checked(from);
+                if check.complete && is_answered {
                     let merit = least.at.merit;
                     least.at = Look { merit, ..check };
                     break;

@@ -273,7 +273,9 @@ impl<'s> KeptProblem<'s> {
         self.go_on()?;
         let largest = self.largest(found.least.at.beta);
         if !self.holds(&largest) {
-            return Err(self.unreachable(work));
+            let error = self.unreachable(work);
+            self.go_on()?;
+            return Err(error);
         }
         Ok(KeptFound {
             found,

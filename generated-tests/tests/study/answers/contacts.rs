@@ -124,7 +124,16 @@ impl Frame {
                 .expect("a mass")
                 .norm(),
             Ok(orbit) => orbit.amplitude(name).expect("a mass"),
-            Err(_) => at.last_cycles(beta).expect("a motion")[self.mass],
+            Err(_) => {
+                let mut run = at.simulation(beta).expect("a motion");
+                let cycles = |count: f64| count * std::f64::consts::TAU;
+                run.advance(cycles(256.0)).expect("a motion");
+                let sampled = (0..64 * 200).map(|_| {
+                    run.advance(cycles(1.0 / 200.0)).expect("a motion");
+                    run.mass(name).expect("a mass").0.abs()
+                });
+                sampled.fold(0.0, f64::max)
+            }
         }
     }
 
