@@ -6,7 +6,6 @@ pub mod data;
 pub mod reference;
 pub mod scenes;
 pub mod shown;
-pub mod wedges;
 
 /// Returns the larger of two numbers, or NaN if either is NaN, so that a NaN does not vanish in a maximum.
 #[must_use]

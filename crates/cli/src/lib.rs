@@ -8,7 +8,6 @@ mod args;
 mod asked;
 mod check;
 mod compile;
-mod csv;
 mod curve;
 mod decimal;
 mod destination;

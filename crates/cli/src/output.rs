@@ -7,9 +7,10 @@ use crate::layout::Layout;
 use crate::number::{Cell, Lossless as _};
 use crate::progress::Progress;
 use crate::summary::Summary;
-use crate::{csv, json, table};
+use crate::{json, table};
 use frictiongen::study::columns::Column;
-use std::io::{BufWriter, Write};
+use std::borrow::Cow;
+use std::io::{self, BufWriter, Write};
 
 /// Largest number of notes below a printed table.
 const MOST_NOTES: usize = 3;
@@ -91,15 +92,15 @@ pub fn write<T: ResultTable>(
         }
         let shown = || columns.iter().filter(|column| column.is_in_csv());
         let names: Vec<String> = shown().map(Column::key).collect();
-        csv::line(&mut out, names.iter().map(|name| name.into()))?;
+        csv_line(&mut out, names.iter().map(|name| name.into()))?;
         if extras.unit_row {
-            csv::line(&mut out, shown().map(|column| column.unit.into()))?;
+            csv_line(&mut out, shown().map(|column| column.unit.into()))?;
         }
         report.each(&mut |row| {
             progress.step();
             let cells = shown().map(|column| column.read(row));
             let cells: Vec<Cell<'_>> = cells.collect();
-            Ok(csv::line(&mut out, cells.iter().map(Cell::exact))?)
+            Ok(csv_line(&mut out, cells.iter().map(Cell::exact))?)
         })?;
     } else {
         let fit = match form {
@@ -134,4 +135,14 @@ pub fn write<T: ResultTable>(
     }
     drop(progress);
     Ok(out.flush()?)
+}
+
+/// Writes one line of a CSV table. Commas separate its cells. The words in the cells are regimes, kinds of results and
+/// Rust identifiers, so no cell contains a comma or a quote.
+fn csv_line<'a>(out: &mut dyn Write, cells: impl Iterator<Item = Cow<'a, str>>) -> io::Result<()> {
+    for (index, cell) in cells.enumerate() {
+        let comma = if index == 0 { "" } else { "," };
+        write!(out, "{comma}{cell}")?;
+    }
+    writeln!(out)
 }

@@ -1,14 +1,8 @@
 #!/usr/bin/env python3
-"""Coefficients and reference values of the kernel's scalar functions (needs mpmath).
+"""Coefficients of the kernel's scalar functions as Rust constants, with their errors (needs mpmath).
 
-    coefficients.py constants                                     Rust constants, with the errors
-    coefficients.py reference > tests/data/scalar_reference.csv   the table of tests/kernel/scalar
-
-Both outputs are the same on every run: nothing here depends on the clock or on the platform.
+The output is the same on every run: nothing here depends on the clock or on the platform.
 """
-
-import random
-import sys
 
 from mpmath import mp, mpf
 
@@ -164,105 +158,5 @@ def constants():
         print(f"    Dd::new({hi!r}, {lo!r}),")
 
 
-# --- the reference table ---------------------------------------------------------------------
-
-
-def exact(x):
-    return mpf(x[0]) + mpf(x[1])
-
-
-def with_tail(rng, hi):
-    """A double-double that begins with `hi`; every other one has no second part."""
-    if rng.random() < 0.5 or hi == 0:
-        return hi, 0.0
-    lo = hi * 2.0**-54 * rng.uniform(-1, 1)
-    return (hi, lo) if hi + lo == hi else (hi, 0.0)
-
-
-def log_uniform(rng, low, high):
-    return 2.0 ** rng.uniform(low, high) * rng.choice((-1, 1))
-
-
-def half_turns(rng):
-    """Arguments next to the zeros of sine and cosine, at exact ones, large and small."""
-    points = [(k / 4, 0.0) for k in range(-9, 10)]
-    points += [(2.0**53 + 2, 0.0), (2.0**52 + 1, 0.0), (2.0**51 + 0.5, 0.0)]
-    points += [(1e300, 0.0), (2.0**60, 0.3)]
-    points += [(2.0**50 - 0.25, 2.0**-60), (-(2.0**49) - 0.375, 2.0**-57)]
-    for _ in range(60):
-        near = rng.randrange(-40, 41) / 2
-        points.append((near, log_uniform(rng, -120, -54)) if near else (2.0**-300, 0.0))
-        points.append((near + log_uniform(rng, -45, -3), 0.0))
-        points.append(with_tail(rng, log_uniform(rng, -70, 49)))
-    return points
-
-
-def reference():
-    rng = random.Random(20240607)
-    mp.prec = 1400
-    rows = []
-
-    def add(name, x, y, *results):
-        numbers = [*x, *y]
-        for value in results:
-            numbers += pair(value)
-        numbers += [0.0] * (8 - len(numbers))
-        rows.append(name + "," + ",".join(repr(float(n)) for n in numbers))
-
-    none = (0.0, 0.0)
-    for x in half_turns(rng):
-        add("sin_cos_pi", x, none, mp.sinpi(exact(x)), mp.cospi(exact(x)))
-    for h in half_turns(rng):
-        kind = rng.randrange(3)
-        if kind == 0:
-            d = with_tail(rng, log_uniform(rng, -60, 3))
-        elif kind == 1:
-            d = with_tail(rng, log_uniform(rng, -300, -30))
-        else:
-            # h - d next to a multiple of a half
-            target = exact(h) - mpf(rng.randrange(-6, 7)) / 2
-            d = pair(target - 4 * mp.nint(target / 4) + mpf(log_uniform(rng, -50, -4)))
-        x = exact(h) - exact(d)
-        add("sin_cos_pi_minus", h, d, mp.sinpi(x), mp.cospi(x))
-    for i in range(180):
-        hi = log_uniform(rng, -60, 9.2) if i % 3 else rng.randrange(-900, 900) * 0.34657359027997264
-        x = with_tail(rng, hi)
-        if exact(x) > -620 and x[0] != 0:
-            add("exp", x, none, mp.exp(exact(x)))
-            add("exp_m1", x, none, mp.expm1(exact(x)))
-    for i in range(180):
-        y = with_tail(rng, log_uniform(rng, -60, 60) if i % 3 else log_uniform(rng, -1, 1))
-        x = with_tail(rng, log_uniform(rng, -60, 60) if i % 3 else log_uniform(rng, -1, 1))
-        if i % 9 == 0:
-            y = (x[0], 0.0)
-        add("atan2", y, x, mp.atan2(exact(y), exact(x)))
-    for i in range(180):
-        z = with_tail(rng, log_uniform(rng, -120, 6) if i % 2 else rng.uniform(-2, 2))
-        x = exact(z)
-        add("one_minus_sinc_pi", z, none, 1 - mp.sinpi(x) / (mp.pi * x))
-        add("versine_pi", z, none, 1 - mp.cospi(x))
-    for i in range(180):
-        a = with_tail(rng, abs(log_uniform(rng, -80, 7)) if i % 2 else rng.uniform(0, 5))
-        x = exact(a)
-        add("scaled_sinh_defect", a, none, 2 * mp.exp(-x) * (mp.sinh(x) - x))
-    for i in range(180):
-        a = with_tail(rng, log_uniform(rng, -120, 6) if i % 2 else rng.uniform(-2, 2))
-        x = exact(a)
-        add("exp_m1_minus", a, none, mp.expm1(x) - x)
-    for i in range(180):
-        x = with_tail(rng, log_uniform(rng, -300, 300) if i % 2 else log_uniform(rng, -2, 2))
-        y = with_tail(rng, log_uniform(rng, -300, 300) if i % 2 else log_uniform(rng, -2, 2))
-        if i % 5 == 0:
-            y = (-x[0] * (1 + 2.0**-40), 0.0)
-        add("add", x, y, exact(x) + exact(y))
-        add("multiply", x, y, exact(x) * exact(y))
-        add("divide", x, y, exact(x) / exact(y))
-        x = (abs(x[0]), x[1] if x[0] > 0 else -x[1])
-        add("sqrt", x, none, mp.sqrt(exact(x)))
-    print("# Written by tools/coefficients.py reference (mpmath, 1400 bits); do not edit.")
-    print("# function, x_hi, x_lo, y_hi, y_lo, first result hi, lo, second result hi, lo")
-    print("\n".join(rows))
-
-
 if __name__ == "__main__":
-    {"constants": constants, "reference": reference}[sys.argv[1]]()
+    constants()

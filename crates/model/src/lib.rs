@@ -4,7 +4,6 @@
 
 pub mod interval;
 pub mod jacobi;
-#[doc(hidden)]
 pub mod joined;
 pub mod modal;
 mod modal_sums;
@@ -12,7 +11,6 @@ pub mod reduced;
 mod roots;
 mod rounding;
 #[cfg(any(test, feature = "samples"))]
-#[doc(hidden)]
 pub mod samples;
 pub mod scene;
 pub mod sensitivity;

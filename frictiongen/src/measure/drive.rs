@@ -178,7 +178,6 @@ impl<'r> Inputs<'r> {
 
     /// Returns the displacements and velocities of all masses at the first sample, in m and m/s. The masses are at rest
     /// relative to the base.
-    #[doc(hidden)]
     #[must_use]
     pub fn initial_state(&self, system: &System) -> (Vec<f64>, Vec<f64>) {
         let masses = system.scene().masses.len();
@@ -222,7 +221,6 @@ impl<'r> Inputs<'r> {
     }
 
     /// Returns the input of the step that ends at a sample, for a scene with several contacts.
-    #[doc(hidden)]
     #[must_use]
     pub fn sample(&self, sample: usize) -> DriveSample<'r> {
         let step = self.base_step(sample);
@@ -259,7 +257,6 @@ impl<'r> Inputs<'r> {
 }
 
 /// Input of the step that ends at one sample. Each mass has the name of its channel in the recording.
-#[doc(hidden)]
 #[derive(Clone, Debug)]
 pub struct DriveSample<'r> {
     /// Displacement of the base in m and its velocity in m/s, at the end of the step, or at its start with zero-order

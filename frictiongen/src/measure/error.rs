@@ -349,7 +349,6 @@ impl From<InvalidScene> for MeasureError {
 }
 
 /// Returns an example of a unit that fits the quantity in a channel of this name.
-#[doc(hidden)]
 #[must_use]
 pub fn unit_of(channel: &str) -> &'static str {
     let name = channel.split('_').next().unwrap_or(channel);

@@ -32,23 +32,18 @@ mod sweep;
 mod tone;
 
 pub use decay::FreeDecay;
-#[doc(hidden)]
 pub use drive::DriveSample;
 pub use drive::Inputs;
 pub use error::MeasureError;
-#[doc(hidden)]
 pub use error::unit_of;
 pub use identify::{
     Datum, Estimate, Explained, Identified, IdentifyRequest, Observation, Unknown, Using, Verdict,
 };
 pub use measured::{Measured, Transmissibility};
-#[doc(hidden)]
 pub use motion::MotionFit;
 pub use recording::{Channel, CsvColumn, CsvRequest, Dimension, Recording, Unit};
 pub use regression::Regression;
-#[doc(hidden)]
 pub use spectrum::{PeakResponse, periods, response_spectrum};
 pub use sweep::{SweepFit, SweepPoint, two_storeys};
-#[doc(hidden)]
 pub use tone::HARMONICS;
 pub use tone::Tone;

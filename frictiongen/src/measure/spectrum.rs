@@ -12,7 +12,6 @@ const STEPS: f64 = 40.0;
 const DECADE: f64 = 60.0;
 
 /// Peak response of an oscillator to a recorded motion of its base.
-#[doc(hidden)]
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct PeakResponse {
     /// Undamped natural period of the oscillator, in s.
@@ -31,7 +30,6 @@ impl PeakResponse {
 
 /// Returns the natural periods of the oscillators for the response spectrum of a record, in s. The list has 60 periods
 /// in a decade, from twice the time between two samples to the length of the record.
-#[doc(hidden)]
 #[must_use]
 pub fn periods(recording: &Recording) -> Vec<f64> {
     let shortest = 2.0 / recording.rate();
@@ -48,7 +46,6 @@ pub fn periods(recording: &Recording) -> Vec<f64> {
 ///
 /// # Errors
 /// [`MeasureError`] if the recording has no channel `base`, or if the unit of the channel is not that of a motion.
-#[doc(hidden)]
 pub fn response_spectrum(
     recording: &Recording,
     zeta: f64,

@@ -105,7 +105,6 @@ impl Builder {
     /// Adds one of several contacts. The contact has a name, two nodes and a law: its stiffness, its μ, and its
     /// friction force divided by F. If the scene has several contacts, use this method instead of `contact`.
     /// `System::joined` then solves the scene.
-    #[doc(hidden)]
     pub fn contact_named(mut self, name: &str, from: &str, to: &str, law: JointLaw) -> Self {
         let sides = (from.to_owned(), to.to_owned());
         self.contacts.push((name.to_owned(), sides, law));
@@ -113,7 +112,6 @@ impl Builder {
     }
 
     /// Adds a dashpot between two nodes. Its coefficient is the force divided by the relative velocity, in N·s/m.
-    #[doc(hidden)]
     pub fn damper(mut self, from: &str, to: &str, coefficient: f64) -> Self {
         self.dampers
             .push((from.to_owned(), to.to_owned(), coefficient));

@@ -354,9 +354,14 @@ impl System {
     /// displacement and velocity of the base, and `masses` those of every mass. If the motion `of` is a force, the
     /// method returns the force and its derivative in time. Returns `None` if the scene does not have the motion `of`,
     /// and for the motion of a contact.
-    #[doc(hidden)]
+    #[cfg(feature = "measure")]
     #[must_use]
-    pub fn combination_of(&self, of: Of, base: [f64; 2], masses: &[[f64; 2]]) -> Option<[f64; 2]> {
+    pub(crate) fn combination_of(
+        &self,
+        of: Of,
+        base: [f64; 2],
+        masses: &[[f64; 2]],
+    ) -> Option<[f64; 2]> {
         if of == Of::Contact || !self.has_motion(of) {
             return None;
         }

@@ -1,4 +1,4 @@
-//! Finds the smallest value of a function in an interval by golden sections, without derivatives.
+//! Searches an interval by golden sections, without derivatives.
 
 /// Larger of the two fractions into which a golden section divides an interval.
 const GOLDEN: f64 = 0.618_033_988_749_894_8;
@@ -8,7 +8,7 @@ const GOLDEN: f64 = 0.618_033_988_749_894_8;
 ///
 /// # Errors
 /// The first error that the function `of` returns.
-pub(super) fn smallest<E>(
+pub(crate) fn smallest<E>(
     (mut low, mut high): (f64, f64),
     (steps, width): (usize, f64),
     mut of: impl FnMut(f64) -> Result<f64, E>,
@@ -34,4 +34,25 @@ pub(super) fn smallest<E>(
     } else {
         (left, at_left)
     })
+}
+
+/// Searches for a position between `low` and `high` whose value is `enough`, and goes towards the larger value. Returns
+/// `None` if `steps` golden sections find no such position.
+pub(super) fn reached(
+    [mut low, mut high]: [f64; 2],
+    steps: usize,
+    value: impl Fn(f64) -> f64,
+    enough: impl Fn(f64) -> bool,
+) -> Option<f64> {
+    for _ in 0..steps {
+        let (left, right) = (high - (high - low) * GOLDEN, low + (high - low) * GOLDEN);
+        let (at_left, at_right) = (value(left), value(right));
+        match (enough(at_left), enough(at_right)) {
+            (true, _) => return Some(left),
+            (_, true) => return Some(right),
+            _ if at_left < at_right => low = left,
+            _ => high = right,
+        }
+    }
+    None
 }

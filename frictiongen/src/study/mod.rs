@@ -13,11 +13,10 @@ pub mod curve;
 mod error;
 pub mod features;
 mod few;
-mod golden;
+pub(crate) mod golden;
 mod held;
 #[cfg(feature = "desk")]
 pub mod history;
-#[doc(hidden)]
 pub mod joined;
 #[doc(hidden)]
 pub mod joints;
@@ -29,7 +28,6 @@ mod naming;
 pub mod optimum;
 pub mod orbit;
 mod parameter;
-#[doc(hidden)]
 pub mod periodic;
 mod physical;
 mod quantity;

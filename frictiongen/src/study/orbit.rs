@@ -10,7 +10,6 @@ use frictiongen_kernel::orbit::{Orbit, OrbitMotion};
 use std::ops::Deref;
 
 /// The kernel's steady state, with its data in vectors. A [`SystemOrbit`] dereferences to this type.
-#[doc(hidden)]
 pub type SystemOrbitState<'a, S = f64> =
     Orbit<'a, S, Vec<Part<S>>, Vec<S>, Vec<Complex<S>>, AnyContact<S>>;
 

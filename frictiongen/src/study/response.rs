@@ -1,7 +1,6 @@
 //! The steady response in any regime: continuous, stick-slip or stuck.
 
 pub use super::held::SystemHeld;
-#[doc(hidden)]
 pub use super::motion::SystemSteady;
 pub use super::motion::{SystemMotion, SystemStuck};
 use super::orbit::SystemOrbit;

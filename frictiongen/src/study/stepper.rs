@@ -168,7 +168,6 @@ type KernelStepper<'a, S> =
     Stepper<'a, S, COEFFICIENTS, SystemStepTables<S>, SystemStepStore<S>, AnyContact<S>>;
 
 /// The state of a system's stepper, as [`save`](Stepper::save) returns it.
-#[doc(hidden)]
 pub type SystemStepSaved<S = f64> = Saved<S, SystemStepStore<S>>;
 
 /// A stepper, which advances the motion of a system by time steps of equal length, under any input.

@@ -55,7 +55,6 @@ impl<S: Copy> Load<S> {
     }
 
     /// Returns true if the load is a motion of the base.
-    #[doc(hidden)]
     #[must_use]
     pub fn is_base_motion(&self) -> bool {
         !matches!(self, Self::Force(_) | Self::Unbalance(_))
@@ -63,7 +62,6 @@ impl<S: Copy> Load<S> {
 
     /// Returns the exponent n of the load, whose amplitude P or Y is proportional to ω⁻ⁿ. For a constant amplitude n
     /// is 0.
-    #[doc(hidden)]
     #[must_use]
     pub fn fall(&self) -> i32 {
         match self {
@@ -170,21 +168,18 @@ impl<S: Float> LoadScale<S> {
 }
 
 /// Converts a frequency in Hz to an angular frequency in rad/s.
-#[doc(hidden)]
 #[must_use]
 pub fn angular_frequency<S: Float>(hertz: S) -> S {
     S::constant(2.0) * S::pi() * hertz
 }
 
 /// Converts an angular frequency in rad/s to a frequency in Hz.
-#[doc(hidden)]
 #[must_use]
 pub fn hertz<S: Float>(omega: S) -> S {
     omega / (S::constant(2.0) * S::pi())
 }
 
 /// Converts a phase τ = ωt to a time in seconds, at the angular frequency ω in rad/s.
-#[doc(hidden)]
 #[must_use]
 pub fn seconds<S: Float>(tau: S, omega: S) -> S {
     tau / omega
@@ -195,7 +190,6 @@ pub fn seconds<S: Float>(tau: S, omega: S) -> S {
 /// A lag refers to the instant of the largest displacement. A rigid contact that never slides has no such instant, and
 /// its phase is 0. [`SystemOrbit::reversed_contact_phase`](super::orbit::SystemOrbit::reversed_contact_phase) leaves
 /// this phase unchanged.
-#[doc(hidden)]
 #[must_use]
 pub fn reversed_phase<S: Float>(lag: S) -> S {
     if S::constant(0.0) < lag {
@@ -207,7 +201,6 @@ pub fn reversed_phase<S: Float>(lag: S) -> S {
 
 /// Returns the lag of the fundamental component X₁ of a motion, in rad, in (−π, π]. `centred` is the centred amplitude
 /// of the motion. Returns `None` if X₁ is 0 or consists only of rounding errors.
-#[doc(hidden)]
 #[must_use]
 pub fn fundamental_phase(x1: Complex<f64>, centred: f64) -> Option<f64> {
     let (size, lag) = polar(x1);
@@ -215,7 +208,6 @@ pub fn fundamental_phase(x1: Complex<f64>, centred: f64) -> Option<f64> {
 }
 
 /// Returns the amplitude |X| of Re X e^{iτ}, and its lag −arg X behind cos τ, in rad, in (−π, π].
-#[doc(hidden)]
 #[must_use]
 pub fn polar(x: Complex<f64>) -> (f64, f64) {
     let lag = -x.im.atan2(x.re);
@@ -308,7 +300,6 @@ impl<S: Float> System<S> {
     /// # Errors
     /// Same errors as [`load_scale`](Self::load_scale). [`LoadError::Varies`] for a load whose amplitude depends on
     /// frequency.
-    #[doc(hidden)]
     pub fn constant_scale(&self, load: Load<S>) -> Result<LoadScale<S>, LoadError> {
         match load.fall() {
             0 => self.load_scale(load),

@@ -1,5 +1,4 @@
-//! Motions over time and their spectra, compared with an independent integrator, runs with other steps, steady states
-//! and the energy balance.
+//! Motions over time and their spectra, compared with runs with other steps, steady states and the energy balance.
 #![allow(
     clippy::expect_used,
     clippy::unwrap_used,
@@ -9,7 +8,6 @@
 )]
 
 mod energy;
-mod integration;
 mod refused;
 mod scenes;
 mod spectra;

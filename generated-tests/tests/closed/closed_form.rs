@@ -10,8 +10,7 @@ use generated_tests::larger;
 use generated_tests::reference::{
     Worst, closed_form, compare, compare_extremes, compare_wedge, description, extremes, wedges,
 };
-use generated_tests::scenes::{TEXTS, compare_double, compare_single};
-use generated_tests::wedges as emitted_wedges;
+use generated_tests::scenes::{NUMBERS, TEXTS, compare_double, compare_single};
 
 /// Tolerance in double precision: 1e-12 of the scale of each quantity, which is about 4500 rounding units.
 ///
@@ -28,40 +27,77 @@ const SINGLE: f64 = 2e-4;
 /// these scenes, the rounding of r and λ to single precision alone changes the limits by more than 2e-4.
 const ILL_CONDITIONED: [usize; 3] = [11, 20, 30];
 
-/// Number of compared values of each kind. The reference has 38 scenes with 141 masses in total, three points for each
-/// scene, and two motions for each point.
-const COMPARED: [(&str, usize); 11] = [
-    ("amplitude", 846),
-    ("contact amplitude", 228),
-    ("contact phase", 228),
-    ("continuous limit", 114),
-    ("displacement", 3 * 846),
-    ("harmonic", 6 * 846),
-    ("natural frequency", 141),
-    ("phase", 846),
-    ("sliding limit", 114),
-    ("stuck", 846),
-    ("without search", 114),
-];
+/// Returns the number of compared values of each kind, for scenes with this number of masses in total. A scene has
+/// three points, and a point has two motions.
+fn compared(scenes: usize, masses: usize) -> [(&'static str, usize); 11] {
+    [
+        ("amplitude", 6 * masses),
+        ("contact amplitude", 6 * scenes),
+        ("contact phase", 6 * scenes),
+        ("continuous limit", 3 * scenes),
+        ("displacement", 3 * 6 * masses),
+        ("harmonic", 6 * 6 * masses),
+        ("natural frequency", masses),
+        ("phase", 6 * masses),
+        ("sliding limit", 3 * scenes),
+        ("stuck", 6 * masses),
+        ("without search", 3 * scenes),
+    ]
+}
+
+/// Number of scenes of the reference, and of their masses.
+const ALL: (usize, usize) = (38, 141);
+/// Number of emitted scenes, and of their masses.
+const EMITTED: (usize, usize) = (8, 30);
 
 /// Asserts that every value was compared and is within its tolerance.
 #[track_caller]
-fn all_within(worst: &Worst, tolerance: f64) {
+fn all_within(worst: &Worst, (scenes, masses): (usize, usize), tolerance: f64) {
     println!("{worst}");
-    let compared = worst.compared();
-    assert_eq!(compared, COMPARED);
+    assert_eq!(worst.compared(), compared(scenes, masses));
     assert_eq!(worst.beyond(|_| tolerance), Vec::<String>::new());
+}
+
+/// Asserts the same for results in single precision, whose scenes have these numbers in the reference.
+#[track_caller]
+fn all_within_in_single(
+    results: impl IntoIterator<Item = (usize, Worst)>,
+    (scenes, masses): (usize, usize),
+) {
+    let (mut worst, mut ill) = (Worst::default(), Worst::default());
+    let mut beyond = Vec::new();
+    for (number, scene) in results {
+        let failed = scene.beyond(|_| SINGLE);
+        if ILL_CONDITIONED.contains(&number) {
+            // For the points of these scenes, five times the tolerance is enough.
+            assert_eq!(scene.beyond(|_| 5.0 * SINGLE), Vec::<String>::new());
+            ill.join(scene);
+        } else if failed.is_empty() {
+            worst.join(scene);
+        } else {
+            beyond.push((number, failed));
+        }
+    }
+    println!("{worst}");
+    println!("scenes {ILL_CONDITIONED:?}, to five times the bar:\n{ill}");
+    assert_eq!(beyond, Vec::new());
+    worst.join(ill);
+    assert_eq!(worst.compared(), compared(scenes, masses));
 }
 
 #[test]
 fn run_time_system() {
     let mut worst = Worst::default();
-    for reference in closed_form() {
-        let text = description(&reference);
+    let mut single = Vec::new();
+    for (index, reference) in closed_form().iter().enumerate() {
+        let text = description(reference);
         let system: System = text.parse().expect("a valid scene");
-        worst.join(compare(&system, &reference));
+        worst.join(compare(&system, reference));
+        let system: System<f32> = text.parse().expect("a valid scene");
+        single.push((index + 1, compare(&system, reference)));
     }
-    all_within(&worst, DOUBLE);
+    all_within(&worst, ALL, DOUBLE);
+    all_within_in_single(single, ALL);
 }
 
 /// Tolerance for the wedges, as a multiple of the scale of a quantity: 64 rounding units ε = 2⁻⁵².
@@ -106,19 +142,6 @@ fn wedges_at_run_time() {
     all_wedges_within(&wide, |kind| if kind == "phase" { PLACES } else { DIGITS });
 }
 
-#[test]
-fn emitted_wedges() {
-    let mut worst = Worst::default();
-    let references = wedges();
-    for scene in emitted_wedges::compare(&references) {
-        worst.join(scene);
-    }
-    all_wedges_within(&worst, |_| WEDGE);
-    for (text, reference) in emitted_wedges::TEXTS.iter().zip(&references) {
-        assert_eq!(read(text), read(description(reference)));
-    }
-}
-
 /// Tolerance in double-double: half a unit of the reference's 20th digit, 5e-20, plus the same amount for the
 /// comparison.
 const DIGITS: f64 = 1e-19;
@@ -137,7 +160,7 @@ fn read_in_double_double() {
         worst.join(compare(&system, &reference));
     }
     println!("{worst}");
-    assert_eq!(worst.compared(), COMPARED);
+    assert_eq!(worst.compared(), compared(ALL.0, ALL.1));
     let beyond = worst.beyond(|kind| if kind == "phase" { PLACES } else { DIGITS });
     assert_eq!(beyond, Vec::<String>::new());
 }
@@ -181,42 +204,31 @@ fn extremes_read_in_double_double() {
     assert_eq!(vanishing.beyond(|_| f64::EPSILON), Vec::<String>::new());
 }
 
+/// Returns the references of the emitted scenes.
+fn emitted() -> Vec<serde_json::Value> {
+    let all = closed_form();
+    NUMBERS.map(|number| all[number - 1].clone()).to_vec()
+}
+
 #[test]
 fn emitted_double() {
     let mut worst = Worst::default();
-    for scene in compare_double(&closed_form()) {
+    for scene in compare_double(&emitted()) {
         worst.join(scene);
     }
-    all_within(&worst, DOUBLE);
+    all_within(&worst, EMITTED, DOUBLE);
 }
 
 #[test]
 fn emitted_single() {
-    let (mut worst, mut ill) = (Worst::default(), Worst::default());
-    let mut beyond = Vec::new();
-    for (index, scene) in compare_single(&closed_form()).into_iter().enumerate() {
-        let failed = scene.beyond(|_| SINGLE);
-        if ILL_CONDITIONED.contains(&(index + 1)) {
-            // For the points of these scenes, five times the tolerance is enough.
-            assert_eq!(scene.beyond(|_| 5.0 * SINGLE), Vec::<String>::new());
-            ill.join(scene);
-        } else if failed.is_empty() {
-            worst.join(scene);
-        } else {
-            beyond.push((index + 1, failed));
-        }
-    }
-    println!("{worst}");
-    println!("scenes {ILL_CONDITIONED:?}, to five times the bar:\n{ill}");
-    assert_eq!(beyond, Vec::new());
-    worst.join(ill);
-    assert_eq!(worst.compared(), COMPARED);
+    let results = NUMBERS.into_iter().zip(compare_single(&emitted()));
+    all_within_in_single(results, EMITTED);
 }
 
 /// Checks that the macro has received exactly the scenes of the reference.
 #[test]
 fn texts_are_the_references() {
-    let references = closed_form();
+    let references = emitted();
     assert_eq!(TEXTS.len(), references.len());
     for (text, reference) in TEXTS.iter().zip(&references) {
         assert_eq!(read(text), read(description(reference)));

@@ -4,56 +4,25 @@
 use frictiongen::{FrictionSystem, StuckAt, StuckResonance, System, friction_system};
 use frictiongen_kernel::{Float, Scalar};
 
-/// Emits a symmetric chain. The contact in the middle does not touch the second mode, (1, 0, −1) at r = √2.
-macro_rules! symmetric {
-    ($name:ident $(, $scalar:ident)?) => {
-        friction_system! {
-            pub struct $name {
-                masses: { left: 1, middle: 1, right: 1 },
-                springs: { base - left: 1, left - middle: 1, middle - right: 1, right - wall: 1 },
-                contact: middle - wall,
-                excitation: left,
-                provide: [limits, stuck],
-                $(scalar: $scalar,)?
-            }
-        }
-    };
+friction_system! {
+    /// A symmetric chain. The contact in the middle does not touch the second mode, (1, 0, −1) at r = √2.
+    pub struct Symmetric {
+        masses: { left: 1, middle: 1, right: 1 },
+        springs: { base - left: 1, left - middle: 1, middle - right: 1, right - wall: 1 },
+        contact: middle - wall,
+        excitation: left,
+        provide: [limits, stuck],
+    }
 }
-symmetric!(Symmetric);
-symmetric!(SymmetricSingle, f32);
 
 const SYMMETRIC: &str = "struct Symmetric { masses: { left: 1, middle: 1, right: 1 },
     springs: { base - left: 1, left - middle: 1, middle - right: 1, right - wall: 1 },
     contact: middle - wall, excitation: left }";
 
-/// Description of a symmetric chain of seven masses, in which the emitted sums over modes are function calls. The
-/// contact does not move in three of its modes.
+/// Description of a symmetric chain of seven masses, whose contact does not move in three of its modes.
 const SEVEN: &str = "struct Seven { masses: { m1: 1, m2: 1, m3: 1, m4: 1, m5: 1, m6: 1, m7: 1 },
     springs: { base - m1: 1, m1 - m2: 1, m2 - m3: 1, m3 - m4: 1, m4 - m5: 1, m5 - m6: 1, m6 - m7: 1,
     m7 - wall: 1 }, contact: m4 - wall, excitation: m1 }";
-
-friction_system! {
-    pub struct Seven {
-        masses: { m1: 1, m2: 1, m3: 1, m4: 1, m5: 1, m6: 1, m7: 1 },
-        springs: { base - m1: 1, m1 - m2: 1, m2 - m3: 1, m3 - m4: 1, m4 - m5: 1, m5 - m6: 1,
-            m6 - m7: 1, m7 - wall: 1 },
-        contact: m4 - wall,
-        excitation: m1,
-        provide: [limits, stuck],
-    }
-}
-
-// With damping, the response of the mode that the contact does not touch is bounded.
-friction_system! {
-    pub struct Damped {
-        masses: { left: 1, middle: 1, right: 1 },
-        springs: { base - left: 1, left - middle: 1, middle - right: 1, right - wall: 1 },
-        contact: middle - wall,
-        excitation: left,
-        damping: modal(0.01),
-        provide: [limits, stuck],
-    }
-}
 
 /// Asserts that every mass is refused on the resonances with the numbers in `invisible`. No mass may be refused on
 /// another resonance, or one rounding unit next to any resonance. Returns the number of answers.
@@ -98,10 +67,8 @@ fn a_resonance_that_the_contact_does_not_touch() {
     let single: System<f32> = SYMMETRIC.parse().expect("a valid scene");
     let seven: System = SEVEN.parse().expect("a valid scene");
     assert_eq!(check(&Symmetric, &[1]), 27);
-    assert_eq!(check(&SymmetricSingle, &[1]), 27);
     assert_eq!(check(&system, &[1]), 27);
     assert_eq!(check(&single, &[1]), 27);
-    assert_eq!(check(&Seven, &[1, 3, 5]), 147);
     assert_eq!(check(&seven, &[1, 3, 5]), 147);
     // The inherent functions must return the same results as those of the trait.
     let r = Symmetric::RESONANCES[1];
@@ -118,13 +85,13 @@ fn a_resonance_that_the_contact_does_not_touch() {
 fn a_damped_one_is_bounded() {
     let text = SYMMETRIC.replace("excitation", "damping: modal(0.01), excitation");
     let system: System = text.parse().expect("a valid scene");
-    assert_eq!(check(&Damped, &[]), 27);
     assert_eq!(check(&system, &[]), 27);
     // The difference between the left and the right mass contains only the second mode. Each mass has φ² = 1/2, and λ
     // is 2, so the mode moves each mass by (1/4)/(2iζ), with opposite signs.
-    let at = Damped::at(Damped::RESONANCES[1]).expect("in the domain");
+    let at = system.at(system.resonances()[1]).expect("in the domain");
     let stuck = at.stuck().expect("damped");
-    let apart = stuck.left() - stuck.right();
+    let mass = |name| stuck.mass(name).expect("a mass");
+    let apart = mass("left") - mass("right");
     assert!(
         apart.re.abs() < 1e-12 && (apart.im + 25.0).abs() < 1e-12,
         "{apart}"
@@ -140,20 +107,9 @@ fn one_that_nothing_drives_is_not_there() {
     assert_eq!(check(&system, &[]), 27);
 }
 
-// With its contact stuck, m₁ is between a spring to the base and one that is three times as stiff. It resonates at r =
-// 2, where H vanishes.
-friction_system! {
-    pub struct Held {
-        masses: { m1: 1, m2: 1 },
-        springs: { base - m1: 1, m1 - m2: 3 },
-        contact: m2 - wall,
-        excitation: m1,
-        provide: [limits, stuck],
-    }
-}
-
-/// Checks the response at a resonance of the chain with its contact stuck. The exact response is 1/(4 − r²). With the
-/// rounding of the natural frequencies it must be above 10¹⁴, or be refused.
+/// Checks the response at a resonance of the chain with its contact stuck, where H vanishes. Mass m₁ is then between a
+/// spring to the base and one that is three times as stiff. The exact response is 1/(4 − r²). With the rounding of the
+/// natural frequencies it must be above 10¹⁴, or be refused.
 #[test]
 fn a_resonance_of_the_held_chain() {
     let text = "struct Held { masses: { m1: 1, m2: 1 }, springs: { base - m1: 1, m1 - m2: 3 },
@@ -176,13 +132,6 @@ fn a_resonance_of_the_held_chain() {
         }
     };
     for r in [2.0, 1.999_999_999, 1.99, 1.3, 0.7, 2.01, 2.000_000_001, 5.0] {
-        see(
-            Held::at(r)
-                .expect("in the domain")
-                .stuck()
-                .map(|stuck| stuck.m1().re),
-            r,
-        );
         let at = system.at(r).expect("in the domain");
         see(
             at.stuck().map(|stuck| stuck.mass("m1").expect("a mass").re),
@@ -190,6 +139,6 @@ fn a_resonance_of_the_held_chain() {
         );
     }
     println!("{answered} answers, {refused} refused on the resonance itself");
-    assert_eq!(refused + answered, 16);
-    assert!(refused <= 2);
+    assert_eq!(refused + answered, 8);
+    assert!(refused <= 1);
 }

@@ -5,21 +5,15 @@ use frictiongen::{FrictionSystem, LimitsAt, StuckAt, System, friction_system};
 use frictiongen_kernel::number::dd::Dd;
 use frictiongen_kernel::{Float, Scalar};
 
-macro_rules! coupled {
-    ($name:ident, $coupling:literal) => {
-        friction_system! {
-            pub struct $name {
-                masses: { m1: 1, m2: 2 },
-                springs: { base - m1: 1, m1 - m2: $coupling, m2 - wall: 3 },
-                contact: m2 - wall,
-                excitation: m1,
-                provide: [limits, stuck],
-            }
-        }
-    };
+friction_system! {
+    pub struct Weak {
+        masses: { m1: 1, m2: 2 },
+        springs: { base - m1: 1, m1 - m2: 1e-14, m2 - wall: 3 },
+        contact: m2 - wall,
+        excitation: m1,
+        provide: [limits, stuck],
+    }
 }
-coupled!(Weak, 1e-14);
-coupled!(Weaker, 1e-20);
 
 fn text(coupling: f64) -> String {
     format!(
@@ -89,11 +83,10 @@ fn residues_that_are_small_are_not_noise() {
     let exact = |coupling: f64| -> System<Dd> { text(coupling).parse().expect("a valid scene") };
     let compared = [
         check(&Weak, 1e-14, TOLERANCE),
-        check(&Weaker, 1e-20, TOLERANCE),
         check(&run_time(1e-14), 1e-14, TOLERANCE),
         check(&run_time(1e-20), 1e-20, TOLERANCE),
         check(&exact(1e-14), 1e-14, TOLERANCE),
         check(&exact(1e-20), 1e-20, TOLERANCE),
     ];
-    assert_eq!(compared, [30; 6]);
+    assert_eq!(compared, [30; 5]);
 }

@@ -111,10 +111,7 @@ macro_rules! scenes {
 }
 
 scenes! {
-    chain Chain  mode Mode  kind Kind  damped Damped  undamped Undamped  decay Decay
-    fundamental Fundamental  friction_ Friction  coefficients ModalCoefficients  motion Motion  wave Wave  complex Complex
-    scalar Scalar  contact Contact  regime Regime  option Option  result Result  ok Ok  none None
-    iterator Iterator  self_ Scene  system System  of Of  steady Steady
+    chain Chain  motion Motion  complex Complex  contact Contact  option Option  ok Ok  self_ Scene  of Of
 }
 
 /// A deprecated scene. Its own code must not cause a warning.

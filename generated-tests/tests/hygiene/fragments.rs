@@ -21,22 +21,6 @@ macro_rules! scene {
     };
 }
 
-/// Defines a scene whose tokens, except its name, come from within a macro.
-macro_rules! frame {
-    ($name:ident) => {
-        friction_system! {
-            struct $name {
-                masses: { lower: 3.27, upper: 3.25 },
-                springs: { base - lower: 1190.0, lower - upper: 1323.0 },
-                contact: upper - wall,
-                excitation: base,
-                damping: modal[0.010, 0.012],
-                provide: [limits, motion, stuck, orbit, simulation, stepper, self_check],
-            }
-        }
-    };
-}
-
 /// Defines a scene that finds the facade through `$crate`.
 macro_rules! through_own_crate {
     ($name:ident) => {
@@ -60,7 +44,6 @@ macro_rules! handed_on {
 }
 
 scene! { pub(crate) Fragments { below: 3.0 + 0.27, above: 3.25 } (500.0 + 95.0) ::frictiongen }
-frame! { Named }
 through_own_crate! { ThroughOwnCrate }
 handed_on! {
     struct HandedOn {
@@ -76,7 +59,6 @@ handed_on! {
 #[test]
 fn scenes_come_out_of_macros() {
     same_as_frame!(Fragments, above);
-    same_as_frame!(Named, upper);
     same_as_frame!(ThroughOwnCrate, upper);
     same_as_frame!(HandedOn, upper);
 }

@@ -1,6 +1,5 @@
 //! Tests steady states with stick-slip, their derivatives, and the backward error of every answer.
 
 mod backward;
-mod plain_integration;
 mod sensitivities;
 mod stick_slip;

@@ -1,37 +1,11 @@
-//! Compares emitted code of scenes with several contacts with two references: `joints.json`, which a plain program
-//! with matrix exponentials made, and the run-time system, bit by bit.
+//! Compares emitted code of scenes with several contacts with the run-time system, bit by bit. `study/joined` compares
+//! the run-time system with `joints.json`, which a plain program with matrix exponentials made.
 
 use frictiongen::study::joined::JoinedInput;
 use frictiongen::{OutOfDomain, System};
 use fuzzing::Random;
-use serde_json::Value;
-use std::f64::consts::TAU;
 
 scenes! {
-    // Entry 15 of `joints.json`. The share of each contact is its friction force in N.
-    struct Rigid {
-        masses: { m1: 2.39, m2: 0.615, m3: 1.59 },
-        springs: { base - m1: 3840.0, m1 - m2: 3740.0, m2 - m3: 2050.0 },
-        contacts: {
-            low: m2 - m1 { share: 5.93 },
-            high: m3 - wall { stiction: 1.3, share: 44.2 },
-        },
-        damping: modal[0.00699, 0.00721, 0.0175],
-        excitation: base,
-        provide: [simulation],
-    }
-    // Entry 1 of `joints.json`. No spring joins the chain to the base or the wall.
-    struct Free {
-        masses: { m1: 1.4, m2: 2.26, m3: 2.47 },
-        springs: { m1 - m2: 2110.0, m2 - m3: 2710.0 },
-        contacts: {
-            elastic: m3 - m2 { stiffness: 9890.0, share: 39.9 },
-            rigid: m3 - wall { share: 79.8 },
-        },
-        damping: modal[0.0263, 0.00728, 0.0192],
-        excitation: m1,
-        provide: [simulation],
-    }
     struct Storeys {
         masses: { one: 2.0, two: 1.5, three: 1.0, four: 0.8 },
         springs: { base - one: 900.0, one - two: 700.0, two - three: 650.0, three - four: 500.0 },
@@ -64,72 +38,6 @@ scenes! {
         input: hold,
         provide: [stepper],
     }
-}
-
-fn entry(index: usize) -> Value {
-    let text = include_str!("../../../frictiongen/src/study/joints/tests/joints.json");
-    let all: Value = serde_json::from_str(text).expect("JSON");
-    all["scenes"][index].clone()
-}
-
-fn number(value: &Value) -> f64 {
-    value.as_f64().expect("a number")
-}
-
-/// Compares displacements and velocities after each cycle with those of an entry. Errors are divided by the largest
-/// displacement.
-fn after_cycles(
-    index: usize,
-    mut advance: impl FnMut() -> Vec<(f64, f64)>,
-    first: f64,
-    length: f64,
-) {
-    let scene = entry(index);
-    let omega = number(&scene["omega"]);
-    let (mut worst, mut size) = (0.0_f64, 0.0_f64);
-    for expected in scene["after_cycles"].as_array().expect("cycles") {
-        for (mass, (x, v)) in advance().into_iter().enumerate() {
-            let expected_x = number(&expected["x"][mass]) / length;
-            let expected_v = number(&expected["v"][mass]) / length / omega;
-            worst = worst
-                .max((x - expected_x).abs())
-                .max((v - expected_v).abs());
-            size = size.max(expected_x.abs());
-        }
-    }
-    println!(
-        "entry {index}: {:.1e} of the largest displacement",
-        worst / size
-    );
-    assert!(size > first, "{size}");
-    // `joints.json` has the states with an accuracy of 1e-10.
-    assert!(worst < 1e-10 * size, "{worst} {size}");
-}
-
-#[test]
-fn states_are_those_of_the_reference() {
-    let scene = entry(15);
-    let load = number(&scene["load"]);
-    let r = number(&scene["omega"]) / (3840.0_f64 / 2.39).sqrt();
-    let mut run = Rigid::simulation(r, 1.0 / (3840.0 * load)).expect("a simulation");
-    let advance = || {
-        run.advance(TAU).expect("a cycle");
-        [run.m1(), run.m2(), run.m3()]
-            .map(|m| (m.displacement(), m.velocity()))
-            .to_vec()
-    };
-    after_cycles(15, advance, 1.0, load);
-    let scene = entry(1);
-    let load = number(&scene["load"]);
-    let r = number(&scene["omega"]) / (2110.0_f64 / 1.4).sqrt();
-    let mut run = Free::simulation(r, 1.0 / load).expect("a simulation");
-    let advance = || {
-        run.advance(TAU).expect("a cycle");
-        [run.m1(), run.m2(), run.m3()]
-            .map(|m| (m.displacement(), m.velocity()))
-            .to_vec()
-    };
-    after_cycles(1, advance, 1.0, load / 2110.0);
 }
 
 /// Checks that emitted simulations give the bits of the run-time system.

@@ -6,32 +6,6 @@ use frictiongen::{NoOrbit, OutOfDomain, Regime, System};
 use serde_json::Value;
 
 scenes! {
-    // Entry 15 of `joints.json`. The share of each contact is its friction force in N.
-    struct Rigid {
-        masses: { m1: 2.39, m2: 0.615, m3: 1.59 },
-        springs: { base - m1: 3840.0, m1 - m2: 3740.0, m2 - m3: 2050.0 },
-        contacts: {
-            low: m2 - m1 { share: 5.93 },
-            high: m3 - wall { stiction: 1.3, share: 44.2 },
-        },
-        damping: modal[0.00699, 0.00721, 0.0175],
-        excitation: base,
-        provide: [orbit],
-    }
-    // Entry 10 of `joints.json`.
-    struct Elastic {
-        masses: { m1: 2.94, m2: 3.64, m3: 2.36, m4: 0.751, m5: 1.95 },
-        springs: {
-            base - m1: 3270.0, m1 - m2: 3710.0, m2 - m3: 1750.0, m3 - m4: 839.0, m4 - m5: 2240.0,
-        },
-        contacts: {
-            low: m1 - wall { stiffness: 15400.0, share: 19.5 },
-            high: m3 - m2 { stiffness: 8910.0, share: 5.99 },
-        },
-        damping: modal[0.0159, 0.00522, 0.0434, 0.014, 0.00955],
-        excitation: base,
-        provide: [orbit],
-    }
     // Entry 1 of `joints.json`. No spring joins the chain to the base or the wall.
     struct Free {
         masses: { m1: 1.4, m2: 2.26, m3: 2.47 },
@@ -81,72 +55,30 @@ scenes! {
     }
 }
 
-fn entry(index: usize) -> Value {
+/// Checks a chain that no spring joins to the base or the wall. The reference follows the motion from rest.
+#[test]
+fn a_free_chain_has_the_steady_state_of_the_reference() {
     let text = include_str!("../../../frictiongen/src/study/joints/tests/joints.json");
     let all: Value = serde_json::from_str(text).expect("JSON");
-    all["scenes"][index].clone()
-}
-
-fn number(value: &Value) -> f64 {
-    value.as_f64().expect("a number")
-}
-
-/// Compares amplitudes and stuck fractions with those of an entry of `joints.json`, whose accuracy is 1e-9.
-/// The reference follows the motion from rest, with what it leaves in contacts that never slide. `study::joints::tests`
-/// does this for systems at run time.
-fn compare(index: usize, unit: f64, amplitudes: &[f64], contacts: &[(usize, f64)]) {
-    let expected = &entry(index)["steady"];
-    let all = expected["amplitude"].as_array().expect("amplitudes");
-    let largest = all.iter().map(number).fold(0.0, f64::max);
-    assert_eq!(all.len(), amplitudes.len());
-    for (got, expected) in amplitudes.iter().zip(all) {
-        let differs = (got * unit - number(expected)).abs() / largest;
-        println!("entry {index}: {differs:.1e} of the largest amplitude");
-        assert!(differs < 1e-9, "{index}: {got} {expected}");
-    }
-    for (j, (stops, stuck)) in contacts.iter().enumerate() {
-        assert_eq!(expected["stops"][j], *stops, "{index}");
-        let differs = (stuck - number(&expected["stuck_fraction"][j])).abs();
-        assert!(differs < 1e-8, "{index}: {differs}");
-    }
-}
-
-#[test]
-fn steady_states_are_those_of_the_reference() {
-    let scene = entry(15);
-    let load = number(&scene["load"]);
-    let r = number(&scene["omega"]) / (3840.0_f64 / 2.39).sqrt();
-    let orbit = Rigid::at(r)
-        .expect("a frequency")
-        .orbit_from(1.0 / (3840.0 * load), (&[0.0; 3], &[0.0; 3]));
-    let orbit = orbit.expect("a steady state");
-    let amplitudes = [orbit.m1(), orbit.m2(), orbit.m3()].map(|mass| mass.amplitude());
-    let contacts = [orbit.low(), orbit.high()].map(|c| (c.stops(), c.stuck_fraction()));
-    compare(15, load, &amplitudes, &contacts);
-    assert!(orbit.high().is_marginal() && !orbit.low().is_marginal());
-    assert_eq!(orbit.regime(), Regime::StickSlip);
-    let scene = entry(10);
-    let load = number(&scene["load"]);
-    let r = number(&scene["omega"]) / (3270.0_f64 / 2.94).sqrt();
-    let orbit = Elastic::at(r)
-        .expect("a frequency")
-        .orbit_from(1.0 / (3270.0 * load), (&[0.0; 5], &[0.0; 5]));
-    let orbit = orbit.expect("a steady state");
-    let masses = [orbit.m1(), orbit.m2(), orbit.m3(), orbit.m4(), orbit.m5()];
-    let contacts = [orbit.low(), orbit.high()].map(|c| (c.stops(), c.stuck_fraction()));
-    compare(10, load, &masses.map(|mass| mass.amplitude()), &contacts);
-    assert!(!orbit.is_marginal() && orbit.is_stable() && orbit.period() == 1);
-    let scene = entry(1);
+    let scene = &all["scenes"][1];
+    let number = |value: &Value| value.as_f64().expect("a number");
     let load = number(&scene["load"]);
     let r = number(&scene["omega"]) / (2110.0_f64 / 1.4).sqrt();
     let rest = (&[0.0; 3], &[0.0; 3]);
-    let orbit = Free::at(r)
-        .expect("a frequency")
-        .orbit_from(1.0 / load, rest);
-    let orbit = orbit.expect("a steady state");
-    let amplitudes = [orbit.m1(), orbit.m2(), orbit.m3()].map(|mass| mass.amplitude());
-    let contacts = [orbit.elastic(), orbit.rigid()].map(|c| (c.stops(), c.stuck_fraction()));
-    compare(1, load / 2110.0, &amplitudes, &contacts);
+    let at = Free::at(r).expect("a frequency");
+    let orbit = at.orbit_from(1.0 / load, rest).expect("a steady state");
+    let expected = &scene["steady"];
+    let amplitudes = expected["amplitude"].as_array().expect("amplitudes");
+    let largest = amplitudes.iter().map(number).fold(0.0, f64::max);
+    for (mass, want) in [orbit.m1(), orbit.m2(), orbit.m3()].iter().zip(amplitudes) {
+        let differs = (mass.amplitude() * load / 2110.0 - number(want)).abs() / largest;
+        assert!(differs < 1e-9, "{differs:e}");
+    }
+    for (index, contact) in [orbit.elastic(), orbit.rigid()].iter().enumerate() {
+        assert_eq!(expected["stops"][index], contact.stops());
+        let differs = contact.stuck_fraction() - number(&expected["stuck_fraction"][index]);
+        assert!(differs.abs() < 1e-8, "{differs:e}");
+    }
 }
 
 /// Returns true if two numbers differ by at most 1e-10 of the larger of them and `size`. Emitted code follows power

@@ -1,18 +1,10 @@
 //! Tests `frictiongen drive`.
 #![allow(clippy::unwrap_used, reason = "a test fails by it")]
 
-use crate::common::{FRAME, failure, output};
+use crate::common::{FRAME, failure, file, output};
 use frictiongen::System;
 use frictiongen::study::SystemInput;
-use std::{fs, process};
-
-/// Writes a recording for this test, and returns its path.
-fn recording(name: &str, text: &str) -> String {
-    let name = format!("frictiongen-drive-{}-{name}.csv", process::id());
-    let path = std::env::temp_dir().join(name);
-    fs::write(&path, text).unwrap();
-    path.to_str().unwrap().to_owned()
-}
+use std::fs;
 
 /// Returns a recording of the base's acceleration with samples at intervals of 0.01 s. The base moves and then rests.
 fn shaken() -> String {
@@ -31,7 +23,7 @@ fn shaken() -> String {
 
 #[test]
 fn gives_what_the_stepper_gives() {
-    let path = recording("same", &shaken());
+    let path = file("same.csv", &shaken());
     let text = output(
         "",
         &[
@@ -92,7 +84,7 @@ fn gives_what_the_stepper_gives() {
 
 #[test]
 fn tells_work_and_writes_pictures() {
-    let path = recording("work", &shaken());
+    let path = file("work.csv", &shaken());
     let text = output("", &["drive", FRAME, &path, "--friction", "0.8", "--json"]);
     let answer: serde_json::Value = serde_json::from_str(&text).unwrap();
     let work = |name: &str| answer["work"][name].as_f64().unwrap();
@@ -195,7 +187,7 @@ fn says_what_is_wrong_with_a_recording() {
             "sample 1 of the recording",
         ),
     ] {
-        let path = recording(name, text);
+        let path = file(name, text);
         let mut command = vec!["drive", FRAME, &path];
         if let Some(force) = friction {
             command.extend(["--friction", force]);

@@ -2,16 +2,8 @@
 #![allow(clippy::unwrap_used, reason = "a test fails by it")]
 #![allow(clippy::indexing_slicing, reason = "a test may fail")]
 
-use crate::common::{column, failure, json, output, texts};
-use std::{fs, process};
-
-/// Writes a recording for this test, and returns its path.
-fn recording(name: &str, text: &str) -> String {
-    let name = format!("frictiongen-drive-joined-{}-{name}.csv", process::id());
-    let path = std::env::temp_dir().join(name);
-    fs::write(&path, text).unwrap();
-    path.to_str().unwrap().to_owned()
-}
+use crate::common::{column, failure, file, json, output, texts};
+use std::fs;
 
 /// Returns a recording with samples at intervals of 0.01 s.
 fn samples(head: &str, count: u32, of: impl Fn(f64) -> String) -> String {
@@ -55,7 +47,7 @@ fn one_contact_moves_as_with_the_solver_of_one_contact() {
         ("force", &force, "upper", None, (rigid, listed)),
         ("force elastic", &force, "lower", None, elastic),
     ] {
-        let path = recording(&name.replace(' ', "-"), record);
+        let path = file(&name.replace(' ', "-"), record);
         let mut options = vec![
             "--csv",
             "--of",
@@ -124,7 +116,7 @@ fn columns_for_each_contact() {
     let record = samples("time_s,base_m_s2", 400, |t| {
         format!("{}", 6.0 * (11.0 * t).sin())
     });
-    let path = recording("frame", &record);
+    let path = file("frame.csv", &record);
     let csv = drive(frame, &path, &["--friction", "5", "--csv"]);
     let text = drive(frame, &path, &["--friction", "5"]);
     let whole = json(&drive(frame, &path, &["--friction", "5", "--json"]));
@@ -180,7 +172,7 @@ fn columns_for_each_contact() {
 fn what_does_not_fit_is_refused() {
     let pair = "struct Pair { masses: { a: 1.0, b: 1.0 }, springs: { base - a: 100.0 },
         contacts: { left: a - b, right: b - wall { stiffness: 50.0 } }, excitation: a }";
-    let path = recording("pair", "time_s,force_N\n0,0\n0.01,1\n0.02,1\n");
+    let path = file("pair.csv", "time_s,force_N\n0,0\n0.01,1\n0.02,1\n");
     for (options, told) in [
         (&["--of", "c"][..], "the contacts are left, right"),
         (

@@ -6,7 +6,7 @@
     reason = "a test may fail"
 )]
 
-use crate::common::{column, column_with_gaps, failure, output, texts};
+use crate::common::{column, column_with_gaps, failure, file, output, texts, words};
 use crate::report::page;
 
 /// Description of two floors with a damper on a brace.
@@ -14,16 +14,12 @@ const BRACED: &str = "struct Braced { masses: { lower: 3.27, upper: 3.25 },
     springs: { base - lower: 1190.0, lower - upper: 1323.0 }, contact: upper - wall, stiffness: 5.0e3,
     excitation: base, damping: modal[0.010, 0.012] }";
 
-fn split(line: &str) -> Vec<&str> {
-    line.split(' ').collect()
-}
-
 /// Checks that the commands agree with each other at one operating point. A difference over a millionth of the stiffness
 /// has an error of about 1e-6 of the derivative.
 #[test]
 fn commands_agree() {
     let point = "--r 0.9 --beta 0.3 --of lower --csv";
-    let asked = |command: &str, scene: &str| output(scene, &split(&format!("{command} {point}")));
+    let asked = |command: &str, scene: &str| output(scene, &words(&format!("{command} {point}")));
     let amplitude = |scene: &str| column(&asked("orbit", scene), "lower.amplitude")[0];
     let orbit = asked("orbit", BRACED);
     assert_eq!(texts(&orbit, "regime"), ["stick-slip"]);
@@ -32,11 +28,11 @@ fn commands_agree() {
     assert_eq!(column(&response, "lower.amplitude")[0], amplitude(BRACED));
     let map = asked("map", BRACED);
     assert_eq!(column(&map, "lower.amplitude")[0], amplitude(BRACED));
-    let limits = output(BRACED, &split("limits --r 0.9 --csv"));
+    let limits = output(BRACED, &words("limits --r 0.9 --csv"));
     assert_eq!(column(&limits, "continuous_limit"), [0.0]);
     let sliding = column(&limits, "sliding_limit")[0];
     let line = format!("response --r 0.9 --beta {:?} --csv", 4.0 * sliding);
-    assert_eq!(texts(&output(BRACED, &split(&line)), "regime"), ["stuck"]);
+    assert_eq!(texts(&output(BRACED, &words(&line)), "regime"), ["stuck"]);
 
     let sensitivity = asked("sensitivity", BRACED);
     let parameters = texts(&sensitivity, "parameter");
@@ -50,19 +46,12 @@ fn commands_agree() {
     );
     let curve = output(
         BRACED,
-        &split("curve --r 0.8:1.0 --beta 0.3 --of lower --accuracy 1e-2 --csv"),
+        &words("curve --r 0.8:1.0 --beta 0.3 --of lower --accuracy 1e-2 --csv"),
     );
     let largest = column(&curve, "lower.amplitude")
         .into_iter()
         .fold(0.0, f64::max);
     assert!(amplitude(BRACED) <= largest, "{largest}");
-}
-
-/// Path of a file of this test.
-fn file(name: &str, text: &str) -> String {
-    let path = std::path::Path::new(env!("CARGO_TARGET_TMPDIR")).join(format!("elastic-{name}"));
-    std::fs::write(&path, text).expect("a file");
-    path.to_str().expect("a path").to_owned()
 }
 
 /// A force that grows as p = at drives a block of mass m on a spring k₁ with an elastic contact. While the contact sticks,
@@ -109,7 +98,7 @@ fn identify_finds_force_and_stiffness() {
         let line = format!(
             "time --hz {hertz:?} --base 0.002 --friction 0.8 --skip 200 --cycles 20 --samples 64 --csv"
         );
-        output(BRACED, &split(&line))
+        output(BRACED, &words(&line))
     };
     let recordings = [1.7, 2.2, 2.8].map(|hertz| {
         let text = text(hertz);
@@ -175,7 +164,7 @@ fn identify_finds_force_and_stiffness() {
 /// sticks.
 #[test]
 fn features_and_report_say_how_long_the_contact_sticks() {
-    let features = output(BRACED, &split("features --r 0.5:2 --beta 0.3 --csv"));
+    let features = output(BRACED, &words("features --r 0.5:2 --beta 0.3 --csv"));
     let details = texts(&features, "detail");
     let told = details
         .iter()
@@ -183,7 +172,7 @@ fn features_and_report_say_how_long_the_contact_sticks() {
         .count();
     // One regime, and peaks of the contact and of the lower mass at two resonances.
     assert_eq!(told, 5, "{features}");
-    let orbit = output(BRACED, &split("orbit --r 1.25 --beta 0.3 --csv"));
+    let orbit = output(BRACED, &words("orbit --r 1.25 --beta 0.3 --csv"));
     let share = 100.0 * column(&orbit, "stuck_fraction")[0];
     let regime = format!("stick-slip (sticks {share:.0} % of the period in mid-range)");
     assert!(details.contains(&regime.as_str()), "{regime}: {features}");
@@ -191,7 +180,7 @@ fn features_and_report_say_how_long_the_contact_sticks() {
         assert!(!features.contains(part), "{part}: {features}");
     }
     let line = "--hz 1:6 --base 0.002 --friction 0.8";
-    let (page, data) = page(BRACED, &split(line));
+    let (page, data) = page(BRACED, &words(line));
     assert!(
         page.contains("stiffness of the contact") && page.contains("sticks after each reversal")
     );
@@ -202,7 +191,7 @@ fn features_and_report_say_how_long_the_contact_sticks() {
 /// Checks that commands without an answer for an elastic contact name the field and another command.
 #[test]
 fn other_commands_are_refused_by_name() {
-    let told = failure(BRACED, &split("compile --accuracy 1e-4 --r 0.2:2.5"));
+    let told = failure(BRACED, &words("compile --accuracy 1e-4 --r 0.2:2.5"));
     assert!(
         told[0].contains("has `stiffness`") && told[0].contains("`frictiongen orbit`"),
         "{told:?}"

@@ -8,13 +8,9 @@
     reason = "a test may fail"
 )]
 
-use crate::common::{BLOCK, FRAME, cells, failure, json, output};
+use crate::common::{BLOCK, FRAME, cells, failure, json, output, words};
 
 const UPPER: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/scenes/thesis/two_m2.friction");
-
-fn split(line: &str) -> Vec<&str> {
-    line.split(' ').collect()
-}
 
 /// Parses the rows of a CSV as maps from column names to cells.
 fn rows(csv: &str) -> Vec<std::collections::HashMap<String, String>> {
@@ -110,7 +106,7 @@ fn of_the_thesis() {
 
 #[test]
 fn refused() {
-    let told = |input: &str, line: &str| failure(input, &split(line)).join("\n");
+    let told = |input: &str, line: &str| failure(input, &words(line)).join("\n");
     for (line, words) in [
         ("features --r 0:2", "--r"),
         ("features --r 2:1", "write 1:2"),

@@ -2,7 +2,7 @@
 
 #![allow(clippy::indexing_slicing, reason = "a test may fail")]
 
-use crate::common::{cells, column, failure, json, output};
+use crate::common::{cells, column, failure, json, output, words};
 
 /// A mass on a moving base, with an elastic contact beside the spring. Friction of 50 k₁Y locks the contact.
 const BRACED: &str = "struct Braced { masses: { m: 1 }, springs: { base - m: 1 },
@@ -10,10 +10,6 @@ const BRACED: &str = "struct Braced { masses: { m: 1 }, springs: { base - m: 1 }
 /// A mass on a moving base. At r = 1.1 and β = 0.65 it slides from rest, and it moves with the base from x = 1.
 const STUBBORN: &str = "struct Block { masses: { m: 1 }, springs: { base - m: 1 },
     contact: m - base, excitation: base, stiction: 2 }";
-
-fn split(line: &str) -> Vec<&str> {
-    line.split(' ').collect()
-}
 
 /// Amplitude of the locked chain over Y: the spring and the contact act side by side, with the stiffness 5.
 fn locked(r: f64) -> f64 {
@@ -39,7 +35,7 @@ fn every_command_starts_where_it_is_told() {
     ] {
         let amplitude = |r: f64| locked(r) + f64::abs(middle);
         for command in commands {
-            let text = output(BRACED, &split(&format!("{command} --csv{from}")));
+            let text = output(BRACED, &words(&format!("{command} --csv{from}")));
             let [rs, found, offsets] =
                 ["r", "m.amplitude", "offset"].map(|name| column(&text, name));
             assert!(2 <= rs.len());
@@ -53,11 +49,11 @@ fn every_command_starts_where_it_is_told() {
             }
         }
         let force = format!("response --r 0.9 --beta 50 --of force(contact) --csv{from}");
-        let found = column(&output(BRACED, &split(&force)), "force(contact).amplitude")[0];
+        let found = column(&output(BRACED, &words(&force)), "force(contact).amplitude")[0];
         let expected = 4.0 * (locked(0.9) - 1.0) + f64::abs(middle);
         assert!((found - expected).abs() < 1e-12, "{found} for {expected}");
         let steady = format!("time --r 0.9 --beta 50 --steady --csv{from}");
-        let moved = column(&output(BRACED, &split(&steady)), "m.displacement");
+        let moved = column(&output(BRACED, &words(&steady)), "m.displacement");
         let largest = moved
             .into_iter()
             .fold(0.0, |most: f64, x| most.max(x.abs()));
@@ -71,7 +67,7 @@ fn every_command_starts_where_it_is_told() {
 fn optimum_means_the_same_state() {
     for (from, constant) in [("", 0.0), (" --from 1;0", 0.0), (" --from 1.5;0", 0.4)] {
         let line = format!("optimum --r 0.5:0.9 --of m --json{from}");
-        let found = json(&output(BRACED, &split(&line)));
+        let found = json(&output(BRACED, &words(&line)));
         let lines = found["points"].as_array().unwrap();
         let value = |key: &str| {
             let line = lines.iter().find(|line| line["key"] == key).unwrap();
@@ -97,7 +93,7 @@ fn a_state_selects_among_several() {
             (" --from 1;0", "stuck"),
         ] {
             let line = format!("{command} --r 1.1 --beta 0.65 --csv{from}");
-            let text = output(STUBBORN, &split(&line));
+            let text = output(STUBBORN, &words(&line));
             let place = cells(&text)[0]
                 .iter()
                 .position(|name| *name == "regime")
@@ -109,16 +105,16 @@ fn a_state_selects_among_several() {
         .replace("m - base", "m - wall")
         .replace(", stiction: 2", "");
     for command in ["response --r 0.7", "curve --r 0.7:0.8", "map --r 0.7"] {
-        let asked = |from| output(&wall, &split(&format!("{command} --beta 0.1 --csv{from}")));
+        let asked = |from| output(&wall, &words(&format!("{command} --beta 0.1 --csv{from}")));
         assert_eq!(asked(" --from -3;2"), asked(""), "{command}");
     }
     // The mass starts with the base, which is at Y = 0.1 m/s² / ω². With ω = 0.5 rad/s, Y is 0.4 m.
     let physical = "orbit --omega 0.5 --friction 50 --base 0.1m/s2 --csv --from 0.4;0";
-    let offset = column(&output(BRACED, &split(physical)), "offset_m")[0];
+    let offset = column(&output(BRACED, &words(physical)), "offset_m")[0];
     assert!(offset.abs() < 1e-15, "{offset}");
     let other = physical.replace("0.5", "1").replace("0.4;", "0.35;");
     // With ω = 1 rad/s, Y is 0.1 m, and the mass starts 0.25 m from the base.
-    let offset = column(&output(BRACED, &split(&other)), "offset_m")[0];
+    let offset = column(&output(BRACED, &words(&other)), "offset_m")[0];
     assert!((offset - 0.2).abs() < 1e-15, "{offset}");
 }
 
@@ -146,7 +142,7 @@ fn wrong_states() {
     };
     for (line, told) in cases {
         assert_eq!(
-            failure(BRACED, &split(&beta(line))),
+            failure(BRACED, &words(&beta(line))),
             [format!("frictiongen: {told}")],
             "{line}"
         );
@@ -155,7 +151,7 @@ fn wrong_states() {
         "curve --r 1:2 --beta 1 --from up",
         "curve --r 1:2 --beta 1 --from rest,down",
     ] {
-        let told = failure(joined, &split(line));
+        let told = failure(joined, &words(line));
         assert!(
             told[0].ends_with(needs) && told.len() == 1,
             "{line}: {told:?}"
@@ -174,7 +170,7 @@ fn several_contacts_have_the_same_starts() {
         let line = format!("{command} --r 0.5,0.75,1 --beta 50 --of m --csv");
         let from_rest = format!("{line} --from rest");
         let [centred, kept] = [&line, &from_rest].map(|line| {
-            let line = split(line);
+            let line = words(line);
             let expected = column(&output(BRACED, &line), "m.amplitude");
             let found = column(&output(&several, &line), "m.amplitude");
             for (expected, found) in expected.iter().zip(&found) {

@@ -8,15 +8,11 @@
     reason = "a test may fail"
 )]
 
-use crate::common::{FRAME, cells, failure, json, output};
+use crate::common::{FRAME, cells, failure, json, output, words};
 
 /// Description of one mass on a moving base, on which it rubs.
 const BLOCK: &str = "struct Block { masses: { block: 2 }, springs: { base - block: 50 },
     contact: block - base, excitation: base, damping: modal(0.02) }";
-
-fn split(line: &str) -> Vec<&str> {
-    line.split(' ').collect()
-}
 
 fn found<'a>(rows: &'a [Vec<&str>], quantity: &str) -> (f64, &'a str) {
     let row = rows.iter().find(|row| row[0] == quantity).expect(quantity);
@@ -26,7 +22,7 @@ fn found<'a>(rows: &'a [Vec<&str>], quantity: &str) -> (f64, &'a str) {
 /// Checks that Hz and m are the groups times their units, and that the three formats agree.
 #[test]
 fn in_units_and_in_three_formats() {
-    let groups = output(BLOCK, &split("optimum --r 0.5:2 --of block --csv"));
+    let groups = output(BLOCK, &words("optimum --r 0.5:2 --of block --csv"));
     let groups = cells(&groups);
     // The frequency ratio is r = 2πf √(2/50), with f in Hz.
     let ends = [0.5, 2.0].map(|r: f64| r * 5.0 / std::f64::consts::TAU);
@@ -34,7 +30,7 @@ fn in_units_and_in_three_formats() {
         "optimum --hz {:?}:{:?} --base 0.01 --of block",
         ends[0], ends[1]
     );
-    let csv = output(BLOCK, &[&split(&line)[..], &["--csv"]].concat());
+    let csv = output(BLOCK, &[&words(&line)[..], &["--csv"]].concat());
     let physical = cells(&csv);
     let (force, unit) = found(&physical, "friction");
     assert_eq!(unit, "N");
@@ -46,7 +42,7 @@ fn in_units_and_in_three_formats() {
         "{amplitude}"
     );
     assert_eq!(found(&groups, "largest amplitude of block").1, "Y");
-    let parsed = json(&output(BLOCK, &[&split(&line)[..], &["--json"]].concat()));
+    let parsed = json(&output(BLOCK, &[&words(&line)[..], &["--json"]].concat()));
     let points = parsed["points"].as_array().expect("points");
     assert_eq!(points.len(), physical.len() - 1);
     for (point, row) in points.iter().zip(&physical[1..]) {
@@ -56,7 +52,7 @@ fn in_units_and_in_three_formats() {
             None => assert_eq!(point["value"].as_str(), Some(row[1])),
         }
     }
-    let table = output(BLOCK, &split(&line));
+    let table = output(BLOCK, &words(&line));
     assert!(
         table.contains("flat: the same over an interval of friction")
             && table.contains("converged"),
@@ -70,7 +66,7 @@ fn an_undamped_mass_is_held() {
     let wall =
         "struct Wall { masses: { block: 1 }, springs: { base - block: 1 }, contact: block - wall,
         excitation: block }";
-    let rows = output(wall, &split("optimum --r 0.5:1.5 --of block --csv"));
+    let rows = output(wall, &words("optimum --r 0.5:1.5 --of block --csv"));
     let rows = cells(&rows);
     let value = |quantity: &str| found(&rows, quantity).0;
     assert!((value("friction") - 1.0).abs() < 1e-12);
@@ -84,7 +80,7 @@ fn an_undamped_mass_is_held() {
 #[test]
 #[ignore = "many optima: half a minute without optimisation"]
 fn a_spring_is_chosen_too() {
-    let line = split("optimum --hz 1.19:1.59 --base 0.01 --of block --csv");
+    let line = words("optimum --hz 1.19:1.59 --base 0.01 --of block --csv");
     let vary = [&line[..], &["--vary", "k base - block=20:40"]].concat();
     let rows = output(BLOCK, &vary);
     let rows = cells(&rows);
@@ -156,11 +152,11 @@ fn what_is_wrong_is_named() {
             "--base `0`: the amplitude of a load must be above 0 and finite",
         ),
     ] {
-        let line = told(BLOCK, &split(&format!("optimum {line}")));
+        let line = told(BLOCK, &words(&format!("optimum {line}")));
         assert_eq!(line, format!("frictiongen: {message}"));
     }
     for band in ["0:1", "1:inf"] {
-        let line = told(BLOCK, &split(&format!("optimum --r {band} --of block")));
+        let line = told(BLOCK, &words(&format!("optimum --r {band} --of block")));
         assert!(line.contains("above 0 and below infinity"), "{line}");
     }
     for (vary, message) in [
@@ -206,7 +202,7 @@ fn what_is_wrong_is_named() {
     // In the second mode the rubbing mass does not move.
     let chain = "struct Chain { masses: { a: 1, b: 1, c: 1 },
         springs: { base - a: 1, a - b: 1, b - c: 1, c - wall: 1 }, contact: b - wall, excitation: a }";
-    let line = told(chain, &split("optimum --r 1.2:1.6 --of a"));
+    let line = told(chain, &words("optimum --r 1.2:1.6 --of a"));
     assert_eq!(
         line,
         "frictiongen: no friction bounds the motion: the load drives mode 2, which has no damping and on which the \
@@ -310,7 +306,7 @@ fn bounds_with_a_varied_number() {
     let betas = betas.join(",");
     let mut holds = 0;
     for other in ["2", "2.3", "2.65", stiffness, "2.67", "2.7", "3"] {
-        let grid = split("response --r 0.9:0.005:1.2 --csv --of block --of block-base --beta");
+        let grid = words("response --r 0.9:0.005:1.2 --csv --of block --of block-base --beta");
         let csv = output(&block(other), &[&grid[..], &[&betas]].concat());
         let head = csv.lines().next().unwrap();
         let place = |name: &str| head.split(',').position(|column| column == name).unwrap();

@@ -5,21 +5,13 @@
     reason = "a test may fail"
 )]
 
-use crate::common::{FRAME, column, failure, json, output, texts};
-use std::{fs, process};
+use crate::common::{FRAME, column, failure, file, json, output, texts};
+use std::fs;
 
 /// A block of 2 kg under a force.
 const PUSHED: &str =
     "struct Block { masses: { m: 2 }, springs: { base - m: 800 }, contact: m - wall,
     excitation: m, damping: modal(0.05) }";
-
-/// Writes a file for this test, and returns its path.
-fn file(name: &str, text: &str) -> String {
-    let name = format!("frictiongen-periodic-{}-{name}", process::id());
-    let path = std::env::temp_dir().join(name);
-    fs::write(&path, text).unwrap();
-    path.to_str().unwrap().to_owned()
-}
 
 const TRIANGLE: &str = "time_s,force_N\n0,0\n0.2,30\n0.4,0\n0.6,-30\n0.8,0\n";
 

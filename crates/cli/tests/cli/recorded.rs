@@ -1,21 +1,8 @@
 //! Tests `transmissibility`, `identify` and `fit`: files, columns, formats, and inputs that they refuse.
 #![allow(clippy::unwrap_used, reason = "a test may fail")]
 
-use crate::common::{cells, failure, json, output};
+use crate::common::{cells, failure, file, json, output};
 use std::fmt::Write as _;
-use std::path::PathBuf;
-use std::sync::atomic::{AtomicUsize, Ordering};
-
-/// Writes a file in a folder of its own, because tests run in parallel.
-fn file(name: &str, text: &str) -> String {
-    static COUNT: AtomicUsize = AtomicUsize::new(0);
-    let folder = format!("recorded-{}", COUNT.fetch_add(1, Ordering::Relaxed));
-    let folder = PathBuf::from(env!("CARGO_TARGET_TMPDIR")).join(folder);
-    std::fs::create_dir_all(&folder).unwrap();
-    let path = folder.join(name);
-    std::fs::write(&path, text).unwrap();
-    path.to_str().unwrap().to_owned()
-}
 
 fn plate() -> String {
     file(

@@ -6,18 +6,10 @@
     reason = "a test fails by it"
 )]
 
-use crate::common::{FRAME, failure, output};
+use crate::common::{FRAME, failure, file, output};
 use frictiongen::System;
 use frictiongen::study::SystemInput;
-use std::{fs, process};
-
-/// Writes a record for this test, and returns its path.
-fn record(name: &str, text: &str) -> String {
-    let name = format!("frictiongen-records-{}-{name}", process::id());
-    let path = std::env::temp_dir().join(name);
-    fs::write(&path, text).unwrap();
-    path.to_str().unwrap().to_owned()
-}
+use std::fs;
 
 /// Accelerations in g at intervals of 0.01 s, with five decimals. The base rests at the end.
 fn accelerations() -> Vec<String> {
@@ -59,7 +51,7 @@ fn at2(header: &str) -> String {
 #[test]
 fn every_format_gives_the_same_motion() {
     let drive = |name: &str, text: &str, more: &[&str]| {
-        let path = record(name, text);
+        let path = file(name, text);
         let mut command = vec!["drive", FRAME, &path, "--friction", "0.8", "--csv"];
         command.extend(more);
         let found = output("", &command);
@@ -118,7 +110,7 @@ fn every_format_gives_the_same_motion() {
 /// in every format.
 #[test]
 fn displacements_are_relative_to_a_moving_base_by_default() {
-    let path = record("relative", &at2("NPTS= 240, DT= .01 SEC"));
+    let path = file("relative", &at2("NPTS= 240, DT= .01 SEC"));
     let drive = |more: &[&str]| {
         let mut command = vec!["drive", FRAME, &path, "--friction", "0.8", "--csv"];
         command.extend(more);
@@ -151,7 +143,7 @@ fn displacements_are_relative_to_a_moving_base_by_default() {
 /// The spectrum is that of a chain of one mass without friction, which the stepper follows.
 #[test]
 fn a_spectrum_is_what_the_stepper_gives_for_one_mass() {
-    let path = record("spectrum", &at2("NPTS= 240, DT= .01 SEC"));
+    let path = file("spectrum", &at2("NPTS= 240, DT= .01 SEC"));
     let answer = output("", &["drive", FRAME, &path, "--spectrum", "0.05", "--json"]);
     let picture = format!("{path}.svg");
     output(
@@ -266,7 +258,7 @@ fn says_which_formats_are_read_and_where_reading_stopped() {
             "leave --channel out".to_owned(),
         ),
     ] {
-        let path = record(name, text);
+        let path = file(name, text);
         let mut command = vec!["drive", FRAME, &path, "--friction", "1"];
         command.extend(more);
         let lines = failure("", &command);

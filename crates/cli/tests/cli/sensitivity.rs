@@ -8,18 +8,16 @@
     reason = "a test may fail"
 )]
 
-use crate::common::{BLOCK, FRAME, cells, column_with_gaps as column, failure, json, output};
+use crate::common::{
+    BLOCK, FRAME, cells, column_with_gaps as column, failure, json, output, words,
+};
 
 const STOPS: &str = "--hz 2.5 --friction 2 --base 0.003 --of upper";
-
-fn split(line: &str) -> Vec<&str> {
-    line.split(' ').collect()
-}
 
 fn run(line: &str, format: &[&str]) -> String {
     output(
         "",
-        &[&["sensitivity", FRAME], &split(line)[..], format].concat(),
+        &[&["sensitivity", FRAME], &words(line)[..], format].concat(),
     )
 }
 
@@ -51,7 +49,7 @@ fn as_the_response_moves() {
     );
     let moved = |hz: &str, friction: &str, base: &str| {
         let line = format!("--hz {hz} --friction {friction} --base {base} --mass upper --csv");
-        let text = output("", &[&["response", FRAME], &split(&line)[..]].concat());
+        let text = output("", &[&["response", FRAME], &words(&line)[..]].concat());
         let of = |name| column(&text, name)[0];
         (of("upper.amplitude_m"), of("upper.phase_deg"))
     };
@@ -165,7 +163,7 @@ fn in_groups_and_in_every_regime() {
 #[test]
 fn where_there_is_none() {
     let line = "sensitivity --r 1,0.3 --beta 0.1 --of block --csv";
-    let text = output(BLOCK, &split(line));
+    let text = output(BLOCK, &words(line));
     let rows = cells(&text);
     let answers: Vec<(&str, &str)> = rows[1..].iter().map(|row| (row[0], row[3])).collect();
     assert_eq!(answers[0], ("1.0", "unbounded"));
@@ -180,7 +178,7 @@ fn where_there_is_none() {
 #[test]
 fn what_is_wrong_is_named() {
     let told = |line: &str| {
-        let lines = failure(BLOCK, &split(line));
+        let lines = failure(BLOCK, &words(line));
         assert_eq!(lines.len(), 1, "{lines:?}");
         lines[0].clone()
     };
@@ -223,7 +221,7 @@ fn what_is_wrong_is_named() {
         );
     }
     // The option for the motion is missing, so clap reports it with the usage.
-    let lines = failure(BLOCK, &split("sensitivity --r 1 --beta 1"));
+    let lines = failure(BLOCK, &words("sensitivity --r 1 --beta 1"));
     assert!(
         lines[0].contains("required") && lines[1].contains("--of"),
         "{lines:?}"

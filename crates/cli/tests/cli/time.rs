@@ -8,17 +8,14 @@
     reason = "a test may fail"
 )]
 
-use crate::common::{BLOCK, FRAME, cells, column, column_with_gaps, failure, json, output, texts};
+use crate::common::{
+    BLOCK, FRAME, cells, column, column_with_gaps, failure, json, output, texts, words,
+};
 use frictiongen::study::{history::HistoryRequest, units::Load};
 use frictiongen::{Of, System};
 use std::f64::consts::{PI, TAU};
 use std::fs;
 use std::path::PathBuf;
-
-/// Splits a command line at its spaces.
-fn words(line: &str) -> Vec<&str> {
-    line.split(' ').collect()
-}
 
 fn frame() -> System {
     fs::read_to_string(FRAME).unwrap().parse().unwrap()
@@ -123,73 +120,6 @@ fn columns_beside_those_of_the_groups() {
     }
     println!("{compared} values");
     assert!(compared > 10_000);
-}
-
-/// Checks that physical quantities do not depend on the order of masses and springs. r and β refer to the first listed
-/// mass and spring, and the relative motion of two masses to their order.
-#[test]
-fn no_order_of_a_description_changes_a_physical_answer() {
-    let masses = ["lower: 3.27", "upper: 3.25"];
-    let springs = ["base - lower: 1190", "lower - upper: 1323"];
-    let (mut compared, mut worst) = (0, 0.0_f64);
-    for (contact, excitation, load) in [
-        ("lower - upper", "base", "--base 0.001"),
-        ("upper - wall", "lower", "--force 1.19"),
-    ] {
-        let scene = |swap_masses: bool, swap_springs: bool| {
-            let order = |swap: bool, list: [&str; 2]| match swap {
-                true => format!("{}, {}", list[1], list[0]),
-                false => list.join(", "),
-            };
-            format!(
-                "struct Frame {{ masses: {{ {} }}, springs: {{ {} }}, contact: {contact},
-                 excitation: {excitation}, damping: modal[0.010, 0.012], stiction: 1.2 }}",
-                order(swap_masses, masses),
-                order(swap_springs, springs)
-            )
-        };
-        for rest in [
-            "--hz 2.7 --friction 0.3 --cycles 5 --samples 40",
-            "--hz 2.7 --friction 0.3 --cycles 5 --events",
-            "--hz 2.7 --friction 0.3 --steady --samples 40",
-            "--hz 2.7 --friction 0.3 --steady --samples 10 --spectrum",
-            "--hz 1.1 --friction 0.45 --cycles 5 --events",
-            "--hz 1.1 --friction 0.45 --steady --samples 40",
-            "--hz 1.1 --friction 0.45 --steady --events",
-            "--hz 1.1 --friction 0.45 --steady --samples 10 --spectrum",
-        ] {
-            let line = format!("time - {load} --of contact --of lower --of upper --csv {rest}");
-            let expected = output(&scene(false, false), &words(&line));
-            for (swap_masses, swap_springs) in [(true, false), (false, true), (true, true)] {
-                let text = output(&scene(swap_masses, swap_springs), &words(&line));
-                for name in cells(&expected)[0].clone() {
-                    if ["event", "contact.state"].contains(&name) {
-                        assert_eq!(texts(&text, name), texts(&expected, name), "{line}");
-                        continue;
-                    }
-                    let expected = column(&expected, name);
-                    let largest = expected
-                        .iter()
-                        .fold(0.0_f64, |most, value| most.max(value.abs()));
-                    let pairs = column(&text, name).into_iter().zip(expected);
-                    for (place, (value, expected)) in pairs.enumerate() {
-                        let mut apart = (value - expected).abs();
-                        if name.ends_with("_deg") {
-                            // The mean and the even harmonics are zero, so their phases are only rounding.
-                            if place.is_multiple_of(2) {
-                                continue;
-                            }
-                            apart = apart.min((360.0 - apart).abs());
-                        }
-                        worst = worst.max(apart / largest.max(f64::MIN_POSITIVE));
-                        compared += 1;
-                    }
-                }
-            }
-        }
-    }
-    println!("{compared} values, to {worst:.1e} of the largest of their column");
-    assert!(compared > 15_000 && worst < 1e-11);
 }
 
 /// Checks that the exact spectrum has the harmonics of `response`.

@@ -2,12 +2,7 @@
 
 #![allow(clippy::indexing_slicing, reason = "a test may fail")]
 
-use crate::common::{FRAME, failure};
-
-/// Splits a command line at its spaces.
-fn words(line: &str) -> Vec<&str> {
-    line.split(' ').collect()
-}
+use crate::common::{FRAME, failure, words};
 
 #[test]
 fn what_cannot_be_asked() {

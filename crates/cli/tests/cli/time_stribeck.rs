@@ -7,7 +7,7 @@
     reason = "a test may fail"
 )]
 
-use crate::common::{cells, column, failure, output};
+use crate::common::{cells, column, failure, output, words};
 use frictiongen::study::history::HistoryRequest;
 use frictiongen::{Of, System};
 
@@ -27,10 +27,6 @@ fn frame(friction: &str) -> String {
 }
 
 const STRIBECK: &str = "stribeck(0.01: 0.7, 0.04: 0.55)";
-
-fn words(line: &str) -> Vec<&str> {
-    line.split(' ').collect()
-}
 
 /// Checks that samples and events equal those of the library, in m, m/s and N.
 #[test]

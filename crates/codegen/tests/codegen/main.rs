@@ -5,7 +5,6 @@ mod fingerprint;
 mod graph;
 mod locals;
 mod parse_forms;
-mod parse_messages;
 mod parse_names;
 mod parse_random;
 mod parse_together;

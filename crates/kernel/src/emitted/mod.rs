@@ -3,7 +3,6 @@
 pub mod check;
 pub mod locals;
 pub mod missing;
-mod shapes;
 #[cfg(feature = "serde")]
 pub mod written;
 
@@ -39,7 +38,28 @@ pub use core::option::Option::{self, None, Some};
 pub use core::primitive::{bool, f32, f64, usize};
 pub use core::result::Result::{self, Err, Ok};
 pub use locals::*;
-pub use shapes::transposed;
+
+/// Transposes a matrix, given as an array of rows, at compile time. Emitted code has its mode shapes as one row per mode,
+/// and needs one row per mass.
+#[doc(hidden)]
+#[must_use]
+#[allow(clippy::indexing_slicing, reason = "at compile time")]
+pub const fn transposed<S: Copy, const ROWS: usize, const COLUMNS: usize>(
+    rows: &[[S; COLUMNS]; ROWS],
+) -> [[S; ROWS]; COLUMNS] {
+    const { assert!(0 < ROWS && 0 < COLUMNS, "a table of something") };
+    let mut columns = [[rows[0][0]; ROWS]; COLUMNS];
+    let mut row = 0;
+    while row < ROWS {
+        let mut column = 0;
+        while column < COLUMNS {
+            columns[column][row] = rows[row][column];
+            column += 1;
+        }
+        row += 1;
+    }
+    columns
+}
 
 /// Writes those items of the trait `Scene` that are the same in every emitted scene. The scene must have the constants
 /// `NUMBERS` and `MODES` and the function `functions`.

@@ -2,7 +2,7 @@
 //!
 //! The crate `libm` provides the exponential functions and the arc tangent. All other functions consist of additions,
 //! subtractions, multiplications, divisions and square roots. The results are therefore equal to the last bit on every
-//! host. `tools/coefficients.py constants` computes the coefficients of the minimax polynomials.
+//! host. `tools/coefficients.py` computes the coefficients of the minimax polynomials.
 
 use crate::number::scalar::{Float, Plain, Scalar};
 use crate::number::trig::{double, polynomial, single};

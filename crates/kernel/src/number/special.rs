@@ -1,5 +1,5 @@
 //! Functions such as 1 − cos πz that keep full relative accuracy where a plain difference would cancel. The
-//! coefficients of the minimax polynomials come from `tools/coefficients.py constants`.
+//! coefficients of the minimax polynomials come from `tools/coefficients.py`.
 
 use crate::number::dd::INVERSE_FACTORIAL;
 use crate::number::scalar::Float;

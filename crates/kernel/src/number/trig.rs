@@ -3,8 +3,7 @@
 //! The argument h is an angle in half-turns (π rad), so that `sin_pi(h)` is sin(πh). The functions subtract a multiple
 //! of 1/2 from h without rounding, before they multiply by π. The results therefore have full relative accuracy next to
 //! every zero. If the mathematical value is 0 or ±1, the result is exact. The functions use only `+`, `-` and `*`, so
-//! that every host returns the same bits. The coefficients of the minimax polynomials come from `tools/coefficients.py
-//! constants`.
+//! that every host returns the same bits. The coefficients of the minimax polynomials come from `tools/coefficients.py`.
 
 /// Evaluates a polynomial in u by Estrin's scheme. The coefficient of the lowest power comes first. The scheme sums
 /// independent pairs of coefficients, which a processor can compute at the same time. In Horner's scheme each step

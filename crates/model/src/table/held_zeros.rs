@@ -1,8 +1,7 @@
 //! Exact values of the responses while the contact is stuck, and their zeros and poles in double-double.
 
 use super::proportional::Proportional;
-use super::rational::Rational;
-use super::zeros::{EQUAL, NONE, Zero, Zeros, classified, guesses, poles};
+use super::zeros::{EQUAL, NONE, Rational, Zero, Zeros, classified, guesses, poles};
 use crate::modal::Modal;
 use crate::roots::{DrivenMode, iterate, to};
 use frictiongen_kernel::number::complex;

@@ -22,7 +22,6 @@ mod kinks;
 mod product;
 mod proportional;
 mod quotients;
-mod rational;
 mod reach;
 mod request;
 mod rounding;

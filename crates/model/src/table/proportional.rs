@@ -8,8 +8,7 @@
 //! this zero is the number of springs that transmit the force. An iteration cannot find a multiple zero to its last
 //! digits.
 
-use super::rational::Rational;
-use super::zeros::{EQUAL, Zero};
+use super::zeros::{EQUAL, Rational, Zero};
 use crate::modal::Modal;
 use frictiongen_kernel::Scalar;
 use frictiongen_kernel::number::dd::Dd;

@@ -41,6 +41,13 @@ pub struct Zero {
     pub y: Dd,
 }
 
+/// A rational function of s = ir, given by its zeros and poles up to a constant factor.
+#[derive(Clone, Debug)]
+pub(super) struct Rational {
+    pub zeros: Vec<Zero>,
+    pub poles: Vec<Zero>,
+}
+
 impl Zero {
     /// Returns true if the zero lies on the imaginary axis, so that the function is zero at a real r.
     pub fn is_on_axis(&self) -> bool {

@@ -12,7 +12,6 @@ use frictiongen_examples::facts::rows;
 use frictiongen_examples::facts::table::table;
 use std::sync::LazyLock;
 
-mod beside;
 mod expected;
 mod typed;
 

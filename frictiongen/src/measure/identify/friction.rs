@@ -9,7 +9,9 @@ use super::request::IdentifyRequest;
 use crate::measure::MeasureError;
 use crate::measure::statistics::{CHI, excess, is_chance};
 use crate::study::System;
+use crate::study::golden::smallest;
 use crate::{Complex, Regime};
+use std::convert::Infallible;
 
 /// Number of intervals into which the scan divides the range of friction forces. The intervals are shorter near the
 /// start of the range.
@@ -215,7 +217,8 @@ impl<'a> IdentifyProblem<'a> {
             if squares.is_finite() && lower(before) && lower(after) {
                 let from = before.map_or(*force, |other| other.0);
                 let to = after.map_or(*force, |other| other.0);
-                let sharp = self.golden(weighed, from, to);
+                let squares_at = |force| Ok::<_, Infallible>(self.squares(weighed, force));
+                let Ok(sharp) = smallest((from, to), (SECTIONS, 0.0), squares_at);
                 found.push(if sharp.1 < *squares {
                     sharp
                 } else {
@@ -224,25 +227,6 @@ impl<'a> IdentifyProblem<'a> {
             }
         }
         found
-    }
-
-    fn golden(&self, weighed: &[Weighed<'_>], mut low: f64, mut high: f64) -> (f64, f64) {
-        let share = 0.5 * (5.0_f64.sqrt() - 1.0);
-        let read = |force: f64| (force, self.squares(weighed, force));
-        let mut left = read(high - share * (high - low));
-        let mut right = read(low + share * (high - low));
-        for _ in 0..SECTIONS {
-            if left.1 <= right.1 {
-                high = right.0;
-                right = left;
-                left = read(high - share * (high - low));
-            } else {
-                low = left.0;
-                left = right;
-                right = read(low + share * (high - low));
-            }
-        }
-        if left.1 <= right.1 { left } else { right }
     }
 
     /// Returns the friction force at which the sum of squared residuals reaches `most`. The search starts at the

@@ -31,7 +31,6 @@ const BACK: f64 = 1e-5;
 const PERFECT: f64 = 1e-6;
 
 /// Numbers of a scene that explain the whole motion in a recording, with their 95 % intervals.
-#[doc(hidden)]
 #[derive(Clone, Debug)]
 pub struct MotionFit {
     /// Kinetic friction force F in N, or `None` if it was recorded.
@@ -71,7 +70,6 @@ impl System {
     /// # Errors
     /// [`MeasureError`] for the errors of [`Inputs::of`](super::Inputs::of), for a recording without the motion of a
     /// mass, for fewer values than unknowns, and for a fit that does not converge.
-    #[doc(hidden)]
     pub fn fit_motion(
         &self,
         recording: &Recording,

@@ -1,6 +1,6 @@
 //! Reads records without a line of column names: PEER AT2 records, and columns that contain only numbers.
 
-use super::channel::Channel;
+use super::Channel;
 use super::table::{CsvRequest, CsvTable, number};
 use super::unit::Unit;
 use crate::measure::MeasureError;

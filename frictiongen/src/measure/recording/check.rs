@@ -1,6 +1,6 @@
 //! Checks of the samples, which reject unusable recordings.
 
-use super::channel::Channel;
+use super::Channel;
 use super::unit::Dimension;
 use crate::measure::MeasureError;
 use std::f64::consts::PI;

@@ -1,8 +1,8 @@
 //! Reads recordings and sweeps from CSV text, and writes recordings as CSV text. The text has a line of names with
 //! units, then numbers.
 
+use super::Channel;
 use super::bare;
-use super::channel::Channel;
 use super::rate::even_rate;
 use super::series::Recording;
 use super::table::{self, CsvRequest, CsvTable};

@@ -1,7 +1,6 @@
 //! Recordings: evenly spaced samples of several channels, each with its unit.
 
 mod bare;
-mod channel;
 mod check;
 mod csv;
 mod named;
@@ -11,7 +10,6 @@ mod table;
 mod uff58;
 mod unit;
 
-pub use channel::Channel;
 pub use series::Recording;
 pub(super) use table::CsvTable;
 pub use table::{CsvColumn, CsvRequest};
@@ -19,6 +17,17 @@ pub(super) use unit::MOTION;
 pub use unit::{Dimension, Unit};
 
 use super::MeasureError;
+
+/// One channel of a recording: a signal with its name, its unit and its samples.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Channel {
+    /// Name of the signal: `base`, `force` or the name of a mass.
+    pub name: String,
+    /// Unit of the channel's samples.
+    pub unit: Unit,
+    /// Samples of the channel, in the unit `unit`.
+    pub samples: Vec<f64>,
+}
 
 impl Recording {
     /// Reads a recording from the text of a file. The call detects whether the text is a universal file (UFF58) or CSV.

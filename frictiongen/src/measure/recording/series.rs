@@ -1,6 +1,6 @@
 //! Recordings: several signals, sampled at the same times.
 
-use super::channel::Channel;
+use super::Channel;
 use super::{check, rate};
 use crate::measure::MeasureError;
 

@@ -323,7 +323,6 @@ impl<'a, S: Float> Deref for CompiledAt<'a, S> {
 pub struct CompiledMotion<'a, S: Float = f64>(Moving<&'a CompiledSystem<'a, S>>);
 
 /// The relative motion of the contact of a [`CompiledSystem`], from tables, while the contact slides all the time.
-#[doc(hidden)]
 pub type CompiledContact<'a, S = f64> = SteadyContact<&'a CompiledSystem<'a, S>>;
 
 impl<'a, S: Float> CompiledMotion<'a, S> {

@@ -104,7 +104,6 @@ impl System {
     /// Returns several curves as [`curves`](Self::curves) does. Before each curve and after each curve, the function
     /// calls `go_on` with the number of finished curves. If `go_on` returns false, the function computes no further
     /// curves, and their entries are `None`.
-    #[doc(hidden)]
     pub fn curves_while(
         &self,
         request: &CurveRequest,

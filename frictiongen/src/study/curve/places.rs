@@ -3,6 +3,7 @@
 
 use super::answer::PieceEnd;
 use super::request::CurveRequest;
+use crate::study::golden::reached;
 use crate::study::system::System;
 use crate::{Of, Regime};
 
@@ -245,30 +246,12 @@ impl PlaceSearch<'_> {
                 // All three margins are on one side of the limit, and the middle margin is nearest to the limit.
                 // Between the outer points, β may therefore cross the limit.
                 if a < 0.0 && b < 0.0 && c < 0.0 && a <= b && c <= b {
-                    found.extend(self.beyond(left, right, read, sign));
+                    let value = |r: f64| sign * read(self.margins(r));
+                    found.extend(reached([left, right], STEPS, value, |value| 0.0 <= value));
                 }
             }
         }
         found
-    }
-
-    /// Searches for a frequency ratio between `low` and `high` at which `sign` times the margin is not negative. The
-    /// function `read` selects ln(β/β_lim) or ln(β/β*_lim) as the margin. Returns `None` if the search finds no such
-    /// frequency ratio.
-    fn beyond(&self, mut low: f64, mut high: f64, read: MarginOf, sign: f64) -> Option<f64> {
-        let value = |r: f64| sign * read(self.margins(r));
-        let golden = 0.618_033_988_749_894_8;
-        for _ in 0..STEPS {
-            let (a, b) = (high - (high - low) * golden, low + (high - low) * golden);
-            let (at_a, at_b) = (value(a), value(b));
-            match (0.0 <= at_a, 0.0 <= at_b) {
-                (true, _) => return Some(a),
-                (_, true) => return Some(b),
-                _ if at_a < at_b => low = a,
-                _ => high = b,
-            }
-        }
-        None
     }
 }
 

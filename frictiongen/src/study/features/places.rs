@@ -2,12 +2,11 @@
 //! function comes near 0.
 
 use super::Certainty;
+use crate::study::golden::reached;
 
 /// Largest number of steps of a search for two hidden sign changes between samples. Three samples with the same sign
 /// may hide two changes if the middle sample is closest to 0. Each step reduces an interval to 0.62 of its length.
 const STEPS: usize = 60;
-/// Larger of the two fractions into which a golden section divides an interval.
-const GOLDEN: f64 = 0.618_033_988_749_894_8;
 
 /// Returns sample points between `from` and `to`: evenly spaced in r, evenly spaced in 1/r, and close together near
 /// each of `marks`.
@@ -66,7 +65,8 @@ pub(super) fn changes(places: &[f64], f: impl Fn(f64) -> f64) -> Vec<f64> {
         let sign = b.signum();
         let nearest = |other: f64| 0.0 < sign * other && sign * b <= sign * other;
         if nearest(a) && nearest(c) {
-            hidden.extend(beyond([left, right], |r| -sign * f(r)));
+            let value = |r: f64| -sign * f(r);
+            hidden.extend(reached([left, right], STEPS, value, |value| 0.0 < value));
         }
     }
     all.extend(hidden.into_iter().map(|r| (r, f(r))));
@@ -81,21 +81,6 @@ pub(super) fn changes(places: &[f64], f: impl Fn(f64) -> f64) -> Vec<f64> {
         (b == 0.0).then_some(high)
     });
     pairs.collect()
-}
-
-/// Searches for the largest value of f between two points. Returns the first point at which f is positive, if any.
-fn beyond([mut low, mut high]: [f64; 2], f: impl Fn(f64) -> f64) -> Option<f64> {
-    for _ in 0..STEPS {
-        let (a, b) = (high - (high - low) * GOLDEN, low + (high - low) * GOLDEN);
-        let (at_a, at_b) = (f(a), f(b));
-        match (0.0 < at_a, 0.0 < at_b) {
-            (true, _) => return Some(a),
-            (_, true) => return Some(b),
-            _ if at_a < at_b => low = a,
-            _ => high = b,
-        }
-    }
-    None
 }
 
 /// Bisects the interval of a sign change down to neighbouring floating-point numbers.

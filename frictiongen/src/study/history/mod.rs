@@ -18,7 +18,6 @@ use frictiongen_kernel::simulation::{Contact, Event};
 use std::f64::consts::TAU;
 
 /// Largest number of samples of all motions of a history together, and largest number of skipped cycles.
-#[doc(hidden)]
 pub const MOST_SAMPLES: u64 = 10_000_000;
 
 /// Largest number of events of a history.

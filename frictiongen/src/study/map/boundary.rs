@@ -27,7 +27,6 @@ pub struct Boundary {
 impl Boundary {
     /// Returns the boundary in the units that the load has at r = 1. The amplitude of the load is proportional to r⁻ⁿ
     /// with n = `fall`.
-    #[doc(hidden)]
     #[must_use]
     pub fn at_reference(&self, fall: i32) -> Self {
         let factor = self.r.powi(-fall);

@@ -22,7 +22,6 @@ pub struct LimitLines {
 impl LimitLines {
     /// Returns the limits in the units that the load has at r = 1. The amplitude of the load is proportional to r⁻ⁿ
     /// with n = `fall`.
-    #[doc(hidden)]
     #[must_use]
     pub fn at_reference(&self, fall: i32) -> Self {
         let points = self.points.iter();

@@ -76,7 +76,6 @@ pub struct Map {
     /// these are the friction ratios at r = 1.
     pub beta: Vec<f64>,
     /// Exponent n of the load's amplitude, which is proportional to r⁻ⁿ. It is 0 for a load of constant amplitude.
-    #[doc(hidden)]
     pub fall: i32,
     /// The computed columns, in the order of the request. Columns are missing only if the caller has cancelled the map.
     pub columns: Vec<MapColumn>,
@@ -181,7 +180,6 @@ impl System {
     ///
     /// # Errors
     /// Same errors as [`map`](Self::map).
-    #[doc(hidden)]
     pub fn map_under(
         &self,
         request: &MapRequest,
@@ -261,7 +259,6 @@ impl Map {
     }
 
     /// Returns the map in the units that the load has at r = 1. A picture needs the same units at all frequencies.
-    #[doc(hidden)]
     #[must_use]
     pub fn at_reference(&self) -> Self {
         let columns = self.columns.iter().map(|column| {

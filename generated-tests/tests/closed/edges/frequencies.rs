@@ -2,35 +2,19 @@
 
 use frictiongen::study::System;
 use frictiongen_kernel::Float;
-use serde_json::Value;
+use generated_tests::reference::{description, extremes, list_of, number};
 
 /// Tolerance relative to each frequency, including frequencies many decades below the largest one.
 const TOLERANCE: f64 = 1e-14;
 
-pub fn references() -> Vec<Value> {
-    serde_json::from_str(include_str!("../../../reference/extremes.json")).expect("JSON")
-}
-
-pub fn number(value: &Value) -> f64 {
-    match value {
-        Value::String(text) => text.parse().expect("a number"),
-        value => value.as_f64().expect("a number"),
-    }
-}
-
-pub fn list(value: &Value) -> &[Value] {
-    value.as_array().map(Vec::as_slice).expect("a list")
-}
-
 fn worst<S: Float>() -> (f64, String) {
     let mut worst = (0.0, String::new());
     let mut compared = 0;
-    for scene in references() {
-        let text = scene["description"].as_str().expect("a description");
-        let system: System<S> = text.parse().expect("a valid scene");
-        let wanted = list(&scene["natural_frequency_ratios"]);
-        assert_eq!(wanted.len(), system.resonances().len());
-        for (got, want) in system.resonances().iter().zip(wanted) {
+    for scene in extremes() {
+        let system: System<S> = description(&scene).parse().expect("a valid scene");
+        let got = system.resonances();
+        let wanted = list_of(&scene["natural_frequency_ratios"], got.len(), "frequencies");
+        for (got, want) in got.iter().zip(wanted) {
             let error = (got.to_f64() / number(want) - 1.0).abs();
             compared += 1;
             if !(error <= worst.0) {

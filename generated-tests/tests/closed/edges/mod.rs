@@ -1,10 +1,6 @@
-//! Tests the accuracy at extremes: at the limits of the regimes, at extreme damping, at subharmonics, with vanishing
-//! residues, and with natural frequencies that are far apart or nearly equal.
+//! Tests at extremes: regimes at and next to the limits, and natural frequencies that are far apart. `orbits/backward`
+//! tests the accuracy of answers near poles and subharmonics, and at extreme damping.
 
-mod condition;
-mod continuity;
 mod frequencies;
-mod linear;
-mod nearly_equal;
 mod regimes;
 mod scenes;

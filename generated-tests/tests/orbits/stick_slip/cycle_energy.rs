@@ -3,13 +3,32 @@
 //! these numbers uses the friction law. The contact force of the loop follows from the equations of motion, which are
 //! dense matrices in this test.
 
-use super::energy::{GAUSS, section};
 use frictiongen::study::orbit::SystemOrbit;
 use frictiongen::study::response::MotionQuantity;
 use frictiongen::study::scene::{Excitation, Node};
 use frictiongen::{Of, Regime, System};
 use nalgebra::{DMatrix, DVector};
 use std::f64::consts::TAU;
+
+/// Nodes and weights of Gauss's quadrature rule with eight points.
+const GAUSS: [(f64, f64); 4] = [
+    (0.183_434_642_495_649_8, 0.362_683_783_378_362),
+    (0.525_532_409_916_329, 0.313_706_645_877_887_3),
+    (0.796_666_477_413_626_7, 0.222_381_034_453_374_48),
+    (0.960_289_856_497_536_3, 0.101_228_536_290_376_26),
+];
+
+/// Returns x̄ and x̄′ of every mass at a maximum of the excitation.
+pub fn section(system: &System, orbit: &SystemOrbit<'_>) -> (Vec<f64>, Vec<f64>) {
+    let tau = -orbit.origin();
+    let masses = 0..system.scene().masses.len();
+    masses
+        .map(|mass| {
+            let motion = orbit.mass_at(mass).expect("a mass");
+            (motion.displacement(tau), motion.velocity(tau))
+        })
+        .unzip()
+}
 
 /// The equations r²Γẍ + C̄(ẋ − e ẏ) + K̄x + w f = p cos τ at one frequency ratio, for base motion y and contact force
 /// f.

@@ -153,16 +153,6 @@ same!(
         contact: upper - wall,
         excitation: base,
         damping: modal[0.010, 0.012],
-        stiction: 1.2,
-    }
-);
-same!(
-    between, f64, ((0.3, 0.2), (0.8, 0.1), (1.9, 0.1)), ([0.3, 0.1, 0.0], [-0.2, 0.4, 0.0]),
-    struct Between {
-        masses: { a: 1.0, b: 1.3, c: 0.7 },
-        springs: { base - a: 1.0, a - b: 2.0, b - c: 0.9 },
-        contact: a - c,
-        excitation: b,
     }
 );
 same!(
@@ -197,28 +187,15 @@ same!(
     }
 );
 
-mod named {
-    frictiongen::friction_system! {
-        pub struct Frame {
-            masses: { lower: 3.27, upper: 3.25 },
-            springs: { base - lower: 1190.0, lower - upper: 1323.0 },
-            contact: upper - wall,
-            excitation: base,
-            damping: modal[0.010, 0.012],
-            provide: [orbit, simulation],
-        }
-    }
-}
-
 /// Checks that a mass can be found by its name, and that a run is an iterator.
 #[test]
 fn by_name() {
-    let orbit = named::Frame::at(0.3).expect("in the domain").orbit(0.4);
+    let orbit = frame::Frame::at(0.3).expect("in the domain").orbit(0.4);
     let orbit = orbit.expect("a steady state");
     assert_eq!((orbit.stops(), orbit.reversals()), (2, 0));
     assert_eq!(orbit.upper().amplitude(), orbit.contact().amplitude());
     assert_eq!(orbit.lower().amplitude(), orbit.mass(0).amplitude());
-    let mut run = named::Frame::simulation(0.3, 0.4).expect("in the domain");
+    let mut run = frame::Frame::simulation(0.3, 0.4).expect("in the domain");
     let mut count = 0;
     for segment in &mut run {
         assert!(segment.length >= 0.0);

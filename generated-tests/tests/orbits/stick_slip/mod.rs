@@ -5,7 +5,6 @@ mod amplitudes;
 mod cycle_energy;
 mod edges;
 mod emitted;
-mod energy;
 mod errors;
 mod events;
 mod from_rest;

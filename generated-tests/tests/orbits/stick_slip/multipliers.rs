@@ -1,6 +1,6 @@
 //! Compares Floquet multipliers with finite differences of the period map, which the test evaluates by runs in time.
 
-use super::energy::section;
+use super::cycle_energy::section;
 use frictiongen::System;
 use nalgebra::DMatrix;
 use std::f64::consts::TAU;

@@ -7,6 +7,5 @@
 
 mod beside;
 mod dense;
-mod facts;
 mod scenes;
 mod slopes;

@@ -42,15 +42,6 @@ pub fn unit(n: usize, contact: &str, excitation: &str) -> System {
     chain(&vec![1.0; n], &vec![1.0; n], contact, excitation, "")
 }
 
-pub fn wall(rest: &str) -> System {
-    chain(&[1.0], &[1.0], "m1 - wall", "m1", rest)
-}
-
-pub fn base(mu: f64) -> System {
-    let rest = format!("stiction: {mu:?}");
-    chain(&[1.0], &[1.0], "m1 - base", "base", &rest)
-}
-
 /// Returns a random scene of 1 to `most` masses with every contact, both excitations, and μ = 1 or larger.
 pub fn random(random: &mut Random, most: usize, damped: bool) -> System {
     let n = 1 + random.below(most);

@@ -1,9 +1,23 @@
 //! Regression tests of faults that the long fuzz runs found.
 
 use crate::fuzz::text::expanded;
-use frictiongen::{
-    FrictionSystem, MotionAt, NoOrbit, Regime, System, Unsupported, friction_system,
-};
+use frictiongen::kernel::Float;
+use frictiongen::{NoOrbit, Regime, System, Unsupported};
+
+/// Returns the scene of a text in the precision `S`.
+fn system<S: Float>(text: &str) -> System<S> {
+    text.parse().expect("a sound scene")
+}
+
+/// Asserts that the contact has a finite motion in 24 cycles from rest.
+fn stays_finite(system: &System, r: f64, beta: f64) {
+    let mut run = system.simulation(r, beta).expect("in the domain");
+    for _ in 0..24 {
+        run.advance(std::f64::consts::TAU).expect("a reach");
+        let (z, velocity) = run.run().relative();
+        assert!(z.is_finite() && velocity.is_finite(), "{z}, {velocity}");
+    }
+}
 
 /// Checks that the parser refuses a group in parentheses that is no visibility. Its emission would not be valid Rust.
 #[test]
@@ -62,23 +76,17 @@ fn a_facade_that_is_no_path() {
     }
 }
 
-friction_system! {
-    /// A scene whose second resonance lies at r = 3.2e5.
-    struct Spread {
-        masses: { a: 1.0, b: 1e-6 },
-        springs: { base - a: 1.0, a - b: 1e5 },
-        contact: b - base,
-        excitation: base,
-        scalar: f32,
-        provide: [limits, motion],
-    }
-}
+/// A scene whose second resonance lies at r = 3.2e5.
+const SPREAD: &str = "struct Spread {
+    masses: { a: 1.0, b: 1e-6 }, springs: { base - a: 1.0, a - b: 1e5 },
+    contact: b - base, excitation: base }";
 
 /// Checks that the square of √λ/r stays finite in `f32` at the smallest r at which the formulas are evaluated.
 #[test]
 fn a_high_resonance_at_a_small_ratio() {
+    let system = system::<f32>(SPREAD);
     for r in [1e-45_f32, 1.6e-37, 1.5e-18, 1e-12] {
-        let at = Spread::at(r).expect("a ratio");
+        let at = system.at(r).expect("a ratio");
         assert!(at.continuous_limit() >= 0.0, "{r}: {at:?}");
         assert!(at.continuous_limit_without_search() >= 0.0, "{r}: {at:?}");
         assert!(at.continuous_limit_per_mode() >= 0.0, "{r}: {at:?}");
@@ -89,36 +97,30 @@ fn a_high_resonance_at_a_small_ratio() {
 /// friction. The system must not report a large β as stick-slip.
 #[test]
 fn any_friction_on_a_moving_base_at_infinity() {
-    let at = FrictionSystem::at(&Spread, f32::INFINITY).expect("a ratio");
+    let system = system::<f32>(SPREAD);
+    let at = system.at(f32::INFINITY).expect("a ratio");
     for beta in [0.0, 1.0, f32::MAX] {
         assert_eq!(at.regime(beta), Ok(Regime::Continuous));
-        let motion = MotionAt::motion(&at, beta).expect("continuous");
+        let motion = at.motion(beta).expect("continuous");
         // The base moves, and the mass does not.
         assert_eq!(motion.contact().amplitude(), 1.0);
     }
 }
 
-friction_system! {
-    /// A scene with almost no damping.
-    struct Faint {
-        masses: { a: 1.0, b: 1.0 },
-        springs: { base - a: 1.0, a - b: 1.0 },
-        contact: b - wall,
-        excitation: a,
-        damping: modal(1e-30),
-        scalar: f32,
-        provide: [limits, motion],
-    }
-}
+/// A scene with almost no damping.
+const FAINT: &str = "struct Faint {
+    masses: { a: 1.0, b: 1.0 }, springs: { base - a: 1.0, a - b: 1.0 },
+    contact: b - wall, excitation: a, damping: modal(1e-30) }";
 
 /// Checks that 1/V does not overflow far above all resonances. Far above all resonances V consists only of its damping
 /// term, because rounding removes the other terms.
 #[test]
 fn a_response_too_small_for_its_reciprocal() {
+    let system = system::<f32>(FAINT);
     for r in [1.4839235e11_f32, 1e13, 1e15] {
-        let at = Faint::at(r).expect("a ratio");
+        let at = system.at(r).expect("a ratio");
         let motion = at.motion(0.0).expect("without friction there is a motion");
-        let mass = motion.a();
+        let mass = motion.mass("a").expect("a mass");
         // Without friction the loaded mass has the displacement x̄ = 1/r² at this r.
         assert!(
             (mass.amplitude() * r * r - 1.0).abs() < 1e-5,
@@ -129,51 +131,41 @@ fn a_response_too_small_for_its_reciprocal() {
     }
 }
 
-friction_system! {
-    struct Still {
-        masses: { a: 1.0, b: 1.0 },
-        springs: { base - a: 1.0, a - b: 1.0 },
-        contact: b - wall,
-        excitation: a,
-        scalar: f32,
-        provide: [limits, orbit],
-    }
-}
+const STILL: &str = "struct Still {
+    masses: { a: 1.0, b: 1.0 }, springs: { base - a: 1.0, a - b: 1.0 },
+    contact: b - wall, excitation: a }";
 
 /// Checks that the code computes the number of quadrature panels directly. A loop that counts up to the rate of the
 /// modes would never end in `f32`.
 #[test]
 fn a_harmonic_far_below_the_resonances() {
+    let system = system::<f32>(STILL);
     for r in [1e-9_f32, 1e-6] {
-        let orbit = Still::at(r).expect("a ratio").orbit(10.0).expect("stuck");
+        let at = system.at(r).expect("a ratio");
+        let orbit = at.orbit(10.0).expect("stuck");
+        let mass = orbit.mass("a").expect("a mass");
         // The stuck mass acts against both springs, so x̄ is 1/2.
-        let x = orbit.a().harmonic(1);
+        let x = mass.harmonic(1);
         // The sum has 2^14 panels with one rounding each, so its relative error is at most 2^14 · 2^-25.
         assert!((x.re - 0.5).abs() < 2.5e-4 && x.im.abs() < 2.5e-4, "{x:?}");
-        assert!(orbit.a().harmonic(u32::MAX).re.abs() <= 1.0);
+        assert!(mass.harmonic(u32::MAX).re.abs() <= 1.0);
     }
 }
 
-friction_system! {
-    struct Fast {
-        masses: { a: 1.0, b: 0.7 },
-        springs: { base - a: 1.0, a - b: 1.3 },
-        contact: a - b,
-        excitation: b,
-        damping: modal(1.0),
-        scalar: f32,
-        provide: [limits, orbit],
-    }
-}
+const FAST: &str = "struct Fast {
+    masses: { a: 1.0, b: 0.7 }, springs: { base - a: 1.0, a - b: 1.3 },
+    contact: a - b, excitation: b, damping: modal(1.0) }";
 
 /// Checks that a motion that underflows is zero at every instant, and that the search for its maximum ends.
 #[test]
 fn a_motion_that_is_all_zero() {
-    let at = Fast::at(2.6789888e8).expect("a ratio");
+    let system = system::<f32>(FAST);
+    let at = system.at(2.6789888e8).expect("a ratio");
     let orbit = at.orbit(at.continuous_limit() * 1.000_494_4);
     let orbit = orbit.expect("a steady state");
     // At this r the displacement x̄ is below 1/r², which is 1.4e-17.
-    assert!(orbit.a().amplitude() < 2e-17, "{}", orbit.a().amplitude());
+    let amplitude = orbit.mass("a").expect("a mass").amplitude();
+    assert!(amplitude < 2e-17, "{amplitude}");
 }
 
 /// Checks that the recording of a cycle from event to event ends even if r is below the rounding of 1, where the
@@ -199,80 +191,49 @@ fn a_mode_that_the_contact_hardly_touches() {
         excitation: c, damping: modal(2.14), stiction: 1.98 }";
     let system: System = text.parse().expect("a sound scene");
     let sliding = system.at(119.3).expect("a ratio").sliding_limit();
-    let mut run = system
-        .simulation(119.3, 0.8 * sliding)
-        .expect("in the domain");
-    for _ in 0..24 {
-        run.advance(std::f64::consts::TAU).expect("a reach");
-        let (z, velocity) = run.run().relative();
-        assert!(z.is_finite() && velocity.is_finite(), "{z}, {velocity}");
-    }
+    stays_finite(&system, 119.3, 0.8 * sliding);
 }
 
-friction_system! {
-    struct Carried {
-        masses: { a: 8e-5, b: 0.52, c: 0.1 },
-        springs: { base - a: 1.2, a - b: 3.6, b - c: 3.9 },
-        contact: c - base,
-        excitation: base,
-        damping: modal(1),
-        scalar: f32,
-        provide: [limits, motion],
-    }
-}
+const CARRIED: &str = "struct Carried {
+    masses: { a: 8e-5, b: 0.52, c: 0.1 }, springs: { base - a: 1.2, a - b: 3.6, b - c: 3.9 },
+    contact: c - base, excitation: base, damping: modal(1) }";
 
 /// Checks a very large β on a moving base. Both limits grow as r², so β can be so large that multiplication by a
 /// scale would overflow.
 #[test]
 fn a_friction_ratio_as_large_as_it_gets() {
-    let at = Carried::at(2.8e37).expect("a ratio");
+    let system = system::<f32>(CARRIED);
+    let at = system.at(2.8e37).expect("a ratio");
     let motion = at.motion(0.03 * at.continuous_limit()).expect("continuous");
-    for amplitude in [motion.b().amplitude(), motion.b().amplitude_monoharmonic()] {
+    let mass = motion.mass("b").expect("a mass");
+    for amplitude in [mass.amplitude(), mass.amplitude_monoharmonic()] {
         assert!(amplitude.is_finite(), "{amplitude}");
     }
 }
 
-friction_system! {
-    struct Shaken {
-        masses: { a: 1.0, b: 0.7 },
-        springs: { base - a: 1.0, a - b: 1.3 },
-        contact: b - base,
-        excitation: base,
-        damping: modal[0.01, 0.02],
-        provide: [limits, simulation],
-    }
-}
+const SHAKEN: &str = "struct Shaken {
+    masses: { a: 1.0, b: 0.7 }, springs: { base - a: 1.0, a - b: 1.3 },
+    contact: b - base, excitation: base, damping: modal[0.01, 0.02] }";
 
 /// Checks that the load of a stuck mode on a moving base is not computed by way of r³, which overflows.
 #[test]
 fn a_base_that_shakes_faster_than_a_cube_can_hold() {
     let r = 1e116;
-    let beta = Shaken::at(r).expect("a ratio").continuous_limit();
-    let mut run = Shaken::simulation(r, beta).expect("in the domain");
-    for _ in 0..8 {
-        run.advance(core::f64::consts::TAU).expect("a reach");
-        let (z, velocity) = run.relative();
-        assert!(z.is_finite() && velocity.is_finite(), "{z} {velocity}");
-    }
+    let system = system::<f64>(SHAKEN);
+    let beta = system.at(r).expect("a ratio").continuous_limit();
+    stays_finite(&system, r, beta);
 }
 
-friction_system! {
-    struct Creeping {
-        masses: { a: 1.0, b: 0.7 },
-        springs: { base - a: 1.0, a - b: 1.3 },
-        contact: a - b,
-        excitation: b,
-        damping: modal(1),
-        scalar: f32,
-        provide: [limits, orbit],
-    }
-}
+const CREEPING: &str = "struct Creeping {
+    masses: { a: 1.0, b: 0.7 }, springs: { base - a: 1.0, a - b: 1.3 },
+    contact: a - b, excitation: b, damping: modal(1) }";
 
 /// Checks that without friction the multipliers do not become 0/0. Without friction nothing jumps at a reversal,
 /// however slowly the contact passes it.
 #[test]
 fn multipliers_without_friction() {
-    let at = Creeping::at(5.124_947e-4).expect("a ratio");
+    let system = system::<f32>(CREEPING);
+    let at = system.at(5.124_947e-4).expect("a ratio");
     let orbit = at.orbit(0.0).expect("a steady state");
     for multiplier in orbit.multipliers() {
         assert!(multiplier.re.is_finite() && multiplier.im.is_finite());
@@ -288,35 +249,22 @@ fn a_mode_whose_share_is_all_rounding() {
         b - c: 7.507119145768243e-5, c - d: 6.781542474873392 }, contact: d - wall, excitation: b,
         damping: modal(1), stiction: 1.694914197041189 }";
     let system: System = text.parse().expect("a sound scene");
-    let mut run = system
-        .simulation(0.370_744, 1.0 / 60.0)
-        .expect("in the domain");
-    for _ in 0..8 {
-        run.advance(core::f64::consts::TAU).expect("a reach");
-        let (z, velocity) = run.run().relative();
-        assert!(z.is_finite() && velocity.is_finite(), "{z} {velocity}");
-    }
+    stays_finite(&system, 0.370_744, 1.0 / 60.0);
 }
 
-friction_system! {
-    struct Tiny {
-        masses: { a: 3.7e4, b: 2.7, c: 2.5e-6 },
-        springs: { base - a: 0.35, a - b: 0.15, b - c: 1.4 },
-        contact: c - base,
-        excitation: base,
-        damping: rayleigh(0.0023, 0.16),
-        scalar: f32,
-        provide: [limits, motion],
-    }
-}
+const TINY: &str = "struct Tiny {
+    masses: { a: 3.7e4, b: 2.7, c: 2.5e-6 }, springs: { base - a: 0.35, a - b: 0.15, b - c: 1.4 },
+    contact: c - base, excitation: base, damping: rayleigh(0.0023, 0.16) }";
 
 /// Checks a light mass on a moving base, where V grows as r². The product of V and the inverse effective mass must
 /// stay finite in `f32`.
 #[test]
 fn a_light_mass_on_a_fast_base() {
-    let motion = Tiny::at(8.5e36).expect("a ratio").motion(4.4e-12);
-    let motion = motion.expect("continuous");
-    let (exact, estimate) = (motion.c().amplitude(), motion.c().amplitude_monoharmonic());
+    let system = system::<f32>(TINY);
+    let at = system.at(8.5e36).expect("a ratio");
+    let motion = at.motion(4.4e-12).expect("continuous");
+    let mass = motion.mass("c").expect("a mass");
+    let (exact, estimate) = (mass.amplitude(), mass.amplitude_monoharmonic());
     assert!(0.0 < exact && exact <= estimate, "{exact} {estimate}");
 }
 
@@ -324,10 +272,10 @@ fn a_light_mass_on_a_fast_base() {
 #[test]
 fn friction_that_overflows() {
     let most = f64::MAX;
-    assert!(Shaken::simulation(0.5, most).is_ok());
+    assert!(system::<f64>(SHAKEN).simulation(0.5, most).is_ok());
     let text = "struct R { masses: { a: 1 }, springs: { base - a: 1 }, contact: a - wall,
         excitation: base, stiction: 2 }";
-    let system: System = text.parse().expect("a sound scene");
+    let system = system::<f64>(text);
     assert!(system.simulation(0.5, most).is_err());
     assert!(system.simulation(0.5, most / 4.0).is_ok());
 }

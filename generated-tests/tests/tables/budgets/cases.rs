@@ -12,8 +12,6 @@ pub struct Case {
     pub function: &'static str,
     /// Names of the results. Each result has a row of the table. The name of a single result may be "".
     pub fields: &'static [&'static str],
-    /// Public functions of the kernel that the case measures, as `crate::budgets::public` names them.
-    pub covers: &'static [&'static str],
     pub scalar: &'static str,
     pub unit: Unit,
     pub domain: Domain,
@@ -46,7 +44,6 @@ impl Case {
 struct Shape {
     function: &'static str,
     fields: &'static [&'static str],
-    covers: &'static [&'static str],
     domain: Domain,
     countable: bool,
 }
@@ -56,7 +53,6 @@ fn case<F: Formula, T: Real>(shape: &Shape, error: fn(&Arguments) -> Results<f64
     Case {
         function: shape.function,
         fields: shape.fields,
-        covers: shape.covers,
         scalar: T::NAME,
         unit: F::UNIT,
         domain: shape.domain,
@@ -80,7 +76,7 @@ fn only_dd<F: Formula>(shape: &Shape) -> Vec<Case> {
 }
 
 macro_rules! cases {
-    ($($way:ident $formula:ident $function:literal [$($field:literal),*] in $domain:ident $(, $countable:ident)?; [$($covers:literal),*];)*) => {
+    ($($way:ident $formula:ident $function:literal [$($field:literal),*] in $domain:ident $(, $countable:ident)?;)*) => {
         pub fn all() -> Vec<Case> {
             let mut cases = Vec::new();
             $(
@@ -90,7 +86,6 @@ macro_rules! cases {
                 let shape = Shape {
                     function: $function,
                     fields: &[$($field),*],
-                    covers: &[$($covers),*],
                     domain: draw::$domain,
                     countable,
                 };
@@ -103,62 +98,54 @@ macro_rules! cases {
 
 cases! {
     three SinCosPi "sin_cos_pi" ["sin", "cos"] in HALF_TURNS, counted;
-        ["number::trig::sin_cos_pi", "number::trig::sin_pi", "number::scalar::Scalar::sin_cos_pi",
-         "number::scalar::Scalar::sin_pi", "number::scalar::Scalar::cos_pi"];
     three SinCosPiMinus "sin_cos_pi_minus" ["sin", "cos"] in HALF_TURN_PAIRS;
-        ["number::trig::sin_cos_pi_minus", "number::scalar::Scalar::sin_cos_pi_minus"];
-    three Sqrt "sqrt" [""] in NOT_NEGATIVE, counted; ["number::scalar::Scalar::sqrt", "number::dd::Dd::sqrt"];
-    three Exp "exp" [""] in EXPONENTS, counted; ["number::scalar::Scalar::exp"];
-    three ExpM1 "exp_m1" [""] in GROWTHS, counted; ["number::scalar::Scalar::exp_m1"];
-    three Atan2 "atan2" [""] in PAIRS; ["number::scalar::Scalar::atan2"];
-    three OneMinusSincPi "one_minus_sinc_pi" [""] in SINC, counted; ["number::scalar::Scalar::one_minus_sinc_pi"];
+    three Sqrt "sqrt" [""] in NOT_NEGATIVE, counted;
+    three Exp "exp" [""] in EXPONENTS, counted;
+    three ExpM1 "exp_m1" [""] in GROWTHS, counted;
+    three Atan2 "atan2" [""] in PAIRS;
+    three OneMinusSincPi "one_minus_sinc_pi" [""] in SINC, counted;
     three ScaledSinhDefect "scaled_sinh_defect" [""] in DECAYS, counted;
-        ["number::scalar::Scalar::scaled_sinh_defect"];
-    three VersinePi "versine_pi" [""] in SINC, counted; ["number::special::versine_pi"];
-    three ExpM1Minus "exp_m1_minus" [""] in GROWTHS, counted; ["number::special::exp_m1_minus"];
-    three Floor "floor" [""] in ANY, counted; ["number::scalar::Float::floor"];
-    three Pi "pi" [""] in NOTHING; ["number::scalar::Scalar::pi"];
-    three InversePi "inverse_pi" [""] in NOTHING; ["number::scalar::Scalar::inverse_pi"];
-    only_dd Add "a + b" [""] in PAIRS; ["number::dd::Dd::add"];
-    only_dd Subtract "a − b" [""] in PAIRS; ["number::dd::Dd::sub"];
-    only_dd Multiply "a · b" [""] in PAIRS; ["number::dd::Dd::mul"];
-    only_dd Divide "a / b" [""] in PAIRS; ["number::dd::Dd::div"];
-    only_dd DdSum "sum of two f64" [""] in DOUBLES; ["number::dd::Dd::sum"];
-    only_dd DdProduct "product of two f64" [""] in DOUBLES; ["number::dd::Dd::product"];
-    three ComplexAdd "complex add" [""] in COMPLEX; ["number::complex::add"];
-    three ComplexScale "complex scale" [""] in COMPLEX; ["number::complex::scale"];
-    three ComplexMul "complex mul" [""] in COMPLEX; ["number::complex::mul"];
-    three ComplexReciprocal "complex reciprocal" [""] in LARGE_COMPLEX; ["number::complex::reciprocal"];
+    three VersinePi "versine_pi" [""] in SINC, counted;
+    three ExpM1Minus "exp_m1_minus" [""] in GROWTHS, counted;
+    three Floor "floor" [""] in ANY, counted;
+    three Pi "pi" [""] in NOTHING;
+    three InversePi "inverse_pi" [""] in NOTHING;
+    only_dd Add "a + b" [""] in PAIRS;
+    only_dd Subtract "a − b" [""] in PAIRS;
+    only_dd Multiply "a · b" [""] in PAIRS;
+    only_dd Divide "a / b" [""] in PAIRS;
+    only_dd DdSum "sum of two f64" [""] in DOUBLES;
+    only_dd DdProduct "product of two f64" [""] in DOUBLES;
+    three ComplexAdd "complex add" [""] in COMPLEX;
+    three ComplexScale "complex scale" [""] in COMPLEX;
+    three ComplexMul "complex mul" [""] in COMPLEX;
+    three ComplexReciprocal "complex reciprocal" [""] in LARGE_COMPLEX;
     three ReciprocalOfUnit "complex reciprocal_of_unit" [""] in UNIT_COMPLEX;
-        ["number::complex::reciprocal_of_unit"];
-    three Modulus "complex modulus" [""] in LARGE_COMPLEX; ["number::complex::modulus", "number::scalar::Scalar::hypot"];
-    three UndampedComplex "complex, undamped" ["mul", "reciprocal", "modulus", "Im"] in COMPLEX; [];
+    three Modulus "complex modulus" [""] in LARGE_COMPLEX;
+    three UndampedComplex "complex, undamped" ["mul", "reciprocal", "modulus", "Im"] in COMPLEX;
     three Constraints "acceleration at a reversal" ["start_constraint", "break_away"] in POSITIVE;
-        ["contact::limits::Chain::start_constraint", "contact::limits::Chain::break_away"];
-    three ContinuousLimit "continuous_limit" [""] in POSITIVE; ["contact::limits::Chain::continuous_limit"];
-    three SlidingLimit "sliding_limit" [""] in POSITIVE; ["contact::limits::Chain::sliding_limit"];
-    three Margin "margin" [""] in MARGINS; ["contact::regime::margin"];
+    three ContinuousLimit "continuous_limit" [""] in POSITIVE;
+    three SlidingLimit "sliding_limit" [""] in POSITIVE;
+    three Margin "margin" [""] in MARGINS;
     three PlainResponse "response, undamped" ["denominator", "u", "g", "reversal"] in FREQUENCIES;
-        ["oscillator::mode::Mode::response"];
-    three Response "response, light" ["denominator re", "denominator im", "u", "g", "reversal"] in LIGHT; [];
-    three DecayedResponse "response, light, decayed" ["denominator re", "denominator im", "u", "g", "reversal"] in LIGHT_DECAYED; [];
-    three Response "response, heavy" ["denominator re", "denominator im", "u", "g", "reversal"] in HEAVY; [];
-    three DecayedResponse "response, heavy, decayed" ["denominator re", "denominator im", "u", "g", "reversal"] in HEAVY_DECAYED; [];
-    three Response "response, critical" ["denominator re", "denominator im", "u", "g", "reversal"] in CRITICAL; [];
-    three DecayedResponse "response, critical, decayed" ["denominator re", "denominator im", "u", "g", "reversal"] in CRITICAL_DECAYED; [];
-    three Response "response, overdamped" ["denominator re", "denominator im", "u", "g", "reversal"] in OVER; [];
-    three DecayedResponse "response, overdamped, decayed" ["denominator re", "denominator im", "u", "g", "reversal"] in OVER_DECAYED; [];
-    three V "v, light" [""] in LIGHT; [];
-    three V "v, overdamped" [""] in OVER_DECAYED; [];
-    three AnInstant "instant" ["tau", "sine", "cosine", "versine"] in INSTANTS, counted; ["oscillator::decay::Instant::new"];
+    three Response "response, light" ["denominator re", "denominator im", "u", "g", "reversal"] in LIGHT;
+    three DecayedResponse "response, light, decayed" ["denominator re", "denominator im", "u", "g", "reversal"] in LIGHT_DECAYED;
+    three Response "response, heavy" ["denominator re", "denominator im", "u", "g", "reversal"] in HEAVY;
+    three DecayedResponse "response, heavy, decayed" ["denominator re", "denominator im", "u", "g", "reversal"] in HEAVY_DECAYED;
+    three Response "response, critical" ["denominator re", "denominator im", "u", "g", "reversal"] in CRITICAL;
+    three DecayedResponse "response, critical, decayed" ["denominator re", "denominator im", "u", "g", "reversal"] in CRITICAL_DECAYED;
+    three Response "response, overdamped" ["denominator re", "denominator im", "u", "g", "reversal"] in OVER;
+    three DecayedResponse "response, overdamped, decayed" ["denominator re", "denominator im", "u", "g", "reversal"] in OVER_DECAYED;
+    three V "v, light" [""] in LIGHT;
+    three V "v, overdamped" [""] in OVER_DECAYED;
+    three AnInstant "instant" ["tau", "sine", "cosine", "versine"] in INSTANTS, counted;
     three InTimeUndamped "basis, undamped" ["free", "slope", "forced", "forced_slope", "rise"] in UNDAMPED_TIME;
-        ["oscillator::decay::Decay::basis"];
-    three InTime "basis, light" ["free", "slope", "forced", "forced_slope", "rise"] in LIGHT_TIME; [];
-    three DecayedInTime "basis, light, decayed" ["free", "slope", "forced", "forced_slope", "rise"] in LIGHT_TIME_DECAYED; [];
-    three InTime "basis, heavy" ["free", "slope", "forced", "forced_slope", "rise"] in HEAVY_TIME; [];
-    three DecayedInTime "basis, heavy, decayed" ["free", "slope", "forced", "forced_slope", "rise"] in HEAVY_TIME_DECAYED; [];
-    three InTime "basis, critical" ["free", "slope", "forced", "forced_slope", "rise"] in CRITICAL_TIME; [];
-    three DecayedInTime "basis, critical, decayed" ["free", "slope", "forced", "forced_slope", "rise"] in CRITICAL_TIME_DECAYED; [];
-    three InTime "basis, overdamped" ["free", "slope", "forced", "forced_slope", "rise"] in OVER_TIME; [];
-    three DecayedInTime "basis, overdamped, decayed" ["free", "slope", "forced", "forced_slope", "rise"] in OVER_TIME_DECAYED; [];
+    three InTime "basis, light" ["free", "slope", "forced", "forced_slope", "rise"] in LIGHT_TIME;
+    three DecayedInTime "basis, light, decayed" ["free", "slope", "forced", "forced_slope", "rise"] in LIGHT_TIME_DECAYED;
+    three InTime "basis, heavy" ["free", "slope", "forced", "forced_slope", "rise"] in HEAVY_TIME;
+    three DecayedInTime "basis, heavy, decayed" ["free", "slope", "forced", "forced_slope", "rise"] in HEAVY_TIME_DECAYED;
+    three InTime "basis, critical" ["free", "slope", "forced", "forced_slope", "rise"] in CRITICAL_TIME;
+    three DecayedInTime "basis, critical, decayed" ["free", "slope", "forced", "forced_slope", "rise"] in CRITICAL_TIME_DECAYED;
+    three InTime "basis, overdamped" ["free", "slope", "forced", "forced_slope", "rise"] in OVER_TIME;
+    three DecayedInTime "basis, overdamped, decayed" ["free", "slope", "forced", "forced_slope", "rise"] in OVER_TIME_DECAYED;
 }

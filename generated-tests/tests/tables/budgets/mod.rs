@@ -31,7 +31,6 @@ mod draw;
 mod elementary;
 mod measure;
 mod modes;
-mod public;
 mod table;
 
 use cases::Case;

@@ -1,14 +1,10 @@
-//! Tests of runs in time with a kinetic friction force that depends on the speed.
-//!
-//! `plain` is an integrator that shares no code with these runs. It integrates the equations of motion by Runge-Kutta
-//! steps.
+//! Tests of runs in time with a kinetic friction force that depends on the speed. `study/joined/tests/stribeck.rs`
+//! compares such runs with another solver, which advances the masses in place of the modes.
 
 mod coulomb;
 mod edges;
 mod emitted;
-mod independent;
 mod joined;
-mod plain;
 mod steps;
 
 use crate::stepper::scenes::sticky;

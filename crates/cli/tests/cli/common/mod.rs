@@ -3,7 +3,9 @@
 #![allow(clippy::expect_used, reason = "a test may fail")]
 
 use std::io::Write;
+use std::path::Path;
 use std::process::{Command, Output, Stdio};
+use std::sync::atomic::{AtomicUsize, Ordering};
 
 /// Path of the two-storey frame's description.
 pub const FRAME: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/scenes/frame.friction");
@@ -25,6 +27,22 @@ pub struct Run {
     pub err: String,
     /// Exit status.
     pub status: Option<i32>,
+}
+
+/// Splits a command line at its spaces.
+pub fn words(line: &str) -> Vec<&str> {
+    line.split_whitespace().collect()
+}
+
+/// Writes a file into a folder of its own, because tests run in parallel, and returns its path.
+pub fn file(name: &str, text: &str) -> String {
+    static COUNT: AtomicUsize = AtomicUsize::new(0);
+    let number = COUNT.fetch_add(1, Ordering::Relaxed);
+    let folder = Path::new(env!("CARGO_TARGET_TMPDIR")).join(format!("cli-{number}"));
+    std::fs::create_dir_all(&folder).expect("a folder");
+    let path = folder.join(name);
+    std::fs::write(&path, text).expect("a file");
+    path.to_str().expect("UTF-8").to_owned()
 }
 
 /// Runs the command line with a text on its standard input.

@@ -1,4 +1,4 @@
-//! Constants of the double-double functions, computed by `tools/coefficients.py constants`.
+//! Constants of the double-double functions, computed by `tools/coefficients.py`.
 
 use super::Dd;
 
