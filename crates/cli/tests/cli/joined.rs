@@ -148,7 +148,7 @@ fn the_best_common_friction() {
     let best = output(scene, &words("optimum --r 0.7:1.3 --of main --json"));
     let best = crate::common::json(&best);
     let (friction, amplitude) = (value(&best, "beta"), value(&best, "amplitude"));
-    for factor in [0.0, 0.8, 1.25] {
+    for factor in [0.0, 0.8, 1.0, 1.25] {
         let line = format!(
             "curve --r 0.7:0.02:1.3 --beta {} --of main --csv",
             factor * friction
