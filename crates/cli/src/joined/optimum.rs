@@ -210,7 +210,7 @@ impl ResultTable for OptimumReport<'_> {
     }
 
     fn layout(&self) -> Layout {
-        Layout::Joints
+        Layout::Lines
     }
 
     fn head(&self) -> Vec<(String, serde_json::Value)> {

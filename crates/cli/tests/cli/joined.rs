@@ -90,12 +90,14 @@ fn contacts_are_named() {
     let json: serde_json::Value = serde_json::from_str(&json).expect("JSON");
     let point = &json["points"][0];
     assert!(
-        point["brace"]["stops"]
+        point["contacts"][0]["stops"]
             .as_u64()
             .is_some_and(|stops| stops > 0),
         "{point}"
     );
-    assert!(point["lower"]["amplitude"].as_f64().is_some(), "{point}");
+    assert_eq!(point["contacts"][1]["name"], "pads");
+    assert_eq!(point["masses"][0]["name"], "lower");
+    assert!(point["masses"][0]["amplitude"].as_f64().is_some(), "{point}");
 }
 
 /// Events and samples over time. Their forces are within the friction of each contact.
@@ -164,7 +166,7 @@ fn the_best_common_friction() {
         assert!(amplitude < 1.02 * peak, "{factor}: {amplitude} {peak}");
     }
     assert!(
-        best["points"][0]["pads"]["energy"]
+        best["points"][0]["contacts"][0]["energy"]
             .as_f64()
             .is_some_and(|energy| energy > 0.0)
     );

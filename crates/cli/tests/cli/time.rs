@@ -239,9 +239,9 @@ fn json_says_what_is_meant() {
     let point = &points[3];
     assert!(point["time_s"].is_number() && point["tau"].is_number());
     for name in ["displacement_m", "velocity_m_s", "friction_N"] {
-        assert!(point["contact"][name].is_number(), "{name}");
+        assert!(point["contacts"][0][name].is_number(), "{name}");
     }
-    assert!(point["contact"]["state"].is_string());
+    assert!(point["contacts"][0]["state"].is_string());
     assert_eq!(point["masses"][1]["name"], "upper");
     assert!(point["masses"][1]["velocity_m_s"].is_number());
     let steady = json(&output("", &words(&format!("{line} --steady --events"))));
