@@ -29,7 +29,7 @@ use valued::QuantityArgument;
 /// Runs `frictiongen optimum`.
 pub fn run(arguments: &OptimumArguments, out: &mut dyn Write) -> Result<(), Failure> {
     let description = arguments.file.any(&SizeLimits::RUN_TIME)?;
-    if description.scene.is_joined() {
+    if description.scene.has_joined_states() {
         return joined::optimum(arguments, description.scene, out);
     }
     let system = System::try_from(description.scene).map_err(Failure::new)?;
