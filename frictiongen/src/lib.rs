@@ -70,7 +70,7 @@
 //! | `masses` | `{ name: number, … }`, the first is m₁ | required |
 //! | `springs` | `{ node - node: number, … }`, node = a mass, `base` or `wall`; the first is k₁ | required, except with `contacts` or `dampers` |
 //! | `contact` | `mass - wall`, `mass - mass`, `mass - base` | required, or `contacts` |
-//! | `contacts` | `{ name: node - node { stiffness: k, stiction: μ, share: s }, … }`: several contacts. The macro then emits only `stepper`, `simulation`, `stuck` and `orbit` | |
+//! | `contacts` | `{ name: node - node { stiffness: k, stiction: μ, share: s }, … }`: one contact with a name, or several. For several, the macro emits only `stepper`, `simulation`, `stuck` and `orbit` | |
 //! | `dampers` | `{ node - node: c, … }`: dashpots in N·s/m. The macro then emits only `stepper`, `simulation`, `stuck` and `orbit` | |
 //! | `excitation` | a mass, or `base` | required |
 //! | `damping` | `none`, `modal(ζ)`, `modal[ζ₁, …]`, `rayleigh(a, b)` | `none` |

@@ -15,8 +15,8 @@ use case::{Door, cases};
 use frictiongen::System;
 use frictiongen_codegen::{SizeLimits, expand, parse_text};
 use frictiongen_model::scene::{
-    ContactSides, Damping, Declared, Excitation, FrictionLaw, Mass, Node, Precision, Provide,
-    Scene, Spring, StepperOptions,
+    CONTACT, ContactSides, Damping, Declared, Excitation, FrictionLaw, Mass, Node, Precision,
+    Provide, Scene, Spring, StepperOptions,
 };
 use frictiongen_model::validate::validate;
 use proc_macro2::{Literal, TokenTree};
@@ -160,6 +160,7 @@ fn frame() -> Scene {
             from: Node::Mass(1),
             to: Node::Wall,
         },
+        contact_name: CONTACT.to_owned(),
         excitation: Excitation::Base,
         damping: Damping::None,
         damping_from: Default::default(),

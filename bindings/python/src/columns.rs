@@ -51,6 +51,8 @@ pub fn count(value: Option<usize>) -> i64 {
 pub struct NamedArrays<'py> {
     dict: Bound<'py, PyDict>,
     shape: Vec<usize>,
+    /// Names of the contacts whose columns the collection has.
+    contacts: Vec<String>,
 }
 
 impl<'py> NamedArrays<'py> {
@@ -59,6 +61,7 @@ impl<'py> NamedArrays<'py> {
         Self {
             dict: PyDict::new(py),
             shape: shape.to_vec(),
+            contacts: Vec::new(),
         }
     }
 
@@ -92,6 +95,12 @@ impl<'py> NamedArrays<'py> {
     }
 
     fn column<R>(&mut self, column: &Column<'_, R>, rows: &[R]) -> PyResult<()> {
+        if let Some(contact) = column.part.as_ref().filter(|_| column.is_contact)
+            && !self.contacts.contains(contact)
+        {
+            self.contacts.push(contact.clone());
+            self.dict.set_item("contacts", &self.contacts)?;
+        }
         let (name, cells) = (column.attribute(), rows.iter().map(|row| column.read(row)));
         match column.kind {
             ColumnKind::Number | ColumnKind::Given(_) => {

@@ -3,7 +3,7 @@
 use crate::failure::Failure;
 use crate::hint;
 use frictiongen::study::UnknownMass;
-pub use frictiongen::study::columns::{CONTACT, MovingPart};
+pub use frictiongen::study::columns::MovingPart;
 use frictiongen::study::response::MotionQuantity;
 use frictiongen::{Of, System};
 use std::ops::RangeInclusive;
@@ -104,8 +104,9 @@ pub fn contact_and(system: &System, names: &[String]) -> Result<Vec<MovingPart>,
         }
     }
     let mut parts = parts(system, &once)?;
-    parts.retain(|part| part.name != CONTACT);
-    parts.insert(0, MovingPart::contact());
+    let contact = MovingPart::contact(system);
+    parts.retain(|part| part.name != contact.name);
+    parts.insert(0, contact);
     Ok(parts)
 }
 
@@ -113,7 +114,7 @@ pub fn contact_and(system: &System, names: &[String]) -> Result<Vec<MovingPart>,
 pub fn parts(system: &System, names: &[String]) -> Result<Vec<MovingPart>, Failure> {
     if names.is_empty() {
         let masses = known(system).map(MovingPart::from);
-        return Ok(std::iter::once(MovingPart::contact())
+        return Ok(std::iter::once(MovingPart::contact(system))
             .chain(masses)
             .collect());
     }
@@ -170,5 +171,5 @@ pub fn part(system: &System, name: &str) -> Result<MovingPart, Failure> {
     let mut parts = parts(system, &[name.to_owned()])?;
     parts
         .pop()
-        .ok_or_else(|| Failure::new("--of: give the name of a mass, or `contact`"))
+        .ok_or_else(|| Failure::new("--of: give the name of a mass or of the contact"))
 }

@@ -53,24 +53,9 @@ impl FileArgument {
         self.single(self.parsed(&self.text()?, limits)?)
     }
 
-    /// Reads and parses the description of a scene that may have several contacts and dashpots. Fails for a single
-    /// contact whose kinetic friction depends on the speed.
+    /// Reads and parses the description of a scene that may have several contacts and dashpots.
     pub fn any(&self, limits: &SizeLimits) -> Result<Description, Failure> {
-        self.maybe_joined(limits, true)
-    }
-
-    /// Reads and parses the description of a scene that may have several contacts and dashpots. If `constant` is true,
-    /// the function fails for a single contact whose kinetic friction depends on the speed.
-    pub fn maybe_joined(
-        &self,
-        limits: &SizeLimits,
-        constant: bool,
-    ) -> Result<Description, Failure> {
-        let description = self.parsed(&self.text()?, limits)?;
-        if constant && !description.scene.is_joined() {
-            self.check_constant(&description)?;
-        }
-        Ok(description)
+        self.parsed(&self.text()?, limits)
     }
 
     /// Reads the system of a scene that may have several contacts and dashpots, and may lack an excitation.
@@ -85,7 +70,7 @@ impl FileArgument {
             return Ok(description);
         }
         Err(Failure::new(format_args!(
-            "{}: this command needs a single `contact` without dashpots, but this scene has `contacts` or `dampers`; use `frictiongen orbit`, `response`, `curve`, `map`, `time`, `drive`, `optimum` or `sensitivity`",
+            "{}: this command needs a single `contact` without dashpots, but this scene has several `contacts`, a `share`, `dampers` or a mass that no spring holds; use `frictiongen orbit`, `response`, `curve`, `map`, `time`, `drive`, `optimum` or `sensitivity`",
             self.name()
         )))
     }
@@ -144,7 +129,7 @@ impl FileArgument {
             return Ok(());
         }
         Err(Failure::new(format_args!(
-            "{}: the exact response needs a constant kinetic level, but this scene has `friction: stribeck`; write `friction: coulomb`, compute a run with `frictiongen time`, or write the contact as `contacts: {{ name: a - b }}` for steady states of `orbit`, `curve` and `map`",
+            "{}: the exact response needs a constant kinetic level, but this scene has `friction: stribeck`; use `frictiongen orbit`, `curve`, `map` or `time`, or write `friction: coulomb`",
             self.name()
         )))
     }

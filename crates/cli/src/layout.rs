@@ -2,7 +2,7 @@
 
 use crate::number::{Cell, Lossless as _};
 use crate::table;
-use frictiongen::study::columns::{CONTACT, Column, ColumnKind};
+use frictiongen::study::columns::{Column, ColumnKind};
 use serde_json::{Map, Value as Json};
 
 /// Arrangement of the motions of the contact and masses in a table row, for text and for JSON.
@@ -10,15 +10,10 @@ use serde_json::{Map, Value as Json};
 pub enum Layout {
     /// Text has one line for each row, and JSON has a field for each column.
     Flat,
-    /// Text has one line for each row, and JSON has an object for each motion.
-    Objects,
-    /// Text has one line for each row. JSON has an object for the contact and a list of the masses.
-    Masses,
-    /// Text has one line for each moving contact or mass. JSON is the same as for [`Layout::Masses`].
+    /// Text has one line for each row. JSON has a list of the contacts and a list of the masses.
+    Lists,
+    /// Text has one line for each moving contact or mass. JSON is the same as for [`Layout::Lists`].
     Lines,
-    /// Layout for scenes with several contacts. Text has one line for each moving contact or mass, and JSON has an
-    /// object for each motion.
-    Joints,
 }
 
 /// Heading of the column that contains the name of the moving contact or mass.
@@ -37,7 +32,7 @@ impl Layout {
                 (None, _) => {
                     titles.push(table::PrintedColumn::of(column, &title.collect::<Vec<_>>()))
                 }
-                (part, Self::Lines | Self::Joints) => {
+                (part, Self::Lines) => {
                     if !parts {
                         let names = columns.iter().filter_map(|column| column.part.as_deref());
                         titles.push(table::PrintedColumn::words(&[MOTION], names));
@@ -59,7 +54,7 @@ impl Layout {
     /// Returns the lines of the printed table for one row.
     pub fn lines<'r, R>(self, columns: &'r [Column<'_, R>], row: &'r R) -> Vec<Vec<Cell<'r>>> {
         let shown = || columns.iter().filter(|column| column.is_in_text());
-        if !matches!(self, Self::Lines | Self::Joints) {
+        if self != Self::Lines {
             return vec![shown().map(|column| column.read(row)).collect()];
         }
         let once = shown().filter(|column| column.part.is_none());
@@ -94,7 +89,7 @@ impl Layout {
     /// Returns a table row as a JSON object. If `motions` is false, the object contains neither motions nor lists.
     pub fn json<R>(self, columns: &[Column<'_, R>], row: &R, motions: bool) -> Json {
         let mut fields = Map::new();
-        let mut parts: Vec<(&str, Map<String, Json>)> = Vec::new();
+        let mut parts: Vec<(&str, bool, Map<String, Json>)> = Vec::new();
         for column in columns.iter().filter(|column| column.is_in_json()) {
             let is_list = matches!(column.kind, ColumnKind::Complex | ColumnKind::Intervals);
             if !motions && (is_list || column.part.is_some()) {
@@ -105,33 +100,31 @@ impl Layout {
                 fields.insert(column.key(), value);
                 continue;
             };
-            if parts.iter().all(|(name, _)| *name != part) {
-                parts.push((part, Map::new()));
+            if parts.iter().all(|(name, ..)| *name != part) {
+                parts.push((part, column.is_contact, Map::new()));
             }
-            let Some((_, own)) = parts.iter_mut().find(|(name, _)| *name == part) else {
+            let Some((.., own)) = parts.iter_mut().find(|(name, ..)| *name == part) else {
                 continue;
             };
             match column.order {
-                Some(order) if !matches!(self, Self::Objects | Self::Joints) => {
-                    harmonic(own, order, column.name(), value);
-                }
-                _ => drop(own.insert(column.name_in_part(), value)),
+                Some(order) => harmonic(own, order, column.name(), value),
+                None => drop(own.insert(column.name_in_part(), value)),
             }
         }
-        if matches!(self, Self::Masses | Self::Lines) && motions {
-            fields.insert("masses".to_owned(), Json::Array(Vec::new()));
-        }
-        for (name, mut own) in parts {
-            if !matches!(self, Self::Objects | Self::Joints) {
+        if self != Self::Flat && motions {
+            let (mut contacts, mut masses) = (Vec::new(), Vec::new());
+            for (name, is_contact, mut own) in parts {
                 leave_out_missing(&mut own);
+                own.insert("name".to_owned(), name.into());
+                let list = if is_contact {
+                    &mut contacts
+                } else {
+                    &mut masses
+                };
+                list.push(Json::Object(own));
             }
-            match fields.get_mut("masses") {
-                Some(Json::Array(masses)) if name != CONTACT => {
-                    own.insert("name".to_owned(), name.into());
-                    masses.push(Json::Object(own));
-                }
-                _ => drop(fields.insert(name.to_owned(), Json::Object(own))),
-            }
+            fields.insert("contacts".to_owned(), Json::Array(contacts));
+            fields.insert("masses".to_owned(), Json::Array(masses));
         }
         Json::Object(fields)
     }

@@ -23,7 +23,7 @@ pub fn run(arguments: &SensitivityArguments, out: &mut dyn Write) -> Result<(), 
     let frequencies = Frequencies::parse(&arguments.point.frequency, true)?;
     let frictions = Frictions::parse(&arguments.point.friction, Some(&frequencies))?;
     let description = arguments.point.file.any(&SizeLimits::RUN_TIME)?;
-    if description.scene.is_joined() {
+    if description.scene.has_joined_states() {
         let asked = joined::Asked::of(&arguments.point, frequencies, frictions, &[]);
         let form = arguments.format.checked()?;
         return asked.write_sensitivities(description.scene, &arguments.of, form, out);

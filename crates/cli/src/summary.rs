@@ -3,7 +3,7 @@
 use crate::measure::{self, Measure};
 use crate::number::computed;
 use frictiongen::System;
-use frictiongen::study::scene::{Damping, DampingFrom, Excitation, Scene};
+use frictiongen::study::scene::{CONTACT, Damping, DampingFrom, Excitation, Scene};
 use frictiongen::study::units;
 use std::io::{self, Write};
 
@@ -149,6 +149,10 @@ fn description(scene: &Scene, loaded: bool) -> String {
     if scene.is_joined() {
         return joints(scene, &masses, loaded);
     }
+    let name = match scene.contact_name.as_str() {
+        CONTACT => String::new(),
+        name => format!("{name}: "),
+    };
     let from = scene.node_name(scene.contact.from);
     let to = scene.node_name(scene.contact.to);
     let excitation = excitation(scene, loaded);
@@ -167,6 +171,6 @@ fn description(scene: &Scene, loaded: bool) -> String {
         format!(" of stiffness {stiffness:?}")
     });
     format!(
-        "{masses}, contact {from} - {to}{stiffness}, {excitation}, {damping}{acts_on}, stiction {stiction:?}"
+        "{masses}, contact {name}{from} - {to}{stiffness}, {excitation}, {damping}{acts_on}, stiction {stiction:?}"
     )
 }

@@ -7,8 +7,8 @@ use crate::diagnostics::{MacroErrors, Partial, compile_error};
 use crate::lower::{Description, SizeLimits, parse_text, parse_tokens};
 use crate::{Diagnostics, emit, quoted};
 use frictiongen_model::scene::{
-    ContactSides, Damping, DampingFrom, Declared, Excitation, FrictionLaw, Joints, Mass, Node,
-    Provide, Scene, Spring, StepperOptions,
+    CONTACT, ContactSides, Damping, DampingFrom, Declared, Excitation, FrictionLaw, Joints, Mass,
+    Node, Provide, Scene, Spring, StepperOptions,
 };
 use proc_macro2::{Delimiter, Ident, Literal, Span, TokenStream, TokenTree};
 use std::path::{Path, PathBuf};
@@ -156,6 +156,7 @@ fn stand_in(partial: Partial) -> Option<TokenStream> {
             from: Node::Mass(0),
             to: Node::Wall,
         },
+        contact_name: CONTACT.to_owned(),
         excitation,
         damping: Damping::None,
         damping_from: DampingFrom::Rest,

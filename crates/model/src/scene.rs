@@ -2,7 +2,7 @@
 
 mod joints;
 
-pub use joints::{Damper, JointLaw, Joints, NamedContact};
+pub use joints::{CONTACT, Damper, JointLaw, Joints, NamedContact};
 
 /// One end of a spring, or one side of a contact: a mass, the base or the wall.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
@@ -276,9 +276,13 @@ pub struct Scene {
     pub masses: Vec<Mass>,
     /// The springs of the chain. The first spring is k₁, the reference of all stiffness ratios.
     pub springs: Vec<Spring>,
-    /// The single Coulomb contact of the scene. In a scene with `contacts`, this field has the two sides of the first
-    /// contact.
+    /// The single Coulomb contact of the scene. In a scene with several contacts, this field has the two sides of the
+    /// first contact.
     pub contact: ContactSides,
+    /// The name of the single contact. It is `contact`, unless the description has one contact with another name in the
+    /// field `contacts`.
+    #[cfg_attr(feature = "serde", serde(default = "joints::contact_name"))]
+    pub contact_name: String,
     /// The harmonic excitation of the scene.
     pub excitation: Excitation,
     /// The viscous damping of the scene.
@@ -304,7 +308,7 @@ pub struct Scene {
     /// The settings of the stepper.
     #[cfg_attr(feature = "serde", serde(default))]
     pub stepping: StepperOptions,
-    /// The contacts of the field `contacts`, and the dashpots.
+    /// Several contacts, and the dashpots.
     #[cfg_attr(feature = "serde", serde(default))]
     #[doc(hidden)]
     pub joints: Joints,

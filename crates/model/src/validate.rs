@@ -51,6 +51,7 @@ pub fn validate_known(scene: &Scene, checks: &Checks) -> Result<(), Vec<SceneErr
     {
         check_node(scene, Node::Mass(mass), Path::Excitation, &mut errors);
     }
+    joints::check_names(scene, checks, &mut errors);
     if joined {
         joints::check(scene, checks, &mut errors);
     } else {
@@ -73,6 +74,14 @@ pub fn validate_known(scene: &Scene, checks: &Checks) -> Result<(), Vec<SceneErr
     } else {
         Err(errors)
     }
+}
+
+/// Returns true if springs hold every mass, and the load can make the single contact slide.
+#[must_use]
+pub(crate) fn can_be_single(scene: &Scene) -> bool {
+    let mut errors = Vec::new();
+    reach::check(scene, &Checks::default(), &mut errors);
+    errors.is_empty() && !scene.springs.is_empty()
 }
 
 /// Checks that the contact joins two different nodes, and that at least one of the two nodes can move.

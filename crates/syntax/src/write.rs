@@ -1,8 +1,8 @@
 //! Writes a scene as a description.
 
 use frictiongen_model::scene::{
-    Accuracy, Beyond, ContactSides, Damping, DampingFrom, Declared, Excitation, FrictionLaw,
-    JointLaw, Node, Precision, Provide, Proving, Range, Scene, Side, StepInput,
+    Accuracy, Beyond, CONTACT, ContactSides, Damping, DampingFrom, Declared, Excitation,
+    FrictionLaw, JointLaw, Node, Precision, Provide, Proving, Range, Scene, Side, StepInput,
 };
 use std::fmt::{self, Display, Formatter, Write as _};
 
@@ -57,10 +57,10 @@ fn fields(scene: &Scene) -> Vec<(&'static str, String)> {
         fields.push(("springs", braced(springs)));
     }
     let joints = &scene.joints;
-    if joints.contacts.is_empty() {
+    if is_unnamed(scene) {
         fields.push(("contact", sides(scene.contact)));
     } else {
-        let contacts = joints.contacts.iter();
+        let contacts = scene.named_contacts().into_iter();
         let contacts = contacts.map(|contact| {
             format!(
                 "{}: {}{}",
@@ -88,6 +88,11 @@ fn fields(scene: &Scene) -> Vec<(&'static str, String)> {
     fields
 }
 
+/// Returns true if the field `contact` can describe the contact of the scene. Its name is then `contact`.
+fn is_unnamed(scene: &Scene) -> bool {
+    scene.joints.contacts.is_empty() && scene.contact_name == CONTACT
+}
+
 /// Adds the fields for damping, contact stiffness and friction to `fields`, in the notation of a description.
 fn law(scene: &Scene, fields: &mut Vec<(&'static str, String)>) {
     match &scene.damping {
@@ -102,7 +107,7 @@ fn law(scene: &Scene, fields: &mut Vec<(&'static str, String)>) {
         fields.push(("damping_from", "base".to_owned()));
     }
     // With the field `contacts`, each contact has its own stiffness and μ.
-    if scene.joints.contacts.is_empty() {
+    if is_unnamed(scene) {
         if scene.stiction != 1.0 {
             fields.push(("stiction", format!("{:?}", scene.stiction)));
         }

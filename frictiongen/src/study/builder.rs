@@ -4,8 +4,9 @@ use super::error::InvalidScene;
 use super::system::System;
 use frictiongen_kernel::Float;
 use frictiongen_model::scene::{
-    ContactSides, Damper, Damping, DampingFrom, Declared, Excitation, FrictionLaw, JointLaw,
-    Joints, Mass, NamedContact, Node, Precision, Provide, Scene, Spring, StepInput, StepperOptions,
+    CONTACT, ContactSides, Damper, Damping, DampingFrom, Declared, Excitation, FrictionLaw,
+    JointLaw, Joints, Mass, NamedContact, Node, Precision, Provide, Scene, Spring, StepInput,
+    StepperOptions,
 };
 use frictiongen_model::validate::{Checks, validate_known};
 
@@ -104,7 +105,8 @@ impl Builder {
 
     /// Adds one of several contacts. The contact has a name, two nodes and a law: its stiffness, its μ, and its
     /// friction force divided by F. If the scene has several contacts, use this method instead of `contact`.
-    /// `System::joined` then solves the scene.
+    /// `System::joined` then solves the scene. If it is the only contact, the scene is that of `contact` with a name.
+    #[doc(hidden)]
     pub fn contact_named(mut self, name: &str, from: &str, to: &str, law: JointLaw) -> Self {
         let sides = (from.to_owned(), to.to_owned());
         self.contacts.push((name.to_owned(), sides, law));
@@ -329,6 +331,7 @@ impl Builder {
             masses: self.masses,
             springs,
             contact,
+            contact_name: CONTACT.to_owned(),
             excitation,
             damping: self.damping,
             damping_from: self.damping_from,
@@ -341,6 +344,9 @@ impl Builder {
             stepping,
             joints,
         };
+        if unknown.is_empty() {
+            scene.unite();
+        }
         scene.provide = provided(&scene);
         if unknown.is_empty() {
             return System::try_from(scene);

@@ -48,9 +48,9 @@ pub enum UnknownMotion {
     /// The expression means the velocity or the acceleration of a force, and a force has neither. The field is the
     /// name of the force.
     Rate(String),
-    /// The brackets of `slip(…)`, `force(…)` or `energy(…)` do not contain the name of a contact. The first field is
-    /// the name of the function, and the second field is the text in its brackets.
-    Slip(String, String),
+    /// The brackets of `slip(…)`, `force(…)` or `energy(…)` do not contain the name of the contact. The first field is
+    /// the name of the function, the second field is the text in its brackets, and the third is the name of the contact.
+    Slip(String, String, String),
     /// The closing bracket is missing, or text follows it. The field is the whole expression.
     Brackets(String),
 }
@@ -83,8 +83,8 @@ impl std::fmt::Display for UnknownMotion {
                 f,
                 "`{name}` is a force, which has neither a velocity nor an acceleration"
             ),
-            Self::Slip(function, name) => {
-                write!(f, "`{name}` is no contact; write `{function}(contact)`")
+            Self::Slip(function, name, contact) => {
+                write!(f, "`{name}` is no contact; write `{function}({contact})`")
             }
             Self::Brackets(text) => {
                 write!(f, "`{text}`: write one closing bracket, at the end")

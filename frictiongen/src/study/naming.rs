@@ -13,7 +13,7 @@ impl<S: Float> System<S> {
     /// | name | motion |
     /// |---|---|
     /// | `roof` | displacement of the mass `roof` |
-    /// | `contact` | relative motion in the contact |
+    /// | `contact`, or the name of the contact in `contacts` | relative motion in the contact |
     /// | `roof-base` | displacement of `roof` relative to the base |
     /// | `roof-first` | displacement of `roof` relative to `first`, for example the drift of a storey |
     /// | `spring(first-roof)` | force in the spring between `first` and `roof` |
@@ -50,10 +50,11 @@ impl<S: Float> System<S> {
         if let Ok(index) = self.mass_index(name) {
             return Ok(Of::Mass(index));
         }
-        match name {
-            "contact" => return Ok(Of::Contact),
-            "shear" => return self.shear(),
-            _ => {}
+        if name == self.scene.contact_name {
+            return Ok(Of::Contact);
+        }
+        if name == "shear" {
+            return self.shear();
         }
         if let Some((function, inside)) = name.split_once('(') {
             let inside = inside.strip_suffix(')');
@@ -152,7 +153,12 @@ impl<S: Float> System<S> {
             );
             if of_contact && of != Of::Contact {
                 let function = function.trim_end_matches('(').to_owned();
-                return Err(UnknownMotion::Slip(function, inside.trim().to_owned()));
+                let contact = self.scene.contact_name.clone();
+                return Err(UnknownMotion::Slip(
+                    function,
+                    inside.trim().to_owned(),
+                    contact,
+                ));
             }
             return Ok((of, size));
         }
@@ -165,7 +171,7 @@ impl<S: Float> System<S> {
     pub fn name_of_motion(&self, of: Of) -> String {
         let mass = |index: usize| self.scene.node_name(Node::Mass(index));
         match of {
-            Of::Contact => "contact".to_owned(),
+            Of::Contact => self.scene.contact_name.clone(),
             Of::Mass(index) => mass(index).to_owned(),
             Of::Relative(of, to) => format!("{}-{}", mass(of), mass(to)),
             Of::FromBase(index) => format!("{}-base", mass(index)),
@@ -195,10 +201,10 @@ impl<S: Float> System<S> {
         };
         let spring = inside.strip_suffix(')').map(str::trim);
         let spring = spring.ok_or_else(|| UnknownMotion::Brackets(name.to_owned()))?;
-        match spring {
-            "contact" => Ok(Some(Of::Contact)),
-            spring => self.spring_named(spring).map(Some),
+        if spring == self.scene.contact_name {
+            return Ok(Some(Of::Contact));
         }
+        self.spring_named(spring).map(Some)
     }
 
     fn shear(&self) -> Result<Of, UnknownMotion> {

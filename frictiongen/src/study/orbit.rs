@@ -1,6 +1,7 @@
 //! Steady states of a run-time system in any regime. A caller can request the motion of a mass by the name of the mass.
 
 use super::error::UnknownMass;
+use super::joined::UnknownContact;
 use super::system::System;
 use super::units::reversed_phase;
 use crate::Complex;
@@ -75,6 +76,25 @@ impl<'a, S: Float> SystemOrbit<'a, S> {
     /// [`UnknownMass`] if no mass has this name.
     pub fn mass(&self, name: &str) -> Result<SystemOrbitMotion<'_, 'a, S>, UnknownMass> {
         Ok(self.orbit.mass(self.system.mass_index(name)?))
+    }
+
+    /// Returns the relative motion in the contact called `name`.
+    ///
+    /// # Errors
+    /// [`UnknownContact`] if the contact has another name.
+    #[doc(hidden)]
+    pub fn contact_named(
+        &self,
+        name: &str,
+    ) -> Result<SystemOrbitMotion<'_, 'a, S>, UnknownContact> {
+        let known = &self.system.scene().contact_name;
+        if known == name {
+            return Ok(self.orbit.contact());
+        }
+        Err(UnknownContact {
+            name: name.to_owned(),
+            known: vec![known.clone()],
+        })
     }
 
     /// Returns the phase of the contact's relative motion with the opposite sign, in rad, in (−π, π]. If

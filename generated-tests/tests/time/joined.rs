@@ -31,6 +31,15 @@ scenes! {
         step: 1e-3,
         provide: [simulation, stepper],
     }
+    // One contact: the code is that of the field `contact`.
+    struct Named {
+        masses: { lower: 2.0, upper: 1.0 },
+        springs: { base - lower: 800.0, lower - upper: 600.0 },
+        contacts: { pads: lower - upper { stiction: 1.2 } },
+        damping: modal(0.02),
+        excitation: upper,
+        provide: [limits, motion, stuck, orbit, simulation, stepper],
+    }
     struct Clutches {
         masses: { motor: 1.0, load: 3.0 },
         contacts: { clutch: motor - load, brake: load - wall { stiction: 1.3 } },
@@ -137,6 +146,28 @@ fn steppers_have_the_bits_of_the_system() {
         }
     }
     assert!(events > 200, "{events}");
+}
+
+/// Checks that a single contact of the field `contacts` has a method with its name, which returns what `contact` returns.
+#[test]
+fn one_contact_has_a_method_of_its_name() {
+    let at = Named::at(0.9).expect("a frequency");
+    let motion = at.motion(0.1).expect("a motion");
+    assert_eq!(motion.pads().amplitude(), motion.contact().amplitude());
+    let stuck = at.stuck().expect("a stuck state");
+    assert_eq!(stuck.pads(), stuck.contact_force());
+    let orbit = at.orbit(0.4).expect("a steady state");
+    assert_eq!(orbit.pads().amplitude(), orbit.contact().amplitude());
+    let mut run = Named::simulation(0.9, 0.4).expect("a simulation");
+    run.advance(20.0).expect("a motion");
+    assert_eq!(run.pads(), run.contact());
+    let mut step = Named::stepper(0.01).expect("a stepper");
+    let input = NamedInput {
+        force: 3.0,
+        friction: 1.0,
+    };
+    step.advance(input).expect("a step");
+    assert_eq!(step.pads().force(), step.contact().force());
 }
 
 /// Checks a clutch that sticks and drives two masses as one. Formulas give the acceleration and the slip.

@@ -68,7 +68,7 @@ def _first(answer: Any, of: str | None) -> str:
     """Returns `of`.  The default is the first mass, or the contact if there is no mass."""
     if of is not None:
         return of
-    return next((name for name in answer.motions if name != "contact"), "contact")
+    return next(iter(answer.masses), next(iter(answer.motions)))
 
 
 def limits(answer: answers.Limits, ax: Axes | None) -> Axes:
@@ -194,10 +194,10 @@ def history(answer: answers.History | answers.Steps | answers.Cycle, ax: Axes | 
             unit = "m" if "displacement_m" in inner else ""
             values, _ = _column(answer, motion, "displacement", "m")
             ax.plot(answer.time_s, values, label=motion)
-    if "state" in answer["contact"]:
+    if "state" in answer.contact:
         low, high = ax.get_ylim()
         ax.fill_between(
-            answer.time_s, low, high, where=answer["contact"].state == "stuck", color="0.9", zorder=0, label="stuck"
+            answer.time_s, low, high, where=answer.contact.state == "stuck", color="0.9", zorder=0, label="stuck"
         )
         ax.set_ylim(low, high)
     ax.set_xlabel("time (s)")

@@ -16,7 +16,7 @@ pub use start::{DrivenKeywords, driven};
 use crate::columns::NamedArrays;
 use crate::errors::{domain, wrong_type};
 use frictiongen::System;
-pub use frictiongen::study::columns::{CONTACT, MovingPart};
+pub use frictiongen::study::columns::MovingPart;
 use frictiongen::study::columns::{Column, ColumnAxis, FrequencyUnit, Setting};
 use pyo3::prelude::*;
 use pyo3::types::PyString;
@@ -99,7 +99,7 @@ pub fn parts(
     let mut asked = names(argument, given)?;
     if asked.is_empty() {
         let masses = system.scene().masses.iter();
-        asked = std::iter::once(CONTACT.to_owned())
+        asked = std::iter::once(system.scene().contact_name.clone())
             .chain(masses.map(|mass| mass.name.clone()))
             .collect();
     }

@@ -5,7 +5,7 @@ mod draw;
 mod report;
 
 use crate::args::CurveArguments;
-use crate::asked::{self, CONTACT, MovingPart};
+use crate::asked::{self, MovingPart};
 use crate::destination::Destination;
 use crate::destination::OutputFormat;
 use crate::failure::Failure;
@@ -50,7 +50,7 @@ pub fn run(arguments: &CurveArguments, out: &mut dyn Write) -> Result<(), Failur
     let frictions = Frictions::parse(&arguments.point.friction, None)?;
     let description = arguments.point.file.any(&SizeLimits::RUN_TIME)?;
     let (starts, state) = starts(&arguments.from)?;
-    if description.scene.is_joined() {
+    if description.scene.has_joined_states() {
         joined::refused(&[
             (!orders.is_empty(), "--harmonics"),
             (arguments.rates, "--rates"),
@@ -157,7 +157,7 @@ fn one_row_of_contact(parts: &mut Vec<MovingPart>, scene: &Scene) {
         return;
     };
     if let Some(part) = parts.get_mut(row) {
-        part.name = format!("{} ({CONTACT})", part.name);
+        part.name = format!("{} ({})", part.name, scene.contact_name);
     }
     parts.remove(contact);
 }

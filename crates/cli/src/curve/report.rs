@@ -85,6 +85,6 @@ impl ResultTable for CurveReport {
     }
 
     fn layout(&self) -> Layout {
-        Layout::Objects
+        Layout::Lists
     }
 }

@@ -318,7 +318,10 @@ fn differences(old: &System, new: &System, band: &[f64]) -> Vec<Difference> {
     let mut motions: Vec<ResultSeries> = std::iter::once(None)
         .chain(names)
         .map(|mass| {
-            let name = format!("amplitude of {} over {load}", mass.unwrap_or("contact"));
+            let name = format!(
+                "amplitude of {} over {load}",
+                mass.unwrap_or(&new.scene().contact_name)
+            );
             ResultSeries {
                 left_out_by: left_out_by(old.scene(), new.scene(), mass),
                 ..ResultSeries::new(name, of_length, CONTINUOUS)

@@ -1,8 +1,8 @@
 //! Compares the parameters of two scene descriptions, field by field.
 
 use frictiongen::study::scene::{
-    Accuracy, Beyond, Damping, DampingFrom, Excitation, FrictionLaw, Precision, Provide, Scene,
-    Side, StepInput,
+    Accuracy, Beyond, CONTACT, Damping, DampingFrom, Excitation, FrictionLaw, Precision, Provide,
+    Scene, Side, StepInput,
 };
 
 /// A field of a scene description as text, and as a number if the text is a number.
@@ -124,7 +124,11 @@ fn fields(scene: &Scene) -> Vec<DescriptionField> {
         fields.push(word("first spring (k1)", ends(first.from, first.to)));
     }
     if scene.joints.contacts.is_empty() {
-        fields.push(word("contact", ends(scene.contact.from, scene.contact.to)));
+        let name = match scene.contact_name.as_str() {
+            CONTACT => CONTACT.to_owned(),
+            name => format!("contact {name}"),
+        };
+        fields.push(word(&name, ends(scene.contact.from, scene.contact.to)));
     }
     for contact in &scene.joints.contacts {
         let (name, sides, law) = (&contact.name, &contact.sides, &contact.law);

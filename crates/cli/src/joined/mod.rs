@@ -38,7 +38,7 @@ pub fn refused(options: &[(bool, &str)]) -> Result<(), Failure> {
     match options.iter().find(|(given, _)| *given) {
         None => Ok(()),
         Some((_, option)) => Err(Failure::new(format_args!(
-            "{option} has no answer for a scene with `contacts` or `dampers`; leave it out"
+            "{option} has no answer for a scene with several `contacts`, `dampers` or `friction: stribeck`; leave it out"
         ))),
     }
 }

@@ -45,7 +45,7 @@ impl ResultTable for JoinedReport<'_> {
     }
 
     fn layout(&self) -> Layout {
-        Layout::Joints
+        Layout::Lines
     }
 
     fn has_motions(&self, row: &JoinedRow) -> bool {

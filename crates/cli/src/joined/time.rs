@@ -180,7 +180,7 @@ impl<'m> ResultTable for SamplesReport<'m> {
     }
 
     fn layout(&self) -> Layout {
-        Layout::Objects
+        Layout::Lists
     }
 }
 
@@ -206,6 +206,6 @@ impl<'m> ResultTable for EventsReport<'m> {
     }
 
     fn layout(&self) -> Layout {
-        Layout::Objects
+        Layout::Lists
     }
 }

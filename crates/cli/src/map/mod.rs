@@ -47,7 +47,7 @@ pub fn run(arguments: &MapArguments, out: &mut dyn Write) -> Result<(), Failure>
     let from = from::given(&arguments.start, &frequencies)?;
     let frictions = Frictions::of_map(&arguments.point.friction, &frequencies)?;
     let description = arguments.point.file.any(&SizeLimits::RUN_TIME)?;
-    if description.scene.is_joined() {
+    if description.scene.has_joined_states() {
         joined::refused(&[
             (digits.is_some(), "--boundaries"),
             (arguments.shade == ShadeArgument::Stuck, "--shade stuck"),

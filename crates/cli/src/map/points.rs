@@ -2,6 +2,7 @@
 
 use crate::failure::Failure;
 use crate::grids::Grids;
+use crate::layout::Layout;
 use crate::output::{ResultTable, Visitor};
 use frictiongen::study::columns::{BoundaryRow, Column, MapRow, MapTable};
 use frictiongen::study::map::{Boundary, Map};
@@ -46,6 +47,10 @@ impl<'m> ResultTable for MapReport<'m> {
 
     fn columns(&self) -> Vec<Column<'_, MapRow<'m>>> {
         self.table().columns()
+    }
+
+    fn layout(&self) -> Layout {
+        Layout::Lists
     }
 }
 

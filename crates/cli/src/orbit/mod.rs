@@ -45,7 +45,7 @@ pub fn run(arguments: &OrbitArguments, out: &mut dyn Write) -> Result<(), Failur
         None => Vec::new(),
     };
     let description = arguments.point.file.any(&SizeLimits::RUN_TIME)?;
-    if description.scene.is_joined() {
+    if description.scene.has_joined_states() {
         joined::refused(&[(!orders.is_empty(), "--harmonics")])?;
         let asked = joined::Asked::of(&arguments.point, frequencies, frictions, &arguments.of)
             .starting_from(arguments.start.from.as_deref());

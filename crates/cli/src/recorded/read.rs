@@ -26,7 +26,7 @@ pub fn any_scene(path: &Path) -> Result<System, Failure> {
     let file = FileArgument {
         file: Some(path.to_owned()),
     };
-    let description = file.maybe_joined(&SizeLimits::RUN_TIME, false)?;
+    let description = file.any(&SizeLimits::RUN_TIME)?;
     System::try_from(description.scene).map_err(Failure::new)
 }
 

@@ -41,7 +41,7 @@ pub fn run(arguments: &ReportArguments, out: &mut dyn Write) -> Result<(), Failu
         Failure::Lines(lines.map(|line| format!("{name}:{line}")).collect())
     })?;
     let documentation = description.documentation();
-    if description.scene.is_joined() {
+    if description.scene.has_joined_states() {
         joined::refused(&[(arguments.live, "--live")])?;
         let about = (name.as_str(), documentation.as_str());
         return joined::write_page(arguments, description.scene, about, out);

@@ -103,7 +103,7 @@ pub fn html(asked: &ReportRequest) -> Markup {
                 None => p { "A chain of " (scene.masses.len()) " masses is not drawn; its values are in the tables." },
             }
             dl.facts {
-                div { dt { "contact" } dd { (contact.0) " – " (contact.1) } }
+                div { dt { (scene.contact_name) } dd { (contact.0) " – " (contact.1) } }
                 @if let Some(stiffness) = scene.stiffness {
                     div { dt { "stiffness of the contact, in series with its slider" } dd { (digits(stiffness)) " N/m" } }
                 }

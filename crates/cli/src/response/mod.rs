@@ -28,7 +28,7 @@ pub fn run(arguments: &ResponseArguments, out: &mut dyn Write) -> Result<(), Fai
         None => Vec::new(),
     };
     let description = arguments.point.file.any(&SizeLimits::RUN_TIME)?;
-    if description.scene.is_joined() {
+    if description.scene.has_joined_states() {
         joined::refused(&[(!orders.is_empty(), "--harmonics")])?;
         let asked = joined::Asked::of(&arguments.point, frequencies, frictions, &arguments.of)
             .starting_from(from);

@@ -71,10 +71,11 @@ pub fn run(arguments: &TimeArguments, out: &mut dyn Write) -> Result<(), Failure
     let frequencies = Frequencies::parse(&arguments.point.frequency, true)?;
     let frictions = Frictions::parse(&arguments.point.friction, Some(&frequencies))?;
     let file = &arguments.point.file;
-    let description = file.maybe_joined(&SizeLimits::RUN_TIME, arguments.steady)?;
+    let description = file.any(&SizeLimits::RUN_TIME)?;
     let from = arguments.from.as_deref();
     let run_from = from.filter(|text| !arguments.steady && text.trim() != from::REST);
-    if description.scene.is_joined() {
+    let scene = &description.scene;
+    if scene.is_joined() || arguments.steady && scene.has_joined_states() {
         joined::refused(&[(arguments.spectrum, "--spectrum")])?;
         let point = joined::Asked::of(&arguments.point, frequencies, frictions, &arguments.of);
         let point = point.starting_from(from.filter(|_| arguments.steady));

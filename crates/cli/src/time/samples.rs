@@ -36,7 +36,7 @@ impl<'m> ResultTable for SamplesReport<'m> {
     }
 
     fn layout(&self) -> Layout {
-        Layout::Masses
+        Layout::Lists
     }
 
     fn head(&self) -> Vec<(String, Json)> {
@@ -65,7 +65,7 @@ impl<'m> ResultTable for EventsReport<'m> {
     }
 
     fn layout(&self) -> Layout {
-        Layout::Masses
+        Layout::Lists
     }
 
     fn head(&self) -> Vec<(String, Json)> {

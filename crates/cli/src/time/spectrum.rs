@@ -44,7 +44,7 @@ impl<'m> ResultTable for SpectrumReport<'m> {
     }
 
     fn layout(&self) -> Layout {
-        Layout::Masses
+        Layout::Lists
     }
 
     fn head(&self) -> Vec<(String, Json)> {

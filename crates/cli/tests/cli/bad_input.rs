@@ -188,8 +188,8 @@ fn a_full_disk_is_one() {
     }
 }
 
-/// Checks that every command of the exact response refuses a kinetic friction level that depends on the speed. `expand`
-/// accepts it.
+/// Checks that every command of the closed forms refuses a kinetic friction level that depends on the speed, and that
+/// commands of steady states need the load. `expand` accepts this friction.
 #[test]
 fn a_friction_law_without_a_constant_level() {
     let stribeck = BLOCK.replace(
@@ -197,20 +197,24 @@ fn a_friction_law_without_a_constant_level() {
         "excitation: block, friction: stribeck(0.1: 0.8), provide: [stepper],",
     );
     let default = stribeck.replace(", provide: [stepper]", "");
-    let told = "frictiongen: <stdin>: the exact response needs a constant kinetic level, but this scene has `friction: stribeck`; write `friction: coulomb`, compute a run with `frictiongen time`, or write the contact as `contacts: { name: a - b }` for steady states of `orbit`, `curve` and `map`";
-    let commands: [&[&str]; 10] = [
-        &["limits", "--r", "1"],
-        &["response", "--r", "1", "--beta", "1"],
-        &["orbit", "--r", "1", "--beta", "1"],
-        &["curve", "--r", "1:1:2", "--beta", "1"],
-        &["map", "--r", "1:1:2", "--beta", "0:1:1", "--csv"],
-        &["time", "--r", "1", "--beta", "1", "--steady"],
-        &["optimum", "--of", "block", "--r", "1:2"],
-        &["sensitivity", "--of", "block", "--r", "1", "--beta", "1"],
-        &["compile", "--accuracy", "1e-2", "--r", "0.5:2"],
-        &["features"],
+    let told = "frictiongen: <stdin>: the exact response needs a constant kinetic level, but this scene has `friction: stribeck`; use `frictiongen orbit`, `curve`, `map` or `time`, or write `friction: coulomb`";
+    let units = "frictiongen: `friction: stribeck` has speeds in the units of the scene, so that the amplitude of the load is needed; give the frequency in Hz or rad/s, the load in N or m and the friction in N";
+    let commands: [(&[&str], &str); 10] = [
+        (&["limits", "--r", "1"], told),
+        (&["compile", "--accuracy", "1e-2", "--r", "0.5:2"], told),
+        (&["features"], told),
+        (&["response", "--r", "1", "--beta", "1"], units),
+        (&["orbit", "--r", "1", "--beta", "1"], units),
+        (&["curve", "--r", "1:1:2", "--beta", "1"], units),
+        (&["map", "--r", "1:1:2", "--beta", "0:1:1", "--csv"], units),
+        (&["time", "--r", "1", "--beta", "1", "--steady"], units),
+        (&["optimum", "--of", "block", "--r", "1:2"], units),
+        (
+            &["sensitivity", "--of", "block", "--r", "1", "--beta", "1"],
+            units,
+        ),
     ];
-    for arguments in commands {
+    for (arguments, told) in commands {
         assert_eq!(failure(&stribeck, arguments), [told], "{arguments:?}");
         // Only `compile` emits code, for which `provide` must fit the scene.
         if arguments[0] != "compile" {

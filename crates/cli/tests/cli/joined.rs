@@ -86,12 +86,17 @@ fn contacts_are_named() {
     let json: serde_json::Value = serde_json::from_str(&json).expect("JSON");
     let point = &json["points"][0];
     assert!(
-        point["brace"]["stops"]
+        point["contacts"][0]["stops"]
             .as_u64()
             .is_some_and(|stops| stops > 0),
         "{point}"
     );
-    assert!(point["lower"]["amplitude"].as_f64().is_some(), "{point}");
+    assert_eq!(point["contacts"][1]["name"], "pads");
+    assert_eq!(point["masses"][0]["name"], "lower");
+    assert!(
+        point["masses"][0]["amplitude"].as_f64().is_some(),
+        "{point}"
+    );
 }
 
 /// Events and samples over time. Their forces are within the friction of each contact.
@@ -317,7 +322,75 @@ fn pictures_of_several_contacts() {
     assert!(told.contains("needs two frequencies"), "{told}");
 }
 
-/// With a load, the displacement of a contact `a - b` has the same sign in `contacts` as in `contact`, in both orders.
+/// One contact has the same answers in the fields `contact` and `contacts`. Another name of the contact changes nothing
+/// but this name.
+#[test]
+fn one_contact_has_the_same_answers_in_both_fields() {
+    let frame = "masses: { lower: 3.27, upper: 3.25 }, springs: { base - lower: 1190.0, lower - upper: 1323.0 }";
+    let scenes = [
+        (
+            "damping: modal[0.010, 0.012], excitation: base",
+            "contact: upper - wall, stiction: 1.2",
+            "upper - wall { stiction: 1.2 }",
+        ),
+        (
+            "damping: modal(0.02), excitation: upper",
+            "contact: lower - wall, stiffness: 4e3",
+            "lower - wall { stiffness: 4e3 }",
+        ),
+        (
+            "damping: modal(0.05), excitation: base, friction: stribeck(0.01: 0.9)",
+            "contact: upper - wall",
+            "upper - wall",
+        ),
+    ];
+    let mut compared = 0;
+    for (fields, contact, sides) in scenes {
+        let scene = |contact: &str| format!("struct Frame {{ {frame}, {fields}, {contact} }}");
+        let listed = |name: &str| scene(&format!("contacts: {{ {name}: {sides} }}"));
+        let (load, many) = match fields.contains("stribeck") {
+            true => ("--hz 2.6,3 --friction 0.9 --base 2e-3", false),
+            false => ("--r 0.5,0.9 --beta 0.3,0.6", true),
+        };
+        let mut lines = vec![
+            format!("orbit {load}"),
+            format!("map {load}"),
+            format!("response {load}"),
+            format!(
+                "time {}",
+                load.replace(",0.9", "")
+                    .replace(",0.6", "")
+                    .replace(",3", "")
+            ),
+        ];
+        if many {
+            lines.push("curve --r 0.4:1.2 --beta 0.4".to_owned());
+            lines.push("optimum --r 0.4:1.2 --of lower".to_owned());
+        }
+        if many && !sides.contains("stiffness") {
+            lines.push("limits --r 0.2:0.1:1".to_owned());
+        }
+        for line in &lines {
+            for form in ["--csv", "--json"] {
+                let line = format!("{line} {form}");
+                let one = output(&scene(contact), &words(&line));
+                assert_eq!(output(&listed("contact"), &words(&line)), one, "{line}");
+                let named = output(&listed("pads"), &words(&line));
+                assert_eq!(named.replace("pads", "contact"), one, "{line}");
+                assert!(
+                    line.starts_with("limits")
+                        || named.contains("pads")
+                        || line.contains("optimum")
+                );
+                compared += 1;
+            }
+        }
+    }
+    println!("{compared} outputs");
+}
+
+/// With a load, the displacement of a contact `a - b` has the same sign with the solver for several contacts, in both
+/// orders. With a share of one half, this solver needs twice the friction.
 #[test]
 fn signs_are_those_of_a_single_contact() {
     for ends in ["upper - lower", "lower - upper"] {
@@ -327,11 +400,14 @@ fn signs_are_those_of_a_single_contact() {
                 springs: {{ base - lower: 1500.0, lower - upper: 1200.0 }} }}"
             )
         };
-        for load in ["--base 2e-3 --friction 0.6", "--beta 0.2"] {
-            let line = format!("time --hz 3 {load} --cycles 2 --samples 20 --csv");
-            let one = output(&scene(format!("contact: {ends}")), &words(&line));
-            let several = scene(format!("contacts: {{ pads: {ends} }}"));
-            let several = output(&several, &words(&line));
+        for (load, twice) in [
+            ("--base 2e-3 --friction 0.6", "--base 2e-3 --friction 1.2"),
+            ("--beta 0.2", "--beta 0.4"),
+        ] {
+            let line = |load| format!("time --hz 3 {load} --cycles 2 --samples 20 --csv");
+            let one = output(&scene(format!("contact: {ends}")), &words(&line(load)));
+            let several = scene(format!("contacts: {{ pads: {ends} {{ share: 0.5 }} }}"));
+            let several = output(&several, &words(&line(twice)));
             let unit = if load.contains("base") { "_m" } else { "" };
             let single = column(&one, &format!("contact.displacement{unit}"));
             let pads = column(&several, &format!("pads.displacement{unit}"));

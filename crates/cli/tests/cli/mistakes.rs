@@ -113,7 +113,9 @@ fn of_several() -> Vec<Mistake> {
         ),
         mistake(
             "time SEVERAL POINT --spectrum",
-            &["--spectrum has no answer for a scene with `contacts` or `dampers`; leave it out"],
+            &[
+                "--spectrum has no answer for a scene with several `contacts`, `dampers` or `friction: stribeck`; leave it out",
+            ],
         ),
         mistake(
             "periodic FORCED --harmonics 1:2 --hz 1:0.5:3 --friction 1",
@@ -246,7 +248,7 @@ fn each_mistake_has_one_line() {
         frame.replace("excitation: base", "excitation: upper"),
     )
     .unwrap();
-    let contacts = "contacts: { pads: upper - wall { stiction: 1.2 } }";
+    let contacts = "contacts: { pads: upper - wall { stiction: 1.2, share: 0.5 } }";
     let frame = frame.replace("contact: upper - wall", contacts);
     fs::write(&several, frame.replace("    stiction: 1.2,\n", "")).unwrap();
     let all = [of_scenes(), of_records(), of_several(), of_columns()];

@@ -49,7 +49,7 @@ fn a_point_without_a_steady_state_says_why() {
     let text = output(BLOCK, &["orbit", "--r", "1", "--beta", "0.4", "--json"]);
     let point = &json(&text)["points"][0];
     assert_eq!(point["state"], "unbounded");
-    assert!(point["stops"].is_null() && point.get("contact").is_none());
+    assert!(point["stops"].is_null() && point.get("contacts").is_none());
 }
 
 #[test]
@@ -146,7 +146,7 @@ fn states_beside_each_other() {
     assert_eq!(points.len(), 2);
     let (sliding, stuck) = (of("continuous"), of("stuck"));
     // The expected amplitude is that of Den Hartog's closed form.
-    let amplitude = sliding["contact"]["amplitude"].as_f64().unwrap();
+    let amplitude = sliding["contacts"][0]["amplitude"].as_f64().unwrap();
     assert!((amplitude - CLOSED_FORM).abs() < 1e-9, "{amplitude}");
     assert_eq!(sliding["marginal"], false);
     assert_eq!(stuck["marginal"], true);

@@ -125,7 +125,7 @@ fn json_says_null_where_there_is_no_motion() {
     let point = &json["points"][0];
     assert_eq!(point["regime"], "stick-slip");
     assert_eq!(point["margin"], "inf");
-    for part in [&point["contact"], &point["masses"][0]] {
+    for part in [&point["contacts"][0], &point["masses"][0]] {
         for name in ["amplitude", "phase", "amplitude_monoharmonic", "harmonics"] {
             assert!(part.get(name).unwrap().is_null(), "{point}");
         }

@@ -169,9 +169,9 @@ fn json_says_what_is_meant() {
     let point = &points[3];
     assert!(point["time_s"].is_number() && point["tau"].is_number());
     for name in ["displacement_m", "velocity_m_s", "friction_N"] {
-        assert!(point["contact"][name].is_number(), "{name}");
+        assert!(point["contacts"][0][name].is_number(), "{name}");
     }
-    assert!(point["contact"]["state"].is_string());
+    assert!(point["contacts"][0]["state"].is_string());
     assert_eq!(point["masses"][1]["name"], "upper");
     assert!(point["masses"][1]["velocity_m_s"].is_number());
     let steady = json(&output("", &words(&format!("{line} --steady --events"))));
@@ -239,7 +239,7 @@ fn turns([mass, spring, friction]: [f64; 3], [x, v]: [f64; 2]) -> Vec<(f64, f64)
     turns
 }
 
-/// Free vibrations follow the closed form, with both solvers, with and without an excitation in the description, and
+/// Free vibrations follow the closed form, with both solvers (that for several contacts with a share of one half), with and without an excitation in the description, and
 /// under a load that is too small to matter.
 #[test]
 fn free_vibrations_lose_four_times_the_friction_over_the_stiffness_in_a_cycle() {
@@ -254,14 +254,21 @@ fn free_vibrations_lose_four_times_the_friction_over_the_stiffness_in_a_cycle() 
         let [mass, spring, friction] = block;
         let expected = turns(block, state);
         let until = expected.last().unwrap().0 * 1.01;
-        let contact = ["contact: block - wall", "contacts: { pads: block - wall }"];
+        let contact = [
+            ("contact: block - wall", friction),
+            (
+                "contacts: { pads: block - wall { share: 0.5 } }",
+                2.0 * friction,
+            ),
+        ];
         let excited = ["", ", excitation: block", ", excitation: base"];
-        for (contact, excited) in contact.iter().flat_map(|c| excited.map(|e| (c, e))) {
+        let all = contact.iter().flat_map(|c| excited.map(|e| (c, e)));
+        for ((contact, common), excited) in all {
             let scene = format!(
                 "struct B {{ masses: {{ block: {mass} }}, springs: {{ base - block: {spring} }}, {contact}{excited} }}"
             );
             let [x, v] = state;
-            let line = format!("time - --from {x};{v} --friction {friction} --csv");
+            let line = format!("time - --from {x};{v} --friction {common} --csv");
             let free = format!("{line} --until {until}");
             let mut runs = vec![(free.clone(), until)];
             if excited == ", excitation: block" && friction == 0.5 {
@@ -311,16 +318,20 @@ fn free_vibrations_of_a_frame() {
     for (one, many) in [
         (
             "contact: upper - wall, stiction: 1.2",
-            "pads: upper - wall { stiction: 1.2 }",
+            "pads: upper - wall { stiction: 1.2, share: 0.5 }",
         ),
         (
             "contact: lower - upper, stiffness: 4e3, provide: [orbit]",
-            "pads: lower - upper { stiffness: 4e3 }",
+            "pads: lower - upper { stiffness: 4e3, share: 0.5 }",
         ),
     ] {
         let line = "time - --from 0.01,0.004;0.1,-0.2 --until 3 --friction 2 --samples 300 --csv";
         let one = output(&format!("{head}, {one} }}"), &words(line));
-        let many = output(&format!("{head}, contacts: {{ {many} }} }}"), &words(line));
+        let twice = line.replace("--friction 2", "--friction 4");
+        let many = output(
+            &format!("{head}, contacts: {{ {many} }} }}"),
+            &words(&twice),
+        );
         for name in ["lower.displacement_m", "upper.velocity_m_s"] {
             for (one, many) in column(&one, name).into_iter().zip(column(&many, name)) {
                 // The displacements are about 0.01 m, and the velocities 0.2 m/s.

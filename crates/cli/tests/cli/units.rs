@@ -217,7 +217,7 @@ fn json_names_hold_units() {
         for name in ["frequency_Hz", "omega_rad_s", "r", "friction_N", "beta"] {
             assert!(point[name].is_number(), "{name}: {point}");
         }
-        for part in [&point["contact"], &point["masses"][1]] {
+        for part in [&point["contacts"][0], &point["masses"][1]] {
             assert!(part["amplitude_m"].as_f64().unwrap() < 0.01, "{part}");
             assert!(part["phase_deg"].as_f64().unwrap() > 5.0, "{part}");
             assert!(part.get("amplitude").is_none() && part.get("phase").is_none());

@@ -277,9 +277,12 @@ fn offers(emission: &Emission<'_>) -> Vec<String> {
     items
 }
 
-/// Returns a list of methods as text: the methods in `first`, then the methods that have the names of masses.
+/// Returns a list of methods as text: the methods in `first`, then the methods that have the name of the contact or
+/// of masses.
 fn methods(emission: &Emission<'_>, masses: &[usize], first: &[&str]) -> String {
     let mut methods: Vec<String> = first.iter().map(|method| format!("`{method}`")).collect();
+    let contact = emission.contact_name().into_iter();
+    methods.extend(contact.map(|name| format!("`{name}()`")));
     if masses.len() < MANY_MASSES {
         let names = &emission.description.mass_names;
         let names = masses.iter().filter_map(|mass| names.get(*mass));

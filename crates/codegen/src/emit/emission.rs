@@ -9,7 +9,7 @@ use frictiongen_kernel::emitted::check::{self, Listed};
 use frictiongen_kernel::number::dd::Dd;
 use frictiongen_model::modal::Modal;
 use frictiongen_model::reduced::Reduced;
-use frictiongen_model::scene::{Precision, Provide, Scene};
+use frictiongen_model::scene::{CONTACT, Precision, Provide, Scene};
 use proc_macro2::{Ident, TokenStream, TokenTree};
 
 /// From this number of modes on, the emitted code calls functions of the kernel that add up a motion over the modes.
@@ -192,6 +192,26 @@ impl<'a> Emission<'a> {
     pub fn list(&self, values: impl IntoIterator<Item = f64>) -> TokenStream {
         let values = values.into_iter().map(|value| self.literal(value));
         code!([#(#values),*])
+    }
+
+    /// Returns the name of the contact, if the method of the kernel does not have this name.
+    pub fn contact_name(&self) -> Option<Ident> {
+        let name = self.scene.contact_name.as_str();
+        (name != CONTACT).then(|| Ident::new(name, self.description.name.span()))
+    }
+
+    /// Emits a method with the name of the contact, if this name is not `contact`. The method returns the result of
+    /// type `of` that the kernel's method `call` returns.
+    pub fn contact_method(&self, call: &TokenStream, of: &TokenStream) -> Option<TokenStream> {
+        let name = self.contact_name()?;
+        let about = format!(" The contact `{name}`, as `{call}` returns it.");
+        Some(code! {
+            #[doc = #about]
+            #[must_use]
+            pub fn #name(&self) -> #of {
+                self.0.#call()
+            }
+        })
     }
 
     pub fn wanted(&self) -> Wanted<'_> {

@@ -1,9 +1,9 @@
 //! Hash of a scene. Emitted code contains the hash, so that a reader can identify the scene from which the code comes.
 
 use frictiongen_model::scene::{
-    Accuracy, Beyond, ContactSides, Damping, DampingFrom, Declared, Excitation, FrictionLaw,
-    Joints, Mass, Node, Precision, Provide, Proving, Range, Scene, Side, Spring, StepInput,
-    StepperOptions,
+    Accuracy, Beyond, CONTACT, ContactSides, Damping, DampingFrom, Declared, Excitation,
+    FrictionLaw, Joints, Mass, Node, Precision, Provide, Proving, Range, Scene, Side, Spring,
+    StepInput, StepperOptions,
 };
 
 /// Returns the FNV-1a hash of all fields of a scene. Texts that differ only in layout have the same
@@ -15,6 +15,7 @@ pub(crate) fn fingerprint(scene: &Scene) -> u64 {
         masses,
         springs,
         contact: ContactSides { from, to },
+        contact_name,
         excitation,
         damping,
         damping_from,
@@ -65,13 +66,17 @@ pub(crate) fn fingerprint(scene: &Scene) -> u64 {
         }
     }
     hash.stepping(stepping);
-    // Only scenes with damping relative to the base, with an elastic contact or with joints hash the fields below.
+    // Only scenes with damping relative to the base, with an elastic contact, with a name of the contact or with joints
+    // hash the fields below.
     // All other scenes keep the hash that they had before these fields existed.
     if *damping_from == DampingFrom::Base {
         hash.unit(1);
     }
     if let Some(stiffness) = stiffness {
         hash.number(*stiffness);
+    }
+    if contact_name != CONTACT {
+        hash.text(contact_name);
     }
     if !joints.is_empty() {
         hash.joints(joints);

@@ -80,6 +80,12 @@ pub(super) fn emit(emission: &Emission<'_>, masses: &[(usize, &Ident)]) -> Emitt
             }
         }
     });
+    let of_contact = if tabled {
+        code!(SteadyContact<#name>)
+    } else {
+        code!(MotionOf<#name>)
+    };
+    let contact = emission.contact_method(&code!(contact), &of_contact);
     let (by_formulas, wraps) = if tabled {
         let wraps = code!(#facade::kernel::wraps!(#motion, Moving of tabled #name, Copy););
         (code!(Continuous<Self>), wraps)
@@ -107,6 +113,8 @@ pub(super) fn emit(emission: &Emission<'_>, masses: &[(usize, &Ident)]) -> Emitt
 
         impl #motion {
             #(#methods)*
+
+            #contact
         }
     };
     EmittedCode {

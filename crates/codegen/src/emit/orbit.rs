@@ -56,6 +56,10 @@ pub(super) fn emit(emission: &Emission<'_>, constants: &DynamicsConstants) -> Em
             }
         }
     });
+    let contact = emission.contact_method(
+        &code!(contact),
+        &code!(FixedOrbitMotion<'_, #scalar, #sizes #law>),
+    );
     let items = code! {
         impl ProvidesOrbit for #name {
             type Orbit = #orbit;
@@ -90,6 +94,8 @@ pub(super) fn emit(emission: &Emission<'_>, constants: &DynamicsConstants) -> Em
 
         impl #orbit {
             #(#methods)*
+
+            #contact
         }
     };
     EmittedCode {

@@ -70,6 +70,10 @@ pub(super) fn emit(emission: &Emission<'_>, constants: &DynamicsConstants) -> Em
             }
         });
     let methods: TokenStream = methods.collect();
+    let contact = emission.contact_method(
+        &code!(contact),
+        &code!(#facade::kernel::simulation::Contact),
+    );
     let ([starts, trait_of], constants) = if constant {
         (starts(emission, &parts), Vec::new())
     } else {
@@ -81,6 +85,8 @@ pub(super) fn emit(emission: &Emission<'_>, constants: &DynamicsConstants) -> Em
 
         impl #simulation {
             #methods
+
+            #contact
         }
 
         #trait_of

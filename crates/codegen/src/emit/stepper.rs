@@ -411,5 +411,10 @@ fn methods(emission: &Emission<'_>) -> TokenStream {
             }
         }
     });
-    methods.collect()
+    let facade = &emission.facade;
+    let contact = emission.contact_method(
+        &code!(contact),
+        &code!(#facade::kernel::stepper::ContactNow<#scalar>),
+    );
+    methods.chain(contact).collect()
 }

@@ -85,6 +85,7 @@ pub(super) fn emit(emission: &Emission<'_>) -> EmittedCode {
         };
         (code!(#stuck), wraps)
     };
+    let contact = emission.contact_method(&code!(contact_force), &code!(Complex<#scalar>));
     let items = code! {
         #of_kernel
         impl ProvidesStuck for #name {
@@ -97,6 +98,8 @@ pub(super) fn emit(emission: &Emission<'_>) -> EmittedCode {
 
         impl #stuck {
             #(#methods)*
+
+            #contact
         }
     };
     EmittedCode {

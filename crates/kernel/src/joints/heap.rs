@@ -3,10 +3,9 @@
 //! The functions of this module are not generic, so that this crate compiles the search for steady states with its own
 //! optimisation.
 
-use super::cycle::Cycle;
 use super::run::Motion;
 use super::size::{Size, Value};
-use super::steady::{Place, Steady};
+use super::steady::{Place, Soon, Steady};
 use super::table::{Table, Tables};
 use crate::Float;
 use crate::errors::Halt;
@@ -156,7 +155,7 @@ pub fn settle_soon(
     omega: f64,
     attempts: usize,
     place: Place,
-) -> Result<Result<Steady<f64, Heap>, Cycle<f64, Heap>>, Halt> {
+) -> Result<Soon<f64, Heap>, Halt> {
     motion.settle_soon(omega, attempts, place)
 }
 

@@ -79,7 +79,7 @@ pub use series::Series;
 pub use simulation::{MAX_EVENTS, MAX_STRETCHES, Reference, Simulation};
 pub use size::{Array, Fixed, Size, Value, add, at, set};
 pub use state::{FREE, STUCK, State};
-pub use steady::{MAX_PERIOD, Place, Steady};
+pub use steady::{MAX_PERIOD, Place, Soon, Steady};
 pub use stepper::{MAX_STEP, MAX_STEP_EVENTS, Stepper};
 pub use stuck::StuckResponse;
 pub use table::{Leap, NoTables, Table, Tables};

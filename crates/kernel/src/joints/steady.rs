@@ -42,6 +42,9 @@ pub(super) const BOUNDS: Bounds = Bounds {
     stretches: MAX_STRETCHES,
 };
 
+/// The steady state that a motion soon reaches, or the results of its last cycles.
+pub type Soon<S, Z> = Result<Steady<S, Z>, Cycle<S, Z>>;
+
 /// The place of a contact that never slides.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Place {
@@ -145,12 +148,7 @@ impl<S: Float, Z: Size> Motion<S, Z> {
     /// # Errors
     ///
     /// [`Halt`] if the motion exceeds a bound.
-    pub fn settle_soon(
-        &self,
-        omega: S,
-        attempts: usize,
-        place: Place,
-    ) -> Result<Result<Steady<S, Z>, Cycle<S, Z>>, Halt> {
+    pub fn settle_soon(&self, omega: S, attempts: usize, place: Place) -> Result<Soon<S, Z>, Halt> {
         let mut motion = self.clone().with_tables();
         if let Some(steady) = motion.reach(omega, attempts, place)? {
             return Ok(Ok(steady));

@@ -6,8 +6,8 @@ pub use intervals::{RandomNumbers, contains};
 
 use crate::modal::Modal;
 use crate::scene::{
-    ContactSides, Damping, DampingFrom, Declared, Excitation, FrictionLaw, Mass, Node, Precision,
-    Provide, Scene, Side, Spring, StepperOptions,
+    CONTACT, ContactSides, Damping, DampingFrom, Declared, Excitation, FrictionLaw, Mass, Node,
+    Precision, Provide, Scene, Side, Spring, StepperOptions,
 };
 use crate::table::Request;
 
@@ -44,6 +44,7 @@ pub fn scene(kind: &str, count: usize, zeta: f64, stiction: f64) -> Modal {
         masses: (0..count).map(mass).collect(),
         springs: (0..count).map(spring).collect(),
         contact: ContactSides { from, to },
+        contact_name: CONTACT.to_owned(),
         excitation,
         damping_from: match kind {
             "Shaken" | "Carried" | "Apart" => DampingFrom::Base,

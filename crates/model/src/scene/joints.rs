@@ -1,6 +1,16 @@
 //! Several contacts and dashpots of a scene.
 
-use super::{ContactSides, Node, Scene};
+use super::{ContactSides, FrictionLaw, Node, Scene};
+use crate::validate::can_be_single;
+
+/// Name of the contact of the field `contact`. No mass can have this name.
+pub const CONTACT: &str = "contact";
+
+/// Returns the default of [`Scene::contact_name`].
+#[cfg(feature = "serde")]
+pub(super) fn contact_name() -> String {
+    CONTACT.to_owned()
+}
 
 /// Friction law of a contact of the field `contacts`.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -53,20 +63,20 @@ pub struct Damper {
     pub coefficient: f64,
 }
 
-/// The contacts of the field `contacts`, and the dashpots. Both lists are empty for a scene with the field `contact`
-/// and without dashpots.
+/// The contacts of the field `contacts`, and the dashpots. Both lists are empty for a scene with a single contact and
+/// without dashpots.
 #[derive(Clone, Debug, PartialEq, Default)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[doc(hidden)]
 pub struct Joints {
-    /// The contacts of the field `contacts`. The list is empty if the scene has the field `contact`.
+    /// The contacts of the field `contacts`. The list is empty if the scene has a single contact.
     pub contacts: Vec<NamedContact>,
     /// The dashpots of the scene.
     pub dampers: Vec<Damper>,
 }
 
 impl Joints {
-    /// Returns true if the scene has neither the field `contacts` nor dashpots.
+    /// Returns true if the scene has a single contact and no dashpots.
     #[must_use]
     pub fn is_empty(&self) -> bool {
         self.contacts.is_empty() && self.dampers.is_empty()
@@ -74,15 +84,53 @@ impl Joints {
 }
 
 impl Scene {
-    /// Returns true if the scene has the field `contacts` or `dampers`. The solver for several contacts then computes
-    /// the motions of the scene.
+    /// Returns true if the solver for several contacts computes the motions of the scene. It computes them for several
+    /// contacts, for a share that is not 1, for dashpots, and for masses that no spring holds.
     #[must_use]
     #[doc(hidden)]
     pub fn is_joined(&self) -> bool {
         !self.joints.is_empty()
     }
 
-    /// Returns every contact with its name. A contact from the field `contact` has the name `contact`.
+    /// Returns true if the solver for several contacts computes the steady states of the scene. It computes them for
+    /// several contacts, for dashpots and for kinetic friction that depends on the speed.
+    #[must_use]
+    #[doc(hidden)]
+    pub fn has_joined_states(&self) -> bool {
+        self.is_joined() || self.friction != FrictionLaw::Coulomb
+    }
+
+    /// Moves the only contact of [`Joints::contacts`] to the fields of a single contact, and keeps its name. The scene
+    /// stays as it is if it has several contacts, a share that is not 1, a dashpot, or a mass that no spring holds.
+    #[doc(hidden)]
+    pub fn unite(&mut self) {
+        let [only] = self.joints.contacts.as_slice() else {
+            return;
+        };
+        let JointLaw {
+            stiffness,
+            stiction,
+            share,
+        } = only.law;
+        // A field of the single contact beside `contacts` is an error, which another check reports.
+        let own_law = self.stiction == 1.0 && self.stiffness.is_none();
+        // The parser has already reported a number that is NaN.
+        let read = !stiction.is_nan() && !stiffness.is_some_and(f64::is_nan);
+        let alone = self.joints.dampers.is_empty() && share == 1.0;
+        let united = Self {
+            contact: only.sides,
+            contact_name: only.name.clone(),
+            stiction,
+            stiffness,
+            joints: Joints::default(),
+            ..self.clone()
+        };
+        if own_law && read && alone && can_be_single(&united) {
+            *self = united;
+        }
+    }
+
+    /// Returns every contact with its name.
     #[must_use]
     #[doc(hidden)]
     pub fn named_contacts(&self) -> Vec<NamedContact> {
@@ -90,7 +138,7 @@ impl Scene {
             return self.joints.contacts.clone();
         }
         vec![NamedContact {
-            name: "contact".to_owned(),
+            name: self.contact_name.clone(),
             sides: self.contact,
             law: JointLaw {
                 stiffness: self.stiffness,

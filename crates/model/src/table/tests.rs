@@ -6,8 +6,8 @@ use super::zeros::Zeros;
 use super::{Fitted, Request, TableError, Tables};
 use crate::modal::Modal;
 use crate::scene::{
-    ContactSides, Damping, Declared, Excitation, FrictionLaw, Mass, Node, Precision, Provide,
-    Scene, Side, Spring, StepperOptions,
+    CONTACT, ContactSides, Damping, Declared, Excitation, FrictionLaw, Mass, Node, Precision,
+    Provide, Scene, Side, Spring, StepperOptions,
 };
 use frictiongen_kernel::table::{Piece, Table};
 
@@ -30,6 +30,7 @@ fn chain(count: usize, damping: Damping) -> Scene {
             from: Node::Mass(0),
             to: Node::Mass(1),
         },
+        contact_name: CONTACT.to_owned(),
         excitation: Excitation::Force(count - 1),
         damping,
         damping_from: Default::default(),

@@ -1,5 +1,5 @@
 use super::*;
-use crate::scene::{ContactSides, Damping, Excitation, Mass, Node, Precision, Spring};
+use crate::scene::{CONTACT, ContactSides, Damping, Excitation, Mass, Node, Precision, Spring};
 
 /// Returns the scene of a chain base - m1 - m2 - …, with the contact on one mass and the load on the last mass.
 fn chain(masses: &[f64], springs: &[f64], contact: usize, damping: Damping) -> Scene {
@@ -20,6 +20,7 @@ fn chain(masses: &[f64], springs: &[f64], contact: usize, damping: Damping) -> S
             from: Node::Mass(contact),
             to: Node::Wall,
         },
+        contact_name: CONTACT.to_owned(),
         excitation: Excitation::Force(masses.len() - 1),
         damping,
         damping_from: Default::default(),

@@ -7,7 +7,7 @@ use super::error::SceneError;
 use super::names::{is_keyword, is_name, is_reserved};
 use super::path::Path;
 use super::springs::pair_of;
-use crate::scene::{Excitation, FrictionLaw, NamedContact, Node, Scene};
+use crate::scene::{CONTACT, Excitation, FrictionLaw, NamedContact, Node, Scene};
 
 /// Largest number of contacts of a scene.
 pub const MOST_CONTACTS: usize = 16;
@@ -17,7 +17,6 @@ pub const MOST_JOINED: usize = 64;
 /// Reports errors in contacts and dashpots, and fields that are incompatible with them.
 pub(super) fn check(scene: &Scene, checks: &Checks, errors: &mut Vec<SceneError>) {
     check_sizes(scene, checks, errors);
-    check_names(scene, checks, errors);
     let contacts = &scene.joints.contacts;
     let mut sound = true;
     for (index, contact) in contacts.iter().enumerate() {
@@ -53,9 +52,14 @@ fn check_sizes(scene: &Scene, checks: &Checks, errors: &mut Vec<SceneError>) {
     }
 }
 
-fn check_names(scene: &Scene, checks: &Checks, errors: &mut Vec<SceneError>) {
-    let contacts = &scene.joints.contacts;
+/// Reports errors in the names of the contacts. The name `contact` of a single contact needs no check.
+pub(super) fn check_names(scene: &Scene, checks: &Checks, errors: &mut Vec<SceneError>) {
+    let contacts = scene.named_contacts();
     for (index, contact) in contacts.iter().enumerate() {
+        let single = scene.joints.contacts.is_empty();
+        if single && contact.name == CONTACT {
+            return;
+        }
         let (name, path) = (contact.name.clone(), Path::JointName(index));
         if checks.emitted && is_keyword(&name) {
             errors.push(SceneError::ContactKeyword { path, name });

@@ -4,9 +4,9 @@ use std::collections::HashSet;
 
 use super::checks::{Checks, LARGEST, SMALLEST};
 use super::error::SceneError;
-use super::names::{CONTACT, is_keyword, is_name, is_reserved};
+use super::names::{is_keyword, is_name, is_reserved};
 use super::path::Path;
-use crate::scene::Scene;
+use crate::scene::{CONTACT, Scene};
 
 /// Reports errors in the number, the names and the values of the masses.
 pub(super) fn check(scene: &Scene, checks: &Checks, errors: &mut Vec<SceneError>) {

@@ -1,11 +1,10 @@
 //! Names that a mass may have, and names that are reserved.
 
+use crate::scene::CONTACT;
+
 /// Words of a description and of its results, which cannot be the name of a mass or of a contact: the two supports, and
 /// the column of the time in a recording.
 const WORDS: [&str; 3] = ["base", "wall", "time"];
-
-/// Name of the single contact in results. No mass can have this name.
-pub(super) const CONTACT: &str = "contact";
 
 /// All methods of the emitted types. In emitted code, the name of a mass or of a contact becomes a method of these
 /// types, so it must differ from their other methods. The method `contact` may belong to a contact of this name.

@@ -3,8 +3,8 @@
 
 use super::*;
 use crate::scene::{
-    Accuracy, ContactSides, Damping, Declared, FrictionLaw, Mass, Precision, Provide, Range,
-    Spring, StepperOptions,
+    Accuracy, CONTACT, ContactSides, Damping, Declared, FrictionLaw, Mass, Precision, Provide,
+    Range, Spring, StepperOptions,
 };
 
 fn mass(name: &str, value: f64) -> Mass {
@@ -35,6 +35,7 @@ fn chain(count: usize) -> Scene {
             from: Node::Mass(count - 1),
             to: Node::Wall,
         },
+        contact_name: CONTACT.to_owned(),
         excitation: Excitation::Force(0),
         damping: Damping::None,
         damping_from: Default::default(),

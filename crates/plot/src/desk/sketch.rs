@@ -80,7 +80,10 @@ pub fn sketch(scene: &Scene, own_names: bool) -> Sketch {
         sliders: sliders.collect(),
         contact: (!is_joined).then(|| SketchContact {
             between: (end(scene.contact.from), end(scene.contact.to)),
-            label: "*F*".into(),
+            label: match scene.contact_name.as_str() {
+                scene::CONTACT => "*F*".into(),
+                name => Label::verbatim(name),
+            },
         }),
         excitation: match scene.excitation {
             scene::Excitation::Force(mass) => Excitation::Force {

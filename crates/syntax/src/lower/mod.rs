@@ -6,6 +6,8 @@ mod readable;
 mod resolve;
 mod settings;
 mod stepping;
+#[cfg(test)]
+mod tests;
 
 use frictiongen_model::scene::Scene;
 use frictiongen_model::validate::{Checks, Path};

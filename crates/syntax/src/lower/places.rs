@@ -54,10 +54,15 @@ impl Places<'_> {
             Path::Spring(index) => spring(index).map(|spring| spring.stiffness.place),
             Path::SpringFrom(index) => spring(index).map(|spring| spring.from.place),
             Path::SpringTo(index) => spring(index).map(|spring| spring.to.place),
+            // The description may have its single contact in the field `contacts`.
             Path::Contact | Path::ContactFrom => {
-                fields.contact.given().map(|contact| contact.from.place)
+                let contact = fields.contact.given().map(|contact| contact.from.place);
+                contact.or_else(|| self.find(Path::JointFrom(0)))
             }
-            Path::ContactTo => fields.contact.given().map(|contact| contact.to.place),
+            Path::ContactTo => {
+                let contact = fields.contact.given().map(|contact| contact.to.place);
+                contact.or_else(|| self.find(Path::JointTo(0)))
+            }
             Path::JointName(index) => joint(index).map(|entry| entry.name.place),
             Path::JointFrom(index) => joint(index).map(|entry| entry.from.place),
             Path::JointTo(index) => joint(index).map(|entry| entry.to.place),
@@ -70,8 +75,14 @@ impl Places<'_> {
             Path::Excitation => fields.excitation.given().map(|name| name.place),
             Path::Damping(index) => self.damping(index),
             Path::DampingFrom => fields.damping_from.given().map(|choice| choice.place),
-            Path::Stiction => fields.stiction.given().map(|number| number.place),
-            Path::Stiffness => fields.stiffness.given().map(|number| number.place),
+            Path::Stiction => {
+                let stiction = fields.stiction.given().map(|number| number.place);
+                stiction.or_else(|| self.find(Path::JointStiction(0)))
+            }
+            Path::Stiffness => {
+                let stiffness = fields.stiffness.given().map(|number| number.place);
+                stiffness.or_else(|| self.find(Path::JointStiffness(0)))
+            }
             Path::Provide(None) => fields.provide.given().map(|provide| provide.place),
             Path::Provide(Some(index)) => self.provide.get(index).map(|entry| entry.place),
             Path::Accuracy => match fields.accuracy.given() {

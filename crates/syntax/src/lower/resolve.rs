@@ -2,7 +2,7 @@
 
 use std::collections::{HashMap, HashSet};
 
-use frictiongen_model::scene::{ContactSides, Excitation, Mass, Node, Scene, Spring};
+use frictiongen_model::scene::{CONTACT, ContactSides, Excitation, Mass, Node, Scene, Spring};
 use frictiongen_model::validate::{Checks, Path, validate_known};
 
 use super::Located;
@@ -56,6 +56,7 @@ pub(super) fn resolve<'s>(
         masses,
         springs,
         contact,
+        contact_name: CONTACT.to_owned(),
         excitation,
         damping,
         damping_from: damping_from.unwrap_or_default(),
@@ -68,6 +69,11 @@ pub(super) fn resolve<'s>(
         stepping,
         joints: joints.joints,
     };
+    // The code cannot decide whether springs hold a mass if it could not read them all.
+    let checks = &lowering.checks;
+    if checks.masses && checks.springs && checks.excitation && checks.joints {
+        scene.unite();
+    }
     scene.provide = provide.unwrap_or_else(|| scene.default_provide());
     let Lowering {
         problems,

@@ -4,7 +4,7 @@ use super::written;
 use crate::read_scene;
 
 /// Descriptions that together have every field, and every form of a field.
-const EVERY_FIELD: [&str; 7] = [
+const EVERY_FIELD: [&str; 9] = [
     "pub struct Plain { masses: { a: 3.27 }, springs: { base - a: 1190.0 }, contact: a - wall, excitation: a,
         provide: [orbit, limits] }",
     "struct Frame { masses: { lower: 0.1 + 0.2, upper: 1e-7 }, springs: { base - lower: 1e9, lower - upper: 1323 / 7 },
@@ -22,6 +22,10 @@ const EVERY_FIELD: [&str; 7] = [
     "struct Storeys { masses: { f1: 2, f2: 3 }, springs: { base - f1: 5, f1 - f2: 6 },
         contacts: { brace: base - f1 { stiffness: 5e6 }, pads: f1 - f2 { share: 0.6, stiction: 1.2 }, wall_pad: f2 - wall },
         dampers: { f1 - f2: 12.5, base - f1: 1 }, excitation: base, provide: [stuck] }",
+    "struct Named { masses: { a: 2 }, springs: { base - a: 50 }, contacts: { pads: a - wall { stiction: 1.3 } },
+        excitation: a, damping: modal(0.02) }",
+    "struct Springy { masses: { a: 2 }, springs: { base - a: 50 }, contacts: { pads: a - wall { stiffness: 7 } },
+        excitation: a }",
 ];
 
 #[test]

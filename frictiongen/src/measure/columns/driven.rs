@@ -2,7 +2,7 @@
 
 use crate::Of;
 use crate::study::columns::{
-    CONTACT, Column, Columns, Head, Measure, MovingPart, PhysicalQuantity, TableRow,
+    Column, Columns, Head, Measure, MovingPart, PhysicalQuantity, TableRow,
 };
 use crate::study::{System, stepper::SystemStepper, words};
 use frictiongen_kernel::simulation::Contact;
@@ -86,7 +86,7 @@ impl Driven {
             row.driven.time.get(row.index).copied()
         });
         for (place, part) in parts.iter().enumerate() {
-            columns.begin_part(&part.name);
+            columns.begin_motion(part);
             if part.of.is_force() {
                 columns.converted(Head::of("force", PhysicalQuantity::Force), move |row| {
                     let [force, _] = row.driven.motions.get(place)?;
@@ -107,7 +107,7 @@ impl Driven {
                 });
             }
         }
-        columns.begin_part(CONTACT);
+        columns.begin_contact(&system.name_of_motion(Of::Contact));
         columns.number(Head::of("friction", PhysicalQuantity::Force), |row| {
             row.driven.force.get(row.index).copied()
         });

@@ -115,7 +115,7 @@ impl JoinedDriven {
         for part in parts {
             match part {
                 JoinedPart::Contact(index) => {
-                    columns.begin_part(names.get(*index).map_or("", String::as_str));
+                    columns.begin_contact(names.get(*index).map_or("", String::as_str));
                     moves(&mut columns, *index);
                 }
                 JoinedPart::Mass(part) => {
@@ -126,7 +126,7 @@ impl JoinedDriven {
             }
         }
         for (index, name) in names.iter().enumerate() {
-            columns.begin_part(name);
+            columns.begin_contact(name);
             pulls(&mut columns, index);
         }
         columns.end_parts();

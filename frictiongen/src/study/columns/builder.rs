@@ -3,12 +3,15 @@
 use super::cell::Cell;
 use super::column::{Column, ColumnAxis, ColumnKind, Head, ReadCell, Shown, TableRow};
 use super::measure::{Measure, PhysicalQuantity};
+use super::setting::MovingPart;
+use crate::Of;
 use crate::study::features::Sensed;
 
 /// The columns of a table, from left to right.
 pub struct Columns<'a, R> {
     measure: Measure,
     part: Option<String>,
+    is_contact: bool,
     order: Option<u32>,
     axis: ColumnAxis,
     shown: Shown,
@@ -22,6 +25,7 @@ impl<'a, R: TableRow + 'a> Columns<'a, R> {
         Self {
             measure: *measure,
             part: None,
+            is_contact: false,
             order: None,
             axis: ColumnAxis::Row,
             shown: Shown::Everywhere,
@@ -35,10 +39,23 @@ impl<'a, R: TableRow + 'a> Columns<'a, R> {
         &self.measure
     }
 
-    /// Sets the contact or mass to which all columns of later calls belong.
+    /// Sets the mass to which all columns of later calls belong.
     pub fn begin_part(&mut self, part: &str) {
         self.part = Some(part.to_owned());
+        self.is_contact = false;
         self.order = None;
+    }
+
+    /// Sets the contact to which all columns of later calls belong.
+    pub fn begin_contact(&mut self, contact: &str) {
+        self.begin_part(contact);
+        self.is_contact = true;
+    }
+
+    /// Sets the contact, the mass or the combination to which all columns of later calls belong.
+    pub fn begin_motion(&mut self, part: &MovingPart) {
+        self.begin_part(&part.name);
+        self.is_contact = part.of == Of::Contact && !part.has_rate();
     }
 
     /// Ends the columns of a contact or mass. The columns of later calls belong to the whole row.
@@ -206,6 +223,7 @@ impl<'a, R: TableRow + 'a> Columns<'a, R> {
         });
         self.all.push(Column {
             part: self.part.clone(),
+            is_contact: self.is_contact,
             order: self.order,
             title,
             unit: self.measure.unit(head.dimension),

@@ -133,6 +133,8 @@ type Moves<'a, TableRow> = Box<dyn Fn(&TableRow) -> Option<&Sensed> + 'a>;
 pub struct Column<'a, TableRow> {
     /// Name of the contact or mass whose motion the column describes. `None` for the whole row.
     pub part: Option<String>,
+    /// True if the column describes the motion of a contact.
+    pub is_contact: bool,
     /// Order of the harmonic to which the column belongs. `None` for a column that belongs to no harmonic.
     pub order: Option<u32>,
     /// Lines of the heading, without the name of the contact or mass.

@@ -3,7 +3,7 @@
 use super::builder::Columns;
 use super::column::{Column, Head, TableRow};
 use super::measure::PhysicalQuantity;
-use super::setting::{CONTACT, Frequency, MovingPart, Setting};
+use super::setting::{Frequency, MovingPart, Setting};
 use crate::study::units::{hertz, polar, seconds};
 use crate::study::{
     history::{History, HistoryEvent, Spectrum},
@@ -174,7 +174,7 @@ impl<'a> HistoryTable<'a> {
         self.time(&mut columns);
         let table = *self;
         for (place, part) in self.setting.parts.iter().enumerate() {
-            columns.begin_part(&part.name);
+            columns.begin_motion(part);
             let head = Head::of(word(part), part.dimension());
             columns.number(head, move |row: &SampleRow<'_>| {
                 let track = row.history.tracks.get(place)?;
@@ -190,7 +190,7 @@ impl<'a> HistoryTable<'a> {
                 Some(table.signed(part.of, *track.velocity.get(row.index)?))
             });
         }
-        columns.begin_part(CONTACT);
+        columns.begin_contact(&self.setting.system.name_of_motion(Of::Contact));
         columns.number(Head::of("friction", PhysicalQuantity::Force), move |row| {
             let force = row.history.friction.get(row.index)?;
             Some(table.signed(Of::Contact, *force))
@@ -210,12 +210,12 @@ impl<'a> HistoryTable<'a> {
         columns.word("event", "break-away", |row: &EventRow<'_>| {
             Some(words::event(row.event.event))
         });
-        columns.begin_part(CONTACT);
+        columns.begin_contact(&self.setting.system.name_of_motion(Of::Contact));
         columns.word("state", "backward", move |row| {
             Some(table.state(row.event.contact))
         });
         for (place, part) in self.setting.parts.iter().enumerate() {
-            columns.begin_part(&part.name);
+            columns.begin_motion(part);
             let head = Head::of(word(part), part.dimension());
             columns.number(head, move |row| {
                 let value = row.event.displacements.get(place)?;
@@ -244,7 +244,7 @@ impl<'a> HistoryTable<'a> {
                 let component = Complex::new(signed(component.re), signed(component.im));
                 Some(polar(component))
             };
-            columns.begin_part(&part.name);
+            columns.begin_motion(part);
             let head = Head::of("amplitude", part.dimension());
             columns.number(head, move |row| Some(component(row)?.0));
             let head = Head::of("phase", PhysicalQuantity::Angle);

@@ -272,7 +272,11 @@ impl<'a> JoinedTable<'a> {
         columns.show(Shown::Everywhere);
         let contacts = self.joined.contact_names().len();
         for (index, name) in self.parts().iter().enumerate() {
-            columns.begin_part(name);
+            if index < contacts {
+                columns.begin_contact(name);
+            } else {
+                columns.begin_part(name);
+            }
             columns.number(
                 Head::of("amplitude", PhysicalQuantity::Length),
                 move |row| Some(row.part(index)?.amplitude),

@@ -71,7 +71,7 @@ impl<'a> JoinedTable<'a> {
             columns.number("tau", tau);
         }
         for (index, name) in self.joined.contact_names().iter().enumerate() {
-            columns.begin_part(name);
+            columns.begin_contact(name);
             let sign = self.sign(index);
             let now = move |row: &JoinedSample<'h>| {
                 let now = row.history.contacts.get(row.index)?.get(index)?;

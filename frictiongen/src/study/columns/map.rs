@@ -190,7 +190,7 @@ impl<'a> MapTable<'a> {
             Some(row.point()?.from_rest)
         });
         for (part, named) in self.setting.parts.iter().enumerate() {
-            columns.begin_part(&named.name);
+            columns.begin_motion(named);
             columns.number(Head::of("amplitude", named.dimension()), move |row| {
                 row.point()?.amplitudes.get(part).copied()
             });

@@ -15,7 +15,7 @@
 //!     excitation: block,
 //! }"
 //! .parse()?;
-//! let parts = [MovingPart::contact()];
+//! let parts = [MovingPart::contact(&system)];
 //! let setting = Setting {
 //!     system: &system,
 //!     measure: Measure::groups(&system),
@@ -85,7 +85,6 @@ pub use periodic::{PeriodicRow, PeriodicSample, PeriodicTable};
 pub use quantity::{base_load, bound, unbalance};
 pub use sensitivity::{SensitivityRow, SensitivityTable};
 pub use setting::{
-    AtFrequency, AtFriction, CONTACT, Frequency, FrequencyUnit, FrictionSetting, MovingPart,
-    Setting,
+    AtFrequency, AtFriction, Frequency, FrequencyUnit, FrictionSetting, MovingPart, Setting,
 };
 pub use steady::{OrbitRow, OrbitTable, ResponseRow, ResponseTable};

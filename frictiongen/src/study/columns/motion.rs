@@ -60,7 +60,7 @@ pub fn motions<'a, R: MotionRow + 'a>(
     for (part, named) in parts.iter().enumerate() {
         let size = named.dimension();
         let length = columns.measure().title(size);
-        columns.begin_part(&named.name);
+        columns.begin_motion(named);
         if named.size != MotionQuantity::Displacement {
             // A largest velocity or acceleration has neither a phase nor harmonics.
             let of = named.size;

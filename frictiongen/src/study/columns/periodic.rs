@@ -3,7 +3,8 @@
 use super::builder::Columns;
 use super::column::{Column, ColumnKind, Head, Shown, TableRow};
 use super::measure::{Measure, PhysicalQuantity};
-use super::setting::{CONTACT, MovingPart};
+use super::setting::MovingPart;
+use crate::Of;
 use crate::study::System;
 use crate::study::periodic::PeriodicState;
 
@@ -120,7 +121,7 @@ impl<'a> PeriodicTable<'a> {
         });
         columns.show(Shown::Everywhere);
         for (place, part) in self.parts.iter().enumerate() {
-            columns.begin_part(&part.name);
+            columns.begin_motion(part);
             let turned = measure.turns(part.of);
             for (which, name) in ["least", "largest"].into_iter().enumerate() {
                 let head = Head::of(name, part.dimension());
@@ -144,7 +145,7 @@ impl<'a> PeriodicTable<'a> {
         });
         let signed = |value: f64, turned: bool| if turned { 0.0 - value } else { value };
         for (place, part) in self.parts.iter().enumerate() {
-            columns.begin_part(&part.name);
+            columns.begin_motion(part);
             let turned = measure.turns(part.of);
             let names: &[(&str, PhysicalQuantity)] = match part.of.is_force() {
                 true => &[("force", PhysicalQuantity::Force)],
@@ -162,7 +163,7 @@ impl<'a> PeriodicTable<'a> {
                 });
             }
         }
-        columns.begin_part(CONTACT);
+        columns.begin_contact(&self.system.name_of_motion(Of::Contact));
         let turned = measure.turns_contact();
         columns.converted(
             Head::of("friction", PhysicalQuantity::Force),

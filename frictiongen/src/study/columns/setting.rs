@@ -12,9 +12,6 @@ use crate::study::{
     units::{self, LoadScale},
 };
 
-/// Name of the contact in tables. No mass can have this name.
-pub const CONTACT: &str = "contact";
-
 /// A moving part (the contact, a mass, or a combination of masses and base), and a quantity of its motion.
 #[derive(Clone, Debug)]
 pub struct MovingPart {
@@ -74,11 +71,11 @@ impl MovingPart {
 
     /// Returns the contact as a moving part, with its displacement as the quantity.
     #[must_use]
-    pub fn contact() -> Self {
+    pub fn contact(system: &System) -> Self {
         Self {
             of: Of::Contact,
             size: MotionQuantity::Displacement,
-            name: CONTACT.to_owned(),
+            name: system.name_of_motion(Of::Contact),
         }
     }
 }

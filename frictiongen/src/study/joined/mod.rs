@@ -1,7 +1,6 @@
 //! Computes responses of scenes with several contacts, with dashpots, or with masses that no path of springs connects
 //! to a support.
 //!
-//! These scenes have the field `contacts` or `dampers` in their description.
 //! [`System::joined`](crate::study::System::joined) returns a solver for these scenes. For such a scene, the methods
 //! of `System` for a single contact return an error that names the fields. The module [`joints`](super::joints)
 //! contains the computations.

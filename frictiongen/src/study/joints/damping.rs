@@ -5,8 +5,8 @@ use frictiongen_kernel::joints::at;
 use frictiongen_model::joined::{at_rest, damping_matrix};
 use frictiongen_model::modal::Modal;
 use frictiongen_model::scene::{
-    ContactSides, Damping, DampingFrom, Declared, Excitation, FrictionLaw, Joints, Mass, Node,
-    Precision, Scene, Spring, StepperOptions,
+    CONTACT, ContactSides, Damping, DampingFrom, Declared, Excitation, FrictionLaw, Joints, Mass,
+    Node, Precision, Scene, Spring, StepperOptions,
 };
 
 impl Chain {
@@ -64,6 +64,7 @@ impl Chain {
                 from: Node::Mass(0),
                 to: Node::Wall,
             },
+            contact_name: CONTACT.to_owned(),
             excitation: Excitation::Force(0),
             damping,
             damping_from: DampingFrom::Rest,

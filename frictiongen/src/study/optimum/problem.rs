@@ -77,7 +77,7 @@ impl<'s> OptimumProblem<'s> {
         if let Some(load) = request.load {
             system.load_scale(load)?;
         }
-        let joined = match system.scene().is_joined() {
+        let joined = match system.scene().has_joined_states() {
             true => Some(checked(system, &objective, request.load, from)?),
             false => {
                 check_single(system, &objective)?;

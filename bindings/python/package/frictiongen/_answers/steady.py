@@ -110,7 +110,7 @@ class ByContact(Grid):
     @property
     def contacts(self) -> dict[str, Columns]:
         """Numbers of the contacts by name, as in `answer.contacts["brace"].stuck_fraction`."""
-        return {name: self[name] for name in self.motions if f"{name}.stops" in self._columns}
+        return {name: self[name] for name in self._contacts}
 
 
 class Map(Grid):

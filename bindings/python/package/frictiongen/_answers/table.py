@@ -147,6 +147,9 @@ class Table(Columns):
     """Columns of one length, or single values.  This is the base of every answer."""
 
     def __init__(self, columns: dict[str, Any]) -> None:
+        columns = dict(columns)
+        #: Names of the contacts among the motions.
+        self._contacts: list[str] = columns.pop("contacts", [])
         super().__init__("", columns)
 
     def to_frame(self) -> DataFrame:
@@ -164,13 +167,13 @@ class Table(Columns):
     @property
     def masses(self) -> dict[str, Motion]:
         """Motions of the masses by name, as in `answer.masses["lower"].amplitude_m`."""
-        names = (name for name in self.motions if name != "contact" and f"{name}.stops" not in self._columns)
+        names = (name for name in self.motions if name not in self._contacts)
         return {name: Motion(name, _inner(self._columns, name)) for name in names}
 
     @property
     def contact(self) -> Motion:
-        """Motion of the contact."""
-        found: Motion = self["contact"]
+        """Motion of the contact, or of the first one."""
+        found: Motion = self[next(iter(self._contacts), "contact")]
         return found
 
     def _repr_html_(self) -> str:

@@ -1,6 +1,5 @@
 //! Collects the features of a response as lines, one for each feature.
 
-use crate::Regime;
 use crate::study::columns::column::TableRow;
 use crate::study::columns::setting::{MovingPart, Setting};
 use crate::study::response::SystemResponse;
@@ -9,6 +8,7 @@ use crate::study::{
     sensitivity::Parameter,
     words,
 };
+use crate::{Of, Regime};
 
 /// Method that found a feature. The method determines how certain the feature is.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -220,8 +220,9 @@ fn resonances(features: &Features<'_>, lines: &mut Vec<FeatureLine>) {
 
 fn ends(features: &Features<'_>, lines: &mut Vec<FeatureLine>) {
     let rest = features.limits_at_rest();
+    let contact = features.system().name_of_motion(Of::Contact);
     lines.push(
-        FeatureLine::new("limit for r -> 0", "contact", Ground::Exact)
+        FeatureLine::new("limit for r -> 0", &contact, Ground::Exact)
             .with_friction(rest.sliding)
             .saying("slides up to"),
     );
@@ -236,7 +237,7 @@ fn ends(features: &Features<'_>, lines: &mut Vec<FeatureLine>) {
             continue;
         }
         lines.push(
-            FeatureLine::new("limit for r -> inf", "contact", Ground::Exact)
+            FeatureLine::new("limit for r -> inf", &contact, Ground::Exact)
                 .with_friction(limit)
                 .saying(detail),
         );
@@ -317,6 +318,7 @@ impl AtOneFriction<'_, '_> {
     ) -> Result<(), FeatureError> {
         let scene = self.features.system().scene();
         let (masses, elastic) = (&scene.masses, scene.stiffness.is_some());
+        let contact = self.features.system().name_of_motion(Of::Contact);
         match self.features.quasi_static_start(self.beta)? {
             Some(start) => {
                 for (mass, start) in masses.iter().zip(start) {
@@ -326,12 +328,12 @@ impl AtOneFriction<'_, '_> {
             }
             None if elastic => {}
             None => lines.push(
-                self.line("quasi-static start", "contact", Ground::Exact)
+                self.line("quasi-static start", &contact, Ground::Exact)
                     .saying("stuck"),
             ),
         }
         for found in self.features.sliding_ranges(self.beta, self.range)? {
-            let mut line = self.line("slides", "contact", Ground::All);
+            let mut line = self.line("slides", &contact, Ground::All);
             line = line.saying(match elastic {
                 true => "in turns",
                 false => "all the time or in turns",
@@ -352,7 +354,7 @@ impl AtOneFriction<'_, '_> {
             Certainty::Sampled { .. } => Ground::Sampled,
         };
         for found in ranges {
-            let mut line = self.line("regime", "contact", ground);
+            let mut line = self.line("regime", &contact, ground);
             let middle = 0.5 * (found.from + found.to);
             line = line.saying(match self.sticking(found.regime, middle) {
                 Some(share) => format!("stick-slip ({} in mid-range)", sticks(share)),

@@ -1,5 +1,5 @@
 //! Compares two solvers for a scene with one contact: the solver for several contacts, and the solver for a single
-//! contact. For the solver for several contacts, the scene has the contact in the list `contacts`.
+//! contact.
 
 use super::{FRAME, apart, system};
 use crate::Regime;
@@ -7,20 +7,16 @@ use crate::Regime;
 const SINGLE: &str = "struct Frame {
     masses: { lower: 3.27, upper: 3.25 },
     springs: { base - lower: 1190.0, lower - upper: 1323.0 },
-    contact: upper - wall,
+    contacts: { pads: upper - wall },
     excitation: base,
     damping: modal[0.010, 0.012],
 }";
 
-fn listed() -> String {
-    SINGLE.replace("contact: upper - wall", "contacts: { pads: upper - wall }")
-}
-
 /// Compares steady states of the two solvers, from continuous motion to six stops in a cycle.
 #[test]
 fn steady_states_are_those_of_a_single_contact() {
-    let (one, many) = (system(SINGLE), system(&listed()));
-    let joined = many.joined().expect("answers");
+    let one = system(SINGLE);
+    let joined = one.joined().expect("answers");
     let (mut seen, mut worst) = (Vec::new(), 0.0_f64);
     for (r, beta) in [(0.9, 0.3), (0.9, 0.6), (0.3, 0.4), (0.05, 0.1), (2.0, 0.8)] {
         let expected = one.at(r).expect("r").orbit(beta).expect("an orbit");
@@ -45,7 +41,8 @@ fn steady_states_are_those_of_a_single_contact() {
             assert!(differs < 1e-10, "r {r}, beta {beta}: {got} {amplitude}");
             worst = worst.max(differs);
         }
-        let displacement = expected.contact().amplitude();
+        let displacement = expected.contact_named("pads").expect("a contact");
+        let displacement = displacement.amplitude();
         let found = contact.displacement();
         assert!(found == displacement || apart(found, displacement) < 1e-10);
         let symmetric = orbit.is_symmetric().expect("a motion");
@@ -81,8 +78,8 @@ fn steady_states_are_those_of_a_single_contact() {
 /// Compares β*_lim, and the amplitudes while the contact sticks, with those of the solver for a single contact.
 #[test]
 fn stuck_states_are_those_of_a_single_contact() {
-    let (one, many) = (system(SINGLE), system(&listed()));
-    let joined = many.joined().expect("answers");
+    let one = system(SINGLE);
+    let joined = one.joined().expect("answers");
     for r in [0.2, 0.9, 1.3, 2.2] {
         let at = one.at(r).expect("r");
         let stuck = joined.at(r).expect("r").stuck().expect("a state");
@@ -101,19 +98,11 @@ fn stuck_states_are_those_of_a_single_contact() {
     }
 }
 
-/// Compares the steady state of an elastic contact in a list `contacts` with that of the solver for a single contact.
+/// Compares the steady state of an elastic contact with that of the solver for a single contact.
 #[test]
 fn an_elastic_contact_has_the_same_steady_state() {
-    let elastic = SINGLE.replace(
-        "contact: upper - wall,",
-        "contact: upper - wall, stiffness: 5.0e3, provide: [orbit],",
-    );
-    let listed = SINGLE.replace(
-        "contact: upper - wall,",
-        "contacts: { pads: upper - wall { stiffness: 5.0e3 } },",
-    );
-    let (one, many) = (system(&elastic), system(&listed));
-    let joined = many.joined().expect("answers");
+    let one = system(&SINGLE.replace("- wall", "- wall { stiffness: 5.0e3 }"));
+    let joined = one.joined().expect("answers");
     for (r, beta) in [(0.9, 0.3), (0.9, 0.6), (1.6, 0.2)] {
         let expected = one.at(r).expect("r").orbit(beta).expect("an orbit");
         let orbit = joined.at(r).expect("r").orbit(beta).expect("an orbit");
@@ -131,7 +120,7 @@ fn an_elastic_contact_has_the_same_steady_state() {
 /// contact is `contact`.
 #[test]
 fn a_single_contact_has_these_answers_too() {
-    let one = system(SINGLE);
+    let one = system(&SINGLE.replace("contacts: { pads: upper - wall }", "contact: upper - wall"));
     let orbit = one
         .joined()
         .expect("answers")
