@@ -174,7 +174,7 @@ fn value(best: &serde_json::Value, key: &str) -> f64 {
     let lines = best["points"].as_array().expect("lines");
     let line = lines.iter().find(|line| line["key"] == key);
     let value = line.and_then(|line| line["value"].as_f64());
-    value.unwrap_or_else(|| panic!("{key}: {best}"))
+    value.expect(key)
 }
 
 /// Commands and options without an answer name the fields and another command, in one line.
