@@ -2,6 +2,8 @@
 
 use crate::modal::Modal;
 use crate::scene::{Damping, Node, Scene};
+use frictiongen_kernel::Float;
+use frictiongen_kernel::joints::{Contact, Curve, Heap, Link, Model, Wave};
 use frictiongen_kernel::number::dd::Dd;
 
 /// Natural frequencies of at most this fraction of the largest natural frequency count as 0. They belong to rigid-body
@@ -36,6 +38,57 @@ pub fn damping_matrix(scene: &Scene, modal: &Modal) -> Vec<Vec<f64>> {
     };
     let rounded = |row: Vec<Dd>| row.into_iter().map(|entry| entry.to_f64()).collect();
     matrix.into_iter().map(rounded).collect()
+}
+
+/// Returns the chain of a scene without loads and friction. `loaded` contains the indices of the masses on which a load
+/// can act. `modal` is the result of [`at_rest`].
+#[must_use]
+pub fn unloaded<S: Float>(scene: &Scene, modal: &Modal, loaded: &[usize]) -> Model<S, Heap> {
+    let masses = scene.masses.len();
+    let link = |from, to, value: f64| -> Option<Link<S>> {
+        let (plus, minus) = numbered(masses, from, to)?;
+        Some((plus, minus, S::constant(value)))
+    };
+    let springs = scene.springs.iter();
+    let dampers = scene.joints.dampers.iter();
+    let damping = damping_matrix(scene, modal).into_iter().flatten();
+    let contacts = scene.named_contacts().into_iter().filter_map(|contact| {
+        let (plus, minus) = numbered(masses, contact.sides.from, contact.sides.to)?;
+        Some(Contact {
+            plus,
+            minus,
+            level: Wave::zero(),
+            stiction: S::constant(contact.law.stiction),
+            stiffness: contact.law.stiffness.map(S::constant),
+        })
+    });
+    let mut model = Model {
+        size: Heap {
+            masses,
+            contacts: scene.named_contacts().len(),
+            loads: loaded.len(),
+        },
+        masses: scene
+            .masses
+            .iter()
+            .map(|mass| S::constant(mass.value))
+            .collect(),
+        springs: springs
+            .filter_map(|spring| link(spring.from, spring.to, spring.stiffness))
+            .collect(),
+        dashpots: dampers
+            .filter_map(|damper| link(damper.from, damper.to, damper.coefficient))
+            .collect(),
+        damping: damping.map(S::constant).collect(),
+        damping_from_base: scene.is_damped_from_base(),
+        contacts: contacts.collect(),
+        law: Vec::new(),
+        loads: loaded.iter().map(|mass| (*mass, Wave::zero())).collect(),
+        base: Curve::zero(),
+        stretch: S::constant(1.0),
+    };
+    model.set_stretch();
+    model
 }
 
 /// Returns the damping matrix Σ 2ζω (Mφ)(Mφ)ᵀ/m₁ over the modes. M is the mass matrix, and the mode shapes φ are

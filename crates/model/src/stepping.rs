@@ -74,10 +74,7 @@ impl<S: Scalar> StepperSettings<S> {
             on_base: excited.is_none(),
             damped_from_base: !modal.participations.is_empty(),
             forces,
-            input: match scene.stepping.input {
-                StepInput::Hold => Input::Hold,
-                StepInput::Linear => Input::Linear,
-            },
+            input: scene.stepping.input.into(),
             law: match &scene.friction {
                 FrictionLaw::Coulomb => Vec::new(),
                 FrictionLaw::Stribeck(points) => {
@@ -179,6 +176,15 @@ fn turned<S: Float>(scene: &Scene, modal: &Modal, step: f64) -> Result<(), (f64,
             let (_, most) = S::inverse_ratio_range();
             let within = [1.0 / most.to_f64(), f64::from(MAX_PARTS)];
             Err((scene.fastest().to_f64() * step.to_f64(), within))
+        }
+    }
+}
+
+impl From<StepInput> for Input {
+    fn from(input: StepInput) -> Self {
+        match input {
+            StepInput::Hold => Self::Hold,
+            StepInput::Linear => Self::Linear,
         }
     }
 }

@@ -71,7 +71,7 @@ pub fn course(hold: u64) -> Result<Course, Box<dyn Error>> {
     let mut creep = 0.0_f64;
     let mut count = 0;
     let mut advance = |torque: f64| -> Result<Now, Box<dyn Error>> {
-        let events = joint.advance(input(torque))?;
+        let events = joint.advance(input(torque))?.events;
         count += 1;
         let (gear, seal) = (joint.gear(), joint.seal());
         Ok(Now {

@@ -36,13 +36,14 @@
     ::core::hash::Hash
 )]
 pub struct TwoContacts;
-/// Stepper: motion of [`TwoContacts`] in time, by steps of one length, under any input.  `advance` takes a step, with at most 64 events.
+/// Stepper: motion of [`TwoContacts`] in time, by steps of one length, under any input.  `advance` takes a step.
 #[allow(deprecated, non_camel_case_types)]
 #[::core::prelude::v1::derive(::core::clone::Clone, ::core::fmt::Debug)]
 pub struct TwoContactsStepper(
     ::frictiongen::kernel::joints::Stepper<
         ::core::primitive::f64,
-        ::frictiongen::kernel::joints::Fixed<2, 4, 2, 1, 6, 36>,
+        ::frictiongen::kernel::joints::Fixed<2, 4, 2, 1, 6, 36, 0, 10>,
+        [::core::primitive::f64; 560],
     >,
 );
 /// Loads on [`TwoContacts`] and friction forces, in the units of the scene: the input of a step.
@@ -62,7 +63,7 @@ pub struct TwoContactsStepper(
 pub struct TwoContactsInput {
     /// Force on mass `upper` at the end of the step.
     pub force: ::core::primitive::f64,
-    /// Kinetic friction force of each contact during the step.
+    /// Kinetic friction force of each contact at the end of the step.
     pub friction: TwoContactsFriction,
 }
 /// With the feature `serde` of frictiongen, serde writes and reads these fields by name.
@@ -95,7 +96,7 @@ pub struct TwoContactsFriction {
 pub struct TwoContactsSimulation(
     ::frictiongen::kernel::joints::Simulation<
         ::core::primitive::f64,
-        ::frictiongen::kernel::joints::Fixed<2, 4, 2, 1, 6, 36>,
+        ::frictiongen::kernel::joints::Fixed<2, 4, 2, 1, 6, 36, 0, 10>,
     >,
 );
 /// [`TwoContacts`] at one frequency.
@@ -104,7 +105,7 @@ pub struct TwoContactsSimulation(
 pub struct TwoContactsAt(
     ::frictiongen::kernel::joints::At<
         ::core::primitive::f64,
-        ::frictiongen::kernel::joints::Fixed<2, 4, 2, 1, 6, 36>,
+        ::frictiongen::kernel::joints::Fixed<2, 4, 2, 1, 6, 36, 0, 10>,
     >,
 );
 /// State of [`TwoContacts`] in which no contact slides, in closed form.  Displacements are over P/k₁ (over Y for base motion), and forces are over P (over k₁Y).
@@ -113,7 +114,7 @@ pub struct TwoContactsAt(
 pub struct TwoContactsStuck(
     ::frictiongen::kernel::joints::StuckState<
         ::core::primitive::f64,
-        ::frictiongen::kernel::joints::Fixed<2, 4, 2, 1, 6, 36>,
+        ::frictiongen::kernel::joints::Fixed<2, 4, 2, 1, 6, 36, 0, 10>,
     >,
 );
 /// Steady state of [`TwoContacts`].  Displacements are over P/k₁ (over Y for base motion), forces are over P (over k₁Y), and energies are over P²/k₁ (over k₁Y²).
@@ -122,7 +123,7 @@ pub struct TwoContactsStuck(
 pub struct TwoContactsOrbit(
     ::frictiongen::kernel::joints::Orbit<
         ::core::primitive::f64,
-        ::frictiongen::kernel::joints::Fixed<2, 4, 2, 1, 6, 36>,
+        ::frictiongen::kernel::joints::Fixed<2, 4, 2, 1, 6, 36, 0, 10>,
     >,
 );
 #[allow(
@@ -165,7 +166,7 @@ const _: () = {
         /// is its share. The start of a motion sets the stretch.
         const CHAIN: ::frictiongen::kernel::joints::Model<
             ::core::primitive::f64,
-            ::frictiongen::kernel::joints::Fixed<2, 4, 2, 1, 6, 36>,
+            ::frictiongen::kernel::joints::Fixed<2, 4, 2, 1, 6, 36, 0, 10>,
         > = ::frictiongen::kernel::joints::Model {
             size: ::frictiongen::kernel::joints::Fixed,
             masses: &[2000.0, 1500.0],
@@ -234,33 +235,96 @@ const _: () = {
         };
     }
     impl TwoContacts {
-        /// Creates a stepper with the step dt, s, for a chain at rest.  Every friction force is 0 before the first step.
+        /// Creates a stepper with the step dt, s, for a chain at rest without load.  Every friction force is 0.
         ///
         /// # Errors
         /// `OutOfDomain` for a step that is not positive and finite, or too long.
         pub fn stepper(
             dt: ::core::primitive::f64,
         ) -> ::core::result::Result<TwoContactsStepper, ::frictiongen::OutOfDomain> {
-            ::frictiongen::kernel::joints::Stepper::new(Self::CHAIN, dt, false)
-                .map(TwoContactsStepper)
+            Self::stepper_from(dt, (&[0.0; 2], &[0.0; 2]))
+        }
+        /// Creates a stepper that starts from a state: displacements and velocities of all masses, in the order of the
+        /// description.
+        ///
+        /// # Errors
+        /// `OutOfDomain` also for a state that is not finite.
+        pub fn stepper_from(
+            dt: ::core::primitive::f64,
+            (x, v): (&[::core::primitive::f64; 2], &[::core::primitive::f64; 2]),
+        ) -> ::core::result::Result<TwoContactsStepper, ::frictiongen::OutOfDomain> {
+            let started = ::frictiongen::kernel::joints::Stepper::from_state(
+                Self::CHAIN,
+                (dt, ::frictiongen::kernel::stepper::Input::Linear, false),
+                [0.0; 560],
+                (x, v),
+            );
+            started.map(TwoContactsStepper)
+        }
+        /// Creates a stepper from the bytes of an image.  The stepper has the step and the state of the stepper that wrote the
+        /// image.
+        ///
+        /// # Errors
+        /// `OutOfDomain` for an image of another scene or version, and for an image of which a bit has changed.
+        pub fn stepper_from_image(
+            bytes: &[::core::primitive::u8],
+        ) -> ::core::result::Result<TwoContactsStepper, ::frictiongen::OutOfDomain> {
+            let mut stepper = Self::stepper(
+                ::frictiongen::kernel::joints::image_step(bytes, 2)?,
+            )?;
+            stepper.0.restore_image(bytes)?;
+            ::core::result::Result::Ok(stepper)
         }
     }
     impl TwoContactsStepper {
-        /// Takes a step, and returns the number of its events.
+        /// Sets the input at the start of the first step.  Without this call the input there is 0.
+        ///
+        /// # Errors
+        /// Same errors as `advance`.  A call after the first step returns `OutOfDomain`.
+        pub fn begin(
+            &mut self,
+            input: TwoContactsInput,
+        ) -> ::core::result::Result<(), ::frictiongen::OutOfDomain> {
+            self.0
+                .begin(::frictiongen::kernel::joints::Sample {
+                    base: [0.0; 2],
+                    forces: &[input.force],
+                    frictions: &[input.friction.brace, input.friction.pads],
+                })
+        }
+        /// Takes a step.  Returns the number of its events.
         ///
         /// # Errors
         /// `OutOfDomain` for a force or a base motion that is not finite, for a friction force that is negative or not finite, and if
-        /// the motion exceeds a bound.  The stepper then keeps its state.
+        /// the motion exceeds the range of numbers.  The stepper then keeps its state.
         pub fn advance(
             &mut self,
             input: TwoContactsInput,
-        ) -> ::core::result::Result<::core::primitive::u32, ::frictiongen::OutOfDomain> {
+        ) -> ::core::result::Result<
+            ::frictiongen::kernel::joints::Stepped,
+            ::frictiongen::OutOfDomain,
+        > {
             self.0
-                .advance(
-                    [0.0; 2],
-                    &[input.force],
-                    &[input.friction.brace, input.friction.pads],
-                )
+                .advance(::frictiongen::kernel::joints::Sample {
+                    base: [0.0; 2],
+                    forces: &[input.force],
+                    frictions: &[input.friction.brace, input.friction.pads],
+                })
+        }
+        /// Length of an image of the stepper's state, in bytes.
+        pub const IMAGE: ::core::primitive::usize = ::frictiongen::kernel::joints::image_bytes(
+            ::core::mem::size_of::<::core::primitive::f64>(),
+            2,
+            2,
+            1,
+        );
+        /// Returns the state as bytes, for a file or for flash memory.  `stepper_from_image` continues from these bytes.  The
+        /// bytes contain a hash of the scene and of the step, a version and a checksum.
+        #[must_use]
+        pub fn image(&self) -> [::core::primitive::u8; Self::IMAGE] {
+            let mut bytes = [0; Self::IMAGE];
+            self.0.write_image(&mut bytes);
+            bytes
         }
         /// Displacement and velocity of mass `lower` at the end of the last step.
         #[must_use]
@@ -294,10 +358,16 @@ const _: () = {
     impl ::core::ops::Deref for TwoContactsStepper {
         type Target = ::frictiongen::kernel::joints::Stepper<
             ::core::primitive::f64,
-            ::frictiongen::kernel::joints::Fixed<2, 4, 2, 1, 6, 36>,
+            ::frictiongen::kernel::joints::Fixed<2, 4, 2, 1, 6, 36, 0, 10>,
+            [::core::primitive::f64; 560],
         >;
         fn deref(&self) -> &Self::Target {
             &self.0
+        }
+    }
+    impl ::core::ops::DerefMut for TwoContactsStepper {
+        fn deref_mut(&mut self) -> &mut Self::Target {
+            &mut self.0
         }
     }
     impl TwoContacts {
@@ -389,7 +459,7 @@ const _: () = {
     impl ::core::ops::Deref for TwoContactsSimulation {
         type Target = ::frictiongen::kernel::joints::Simulation<
             ::core::primitive::f64,
-            ::frictiongen::kernel::joints::Fixed<2, 4, 2, 1, 6, 36>,
+            ::frictiongen::kernel::joints::Fixed<2, 4, 2, 1, 6, 36, 0, 10>,
         >;
         fn deref(&self) -> &Self::Target {
             &self.0
@@ -415,7 +485,7 @@ const _: () = {
     impl ::core::ops::Deref for TwoContactsAt {
         type Target = ::frictiongen::kernel::joints::At<
             ::core::primitive::f64,
-            ::frictiongen::kernel::joints::Fixed<2, 4, 2, 1, 6, 36>,
+            ::frictiongen::kernel::joints::Fixed<2, 4, 2, 1, 6, 36, 0, 10>,
         >;
         fn deref(&self) -> &Self::Target {
             &self.0
@@ -458,7 +528,7 @@ const _: () = {
     impl ::core::ops::Deref for TwoContactsStuck {
         type Target = ::frictiongen::kernel::joints::StuckState<
             ::core::primitive::f64,
-            ::frictiongen::kernel::joints::Fixed<2, 4, 2, 1, 6, 36>,
+            ::frictiongen::kernel::joints::Fixed<2, 4, 2, 1, 6, 36, 0, 10>,
         >;
         fn deref(&self) -> &Self::Target {
             &self.0
@@ -524,7 +594,7 @@ const _: () = {
     impl ::core::ops::Deref for TwoContactsOrbit {
         type Target = ::frictiongen::kernel::joints::Orbit<
             ::core::primitive::f64,
-            ::frictiongen::kernel::joints::Fixed<2, 4, 2, 1, 6, 36>,
+            ::frictiongen::kernel::joints::Fixed<2, 4, 2, 1, 6, 36, 0, 10>,
         >;
         fn deref(&self) -> &Self::Target {
             &self.0

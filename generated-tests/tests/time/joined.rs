@@ -86,17 +86,17 @@ fn simulations_have_the_bits_of_the_system() {
     assert!(events > 100, "{events}");
 }
 
-/// Checks that emitted steppers give the bits of the run-time system, under random forces and with friction forces
-/// that change and vanish.
+/// Compares emitted steppers, which use tables, with the run-time system, which follows power series. The forces are
+/// random, and the friction forces change and vanish.
 #[test]
-fn steppers_have_the_bits_of_the_system() {
+fn steppers_follow_the_system() {
     let system = system("Storeys");
     let joined = system.joined().expect("answers");
     let dt = 0.01;
     let mut emitted = Storeys::stepper(dt).expect("a stepper");
     let mut run = joined.stepper(dt).expect("a stepper");
     let mut random = Random(7);
-    let (mut events, mut input) = (0, StoreysInput::default());
+    let (mut events, mut worst, mut input) = (0, 0.0_f64, StoreysInput::default());
     for step in 0..3000 {
         if step % 50 == 0 {
             input.force = random.between(-30.0, 30.0);
@@ -118,7 +118,7 @@ fn steppers_have_the_bits_of_the_system() {
             ("clamp", friction.clamp),
             ("hanger", friction.hanger),
         ];
-        let count = emitted.advance(input).expect("a step");
+        let count = emitted.advance(input).expect("a step").events;
         let sampled = JoinedInput {
             forces: &forces,
             frictions: &frictions,
@@ -131,21 +131,22 @@ fn steppers_have_the_bits_of_the_system() {
         );
         events += count;
         let three = (emitted.three().displacement(), emitted.three().velocity());
-        assert_eq!(three, run.mass("three").expect("a mass"), "{step}");
+        let expected = run.mass("three").expect("a mass");
+        worst = worst.max((three.0 - expected.0).abs());
+        worst = worst.max((three.1 - expected.1).abs());
         for (now, name) in [
             (emitted.brace(), "brace"),
             (emitted.pads(), "pads"),
             (emitted.clamp(), "clamp"),
         ] {
             let expected = run.contact_named(name).expect("a contact");
-            assert_eq!(
-                (now.force(), now.is_sticking()),
-                (expected.force, expected.is_sticking),
-                "{name} {step}"
-            );
+            worst = worst.max((now.force() - expected.force).abs());
+            assert_eq!(now.is_sticking(), expected.is_sticking, "{name} {step}");
         }
     }
     assert!(events > 200, "{events}");
+    // Velocities and forces are of the size 1 to 10. Each step adds some rounding errors of 1e-16.
+    assert!(worst < 1e-11, "{worst:e}");
 }
 
 /// Checks that a single contact of the field `contacts` has a method with its name, which returns what `contact` returns.
@@ -201,7 +202,9 @@ fn a_clutch_and_a_brake() {
         force: 0.0,
         friction,
     };
-    let events: u32 = (0..24).map(|_| step.advance(input).expect("a step")).sum();
+    let events: u32 = (0..24)
+        .map(|_| step.advance(input).expect("a step").events)
+        .sum();
     assert_eq!(events, 1);
     assert!(step.brake().is_sticking() && step.motor().velocity() == 0.0);
     assert!((step.load().displacement() - 3.0).abs() < 1e-12, "{step:?}");

@@ -101,7 +101,7 @@ fn a_moving_base_is_a_force_on_each_mass() {
             velocity,
             friction,
         };
-        events[0] += shaken.advance(input).expect("a step");
+        events[0] += shaken.advance(input).expect("a step").events;
         let friction = PushedFriction {
             brace: 9.0,
             pads: 6.0,
@@ -112,7 +112,7 @@ fn a_moving_base_is_a_force_on_each_mass() {
             upper: -1.5 * record.acceleration,
             friction,
         };
-        events[1] += pushed.advance(input).expect("a step");
+        events[1] += pushed.advance(input).expect("a step").events;
         for (mass, expected) in [
             (shaken.lower(), pushed.lower()),
             (shaken.upper(), pushed.upper()),
@@ -144,9 +144,9 @@ fn a_moving_base_is_a_force_on_each_mass() {
     assert!(worst < 1e-10 * size, "{worst} {size}");
 }
 
-/// Checks that emitted steppers on a moving base give the bits of the run-time system.
+/// Compares emitted steppers on a moving base, which use tables, with the run-time system, which follows power series.
 #[test]
-fn the_bits_of_the_system() {
+fn emitted_steppers_follow_the_system() {
     let text = "struct Shaken {
         masses: { lower: 2.0, upper: 1.5 },
         springs: { base - lower: 900.0, lower - upper: 700.0 },
@@ -161,7 +161,7 @@ fn the_bits_of_the_system() {
     let mut record = Record::new(8, dt);
     let mut emitted = Shaken::stepper(dt).expect("a stepper");
     let mut run = joined.stepper(dt).expect("a stepper");
-    let mut events = 0;
+    let (mut events, mut worst) = (0, 0.0_f64);
     for step in 0..1000 {
         record.advance(step);
         let [displacement, velocity] = record.base;
@@ -175,7 +175,7 @@ fn the_bits_of_the_system() {
             velocity,
             friction,
         };
-        let count = emitted.advance(input).expect("a step");
+        let count = emitted.advance(input).expect("a step").events;
         let sampled = JoinedInput {
             base: record.base,
             frictions: &[("brace", 12.0), ("pads", 5.0), ("guide", friction.guide)],
@@ -184,11 +184,15 @@ fn the_bits_of_the_system() {
         assert_eq!(count as usize, run.advance(sampled).expect("a step"));
         events += count;
         let upper = (emitted.upper().displacement(), emitted.upper().velocity());
-        assert_eq!(upper, run.mass("upper").expect("a mass"), "{step}");
+        let expected = run.mass("upper").expect("a mass");
+        worst = worst.max((upper.0 - expected.0).abs());
+        worst = worst.max((upper.1 - expected.1).abs());
         let guide = run.contact_named("guide").expect("a contact");
-        assert_eq!(emitted.guide().force(), guide.force, "{step}");
+        worst = worst.max((emitted.guide().force() - guide.force).abs());
     }
     assert!(events > 50, "{events}");
+    // Velocities and forces are of the size 1 to 10. Each step adds some rounding errors of 1e-16.
+    assert!(worst < 1e-11, "{worst:e}");
 }
 
 /// A plain integrator of the same laws in small steps. The force of the brace follows its spring up to the friction
@@ -235,20 +239,25 @@ fn a_plain_integrator_agrees() {
     // No contact has static friction above the kinetic friction, because the chattering integrator has no static
     // friction.
     let base = |t: f64| [0.02 * (1.0 - (20.0 * t).cos()), 0.4 * (20.0 * t).sin()];
+    let friction = ShakenFriction {
+        brace: 9.0,
+        pads: 0.0,
+        guide: 1.5,
+    };
+    let begun = shaken.begin(ShakenInput {
+        friction,
+        ..ShakenInput::default()
+    });
+    begun.expect("the input at the start");
     let (mut worst, mut size, mut events) = (0.0_f64, 0.0_f64, 0);
     for step in 0..400_u32 {
         let [displacement, velocity] = base(f64::from(step + 1) * dt);
-        let friction = ShakenFriction {
-            brace: 9.0,
-            pads: 0.0,
-            guide: 1.5,
-        };
         let input = ShakenInput {
             displacement,
             velocity,
             friction,
         };
-        events += shaken.advance(input).expect("a step");
+        events += shaken.advance(input).expect("a step").events;
         for part in 1..=parts {
             let time = (f64::from(step) + f64::from(part) / f64::from(parts)) * dt;
             plain.advance(dt / f64::from(parts), base(time), [9.0, 0.0, 1.5]);
@@ -284,7 +293,7 @@ fn a_belt_that_starts_at_once() {
             velocity: 0.9,
             friction,
         };
-        events += belt.advance(input).expect("a step");
+        events += belt.advance(input).expect("a step").events;
         let time = f64::from(step + 1) * dt;
         // 4 N accelerate 2 kg to 0.9 m/s in 0.45 s.
         let (speed, place) = if time < 0.45 {

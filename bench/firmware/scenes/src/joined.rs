@@ -34,8 +34,8 @@ pub fn advance(
     [brace, pads]: [f32; 2],
 ) -> Option<(u32, f32)> {
     let friction = StoreysFriction { brace, pads };
-    let events = run.advance(StoreysInput { force, friction }).ok()?;
-    Some((events, run.pads().force()))
+    let stepped = run.advance(StoreysInput { force, friction }).ok()?;
+    Some((stepped.events, run.pads().force()))
 }
 
 /// Computes the motion from rest over a part of a cycle.

@@ -8,7 +8,7 @@ use core::fmt;
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub enum Halt {
     /// The caller gave a friction force that the contact cannot have. The friction force is negative or not finite, or
-    /// it changes with time at an elastic contact.
+    /// it is a harmonic at an elastic contact.
     Level,
     /// The load that the caller gave is not finite, or no load has the given index.
     Load,

@@ -73,6 +73,18 @@ impl<S: Float> Curve<S> {
         !self.square.is_zero() || !self.cube.is_zero()
     }
 
+    /// Returns the coefficients of the powers of t − `time`, from the constant to the cube, without the harmonic.
+    pub(super) fn about(&self, time: S) -> [S; 4] {
+        let (two, three) = (S::constant(2.0), S::constant(3.0));
+        let (square, cube, line) = (self.square, self.cube, &self.wave);
+        [
+            line.constant + (line.slope + (square + cube * time) * time) * time,
+            line.slope + (two * square + three * cube * time) * time,
+            square + three * cube * time,
+            cube,
+        ]
+    }
+
     /// Changes the coefficients of the function so that the instant `time` becomes the instant 0.
     pub(super) fn shift(&mut self, time: S) {
         self.wave.shift(time);

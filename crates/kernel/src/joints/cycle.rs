@@ -310,14 +310,16 @@ pub(super) fn integral<S: Float>(terms: &[S], end: S) -> S {
 
 /// Returns the work of a force from the start of a time interval to the fraction `end`. `length` is the duration of
 /// the interval.
-fn work<S: Float>(force: &Poly<S>, speed: &Poly<S>, length: S, end: S) -> S {
+pub(super) fn work<S: Float>(force: &Poly<S>, speed: &Poly<S>, length: S, end: S) -> S {
     length * integral(&product(force, speed), end)
 }
 
 /// Returns the coefficients of the product of the polynomials `a` and `b`.
 fn product<S: Float>(a: &Poly<S>, b: &Poly<S>) -> [S; 2 * TERMS] {
     let mut product = [S::constant(0.0); 2 * TERMS];
-    for (i, a) in a.iter().enumerate() {
+    // A load or a friction force on a straight line has only two coefficients.
+    let a = a.iter().enumerate().filter(|(_, a)| !a.is_zero());
+    for (i, a) in a {
         for (sum, b) in product.iter_mut().skip(i).zip(b) {
             *sum = *sum + *a * *b;
         }

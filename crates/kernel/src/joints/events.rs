@@ -32,17 +32,20 @@ impl<S: Float, Z: Size> Motion<S, Z> {
                     set(arrived.as_mut(), j, true);
                 }
                 (Some(_), true) => {
-                    let force = sign::<S>(side) * contact.level.constant;
+                    let force = sign::<S>(side) * contact.level.value(self.time, 0);
                     set(self.state.forces.as_mut(), j, force);
                     self.state.set_phase(j, side);
                 }
                 (Some(_), false) => {
+                    let level = contact.level.value(self.time, 0);
+                    let force = sign::<S>(self.state.phase(j)) * level;
+                    set(self.state.forces.as_mut(), j, force);
                     self.state.set_phase(j, STUCK);
                     // The contact has just stopped, so that its force is at the limit, and the rate of the force is 0.
                     // If the computed velocity already has the opposite sign, the force will fall. The code then uses
                     // the sign of the computed rate, even if this rate is only a rounding error.
                     let turns = sign::<S>(side) * contact.across(v.as_ref());
-                    let rate_is_zero = turns >= S::constant(0.0);
+                    let rate_is_zero = turns >= contact.creep();
                     let zeros = if rate_is_zero { 2 } else { 1 };
                     let at_limit = contact.stiction == S::constant(1.0);
                     self.state

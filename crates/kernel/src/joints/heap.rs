@@ -42,6 +42,7 @@ impl Size for Heap {
     type Unknowns<T: Value> = Vec<T>;
     type Square<T: Value> = Vec<T>;
     type Points<T: Value> = Vec<T>;
+    type Row<T: Value> = Vec<T>;
     type Constants<T: Value> = Vec<T>;
     type Cells<T: Value> = Vec<T>;
     type Tables<S: Float> = KeptTables<S>;
@@ -56,6 +57,10 @@ impl Size for Heap {
             last: None,
             ends: [Vec::new(), Vec::new()],
         }
+    }
+
+    fn none<T: Value>(&self) -> Vec<T> {
+        Vec::new()
     }
 
     fn masses<T: Value>(&self, value: T) -> Short<T> {
@@ -80,6 +85,10 @@ impl Size for Heap {
 
     fn square<T: Value>(&self, value: T) -> Vec<T> {
         vec![value; self.unknowns() * self.unknowns()]
+    }
+
+    fn row<T: Value>(&self, count: usize, value: T) -> Vec<T> {
+        vec![value; count]
     }
 }
 

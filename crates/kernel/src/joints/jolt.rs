@@ -45,7 +45,7 @@ impl<S: Float, Z: Size> Motion<S, Z> {
                 None if speed.is_zero() => STUCK,
                 None => slides,
                 Some(stiffness) => {
-                    let level = contact.level.constant;
+                    let level = contact.level.value(self.time, 0);
                     let slid = self.state.phase(j) != STUCK;
                     let force = at(self.state.forces.as_ref(), j) - stiffness * rise;
                     let most = if slid {

@@ -80,7 +80,10 @@ pub use simulation::{MAX_EVENTS, MAX_STRETCHES, Reference, Simulation};
 pub use size::{Array, Fixed, Size, Value, add, at, set};
 pub use state::{FREE, STUCK, State};
 pub use steady::{MAX_PERIOD, Place, Soon, Steady};
-pub use stepper::{MAX_STEP, MAX_STEP_EVENTS, Stepper};
+pub use stepper::{
+    Layout, MAX_STEP, MAX_STEP_EVENTS, MAX_TABLE_CONTACTS, MAX_TABLE_ENTRIES, Pace, Sample, Saved,
+    Stepped, Stepper, fill, image_bytes, image_step,
+};
 pub use stuck::StuckResponse;
 pub use table::{Leap, NoTables, Table, Tables};
 pub use tree::Tree;

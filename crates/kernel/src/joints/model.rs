@@ -60,9 +60,9 @@ impl<S: Float> Contact<S> {
         self.level.amplitude.is_zero() && self.level.slope.is_zero()
     }
 
-    /// Returns true if the kinetic friction force `level` is valid for the contact. A constant force of at least 0 is
-    /// valid for every contact. A force that changes with time is valid only for a rigid contact. All coefficients of
-    /// the force must be finite.
+    /// Returns true if the kinetic friction force `level` is valid for the contact. A constant force of at least 0 and
+    /// a straight line are valid for every contact. A harmonic force is valid only for a rigid contact. All
+    /// coefficients of the force must be finite.
     #[must_use]
     pub fn fits(&self, level: &Wave<S>) -> bool {
         let changed = Self {
@@ -73,8 +73,16 @@ impl<S: Float> Contact<S> {
             && if changed.has_constant_level() {
                 level.constant >= S::constant(0.0)
             } else {
-                self.is_rigid()
+                self.is_rigid() || level.amplitude.is_zero()
             }
+    }
+
+    /// Returns the velocity of an elastic contact's two sides relative to the slider while the contact slides forward.
+    /// The force of the contact is then its kinetic friction force, so that its spring changes its length with it. The
+    /// result is 0 for a rigid contact.
+    pub(super) fn creep(&self) -> S {
+        self.stiffness
+            .map_or(S::constant(0.0), |stiffness| self.level.slope / stiffness)
     }
 }
 

@@ -4,7 +4,7 @@ use super::poly::{Poly, TERMS, terms_of, value, value_and_slope};
 use crate::Float;
 
 /// Number of bisections after which the two ends of the interval are equal apart from rounding.
-fn halvings<S: Float>() -> u32 {
+pub(super) fn halvings<S: Float>() -> u32 {
     if S::EPSILON < 1e-10 { 52 } else { 23 }
 }
 

@@ -4,9 +4,9 @@ use super::model::{Contact, Model};
 use super::poly::Poly;
 use super::roots::first_negative;
 use super::series::Series;
-use super::size::{Size, at, set, sign};
+use super::size::{Fixed, Size, add, at, set, sign};
 use super::state::{FREE, STUCK, State};
-use super::table::{Leap, Table, Tables};
+use super::table::{Leap, NoTables, Table, Tables};
 use super::tree::Tree;
 use super::wave::Wave;
 use crate::Float;
@@ -30,6 +30,9 @@ pub trait Observe<S: Float, Z: Size> {
     /// Receives the motion from the start of a time interval to the fraction `end` of the interval. During this time
     /// the contacts have the phases in `state`.
     fn stretch(&mut self, series: &Series<S, Z>, end: S, state: &State<S, Z>);
+
+    /// Receives the chain, and the same motion as [`stretch`](Self::stretch). The default method ignores it.
+    fn follow(&mut self, _: &Model<S, Z>, _: &Series<S, Z>, _end: S, _: &State<S, Z>) {}
 
     /// Receives the phases of all contacts (sticking or sliding) before and after an event. The default method ignores
     /// the event.
@@ -171,6 +174,31 @@ impl<S: Float, Z: Size> Motion<S, Z> {
         self.state.keep_speeds(v.as_ref());
     }
 
+    /// Sets the motion to a state that it had at time 0, after `change` has set the loads, the friction forces and the
+    /// base of that instant.
+    pub(super) fn resume(&mut self, state: State<S, Z>, change: impl FnOnce(&mut Model<S, Z>)) {
+        self.time = S::constant(0.0);
+        self.stalls = 0;
+        self.state = state;
+        change(&mut self.model);
+        self.join();
+    }
+
+    /// Sets μ of a contact, the ratio of its static to its kinetic friction force.
+    pub(super) fn set_stiction(&mut self, contact: usize, mu: S) {
+        if let Some(contact) = self.model.contacts.as_mut().get_mut(contact) {
+            contact.stiction = mu;
+        }
+    }
+
+    /// Takes the motion at the instant `time` from its coordinates. The motion has had no event since the last instant.
+    pub(super) fn land(&mut self, coordinates: &[S], time: S) {
+        self.state.land(&self.model, coordinates);
+        self.time = time;
+        self.stalls = 0;
+        self.tree.settle(&self.model, &mut self.state, time);
+    }
+
     /// Makes the present instant the time 0 for all loads, friction forces and the base. The state does not change.
     pub(super) fn rewind(&mut self) {
         let time = self.time;
@@ -204,6 +232,7 @@ impl<S: Float, Z: Size> Motion<S, Z> {
         let was_free = c.is_free();
         c.level = level;
         let c = *c;
+        let most = level.value(self.time, 0);
         let speed = c.across(v.as_ref());
         let phase = self.state.phase(contact);
         let slides = if speed < zero { -1 } else { 1 };
@@ -212,11 +241,17 @@ impl<S: Float, Z: Size> Motion<S, Z> {
             (false, None) if was_free && speed != zero => slides,
             (false, None) if was_free => STUCK,
             (false, None) => phase,
-            (false, Some(_)) if force.abs() >= level.constant && force * speed > zero => slides,
-            (false, Some(_)) => STUCK,
+            (false, Some(_)) => {
+                let side = match force {
+                    force if force > zero => 1,
+                    force if force < zero => -1,
+                    _ => slides,
+                };
+                let yields = force.abs() >= most && sign::<S>(side) * speed > c.creep();
+                if yields { side } else { STUCK }
+            }
         };
         if c.stiffness.is_some() {
-            let most = level.constant;
             let kept = crate::Scalar::max(-most, crate::Scalar::min(force, most));
             set(self.state.forces.as_mut(), contact, kept);
         }
@@ -386,6 +421,7 @@ impl<S: Float, Z: Size> Motion<S, Z> {
         let first = line_end.map_or(first, |_| S::constant(2.0));
         let end = line_end.unwrap_or(first);
         let fraction = crate::Scalar::min(end, one);
+        watch.follow(&self.model, &series, fraction, &self.state);
         watch.stretch(&series, fraction, &self.state);
         self.take(&series, fraction);
         let same = same::<S>();
@@ -407,7 +443,7 @@ impl<S: Float, Z: Size> Motion<S, Z> {
     }
 
     /// Forgets the last event if the motion has moved on by more than the fraction `same` of a stretch.
-    fn forget_events(&mut self, fraction: S, same: S) {
+    pub(super) fn forget_events(&mut self, fraction: S, same: S) {
         if fraction > same {
             self.stalls = 0;
             self.state.zeros = self.model.size.contacts((0, 0));
@@ -439,7 +475,7 @@ impl<S: Float, Z: Size> Motion<S, Z> {
     }
 
     /// Returns an error if a number of the state is infinite or NaN.
-    fn finite(&self) -> Result<(), Halt> {
+    pub(super) fn finite(&self) -> Result<(), Halt> {
         let numbers = self.state.x.as_ref().iter().chain(self.state.v.as_ref());
         let mut numbers = numbers.chain(self.state.forces.as_ref());
         if numbers.all(|x| x.is_finite()) {
@@ -450,7 +486,7 @@ impl<S: Float, Z: Size> Motion<S, Z> {
     }
 
     /// Sets the present state to the motion after a fraction of the time interval of the power series.
-    fn take(&mut self, series: &Series<S, Z>, fraction: S) {
+    pub(super) fn take(&mut self, series: &Series<S, Z>, fraction: S) {
         let (x, v) = series.motion(&self.model, fraction);
         self.state.x = x;
         self.state.v = v;
@@ -486,6 +522,41 @@ impl<S: Float, Z: Size> Motion<S, Z> {
     }
 }
 
+impl<
+    S: Float,
+    const N: usize,
+    const NODES: usize,
+    const M: usize,
+    const L: usize,
+    const U: usize,
+    const SQUARE: usize,
+    const LAW: usize,
+    const ROW: usize,
+> Motion<S, Fixed<N, NODES, M, L, U, SQUARE, LAW, ROW>>
+{
+    /// Returns a motion at rest of a chain without loads and friction, in a constant expression. `zero` is the number 0.
+    pub(super) const fn at_rest(
+        model: Model<S, Fixed<N, NODES, M, L, U, SQUARE, LAW, ROW>>,
+        zero: S,
+    ) -> Self {
+        Self {
+            model,
+            state: State {
+                x: [zero; N],
+                v: [zero; N],
+                forces: [zero; M],
+                places: [zero; M],
+                phases: [FREE; M],
+                zeros: [(0, 0); M],
+            },
+            time: zero,
+            tree: Tree::empty(zero),
+            stalls: 0,
+            tables: NoTables([[], []]),
+        }
+    }
+}
+
 /// Returns the next event of the contact `j` in a stretch. `watched` is the power series of its force while it
 /// sticks, and of its relative velocity while it slides. `time` contains the start and the duration of the stretch.
 /// The first result is the fraction of the stretch after which the event occurs. The second result is the sign of
@@ -514,7 +585,8 @@ fn next_event<S: Float, Z: Size>(
             }
         }
         side => {
-            let speed = watched.map(|term| sign::<S>(side) * term);
+            let mut speed = watched.map(|term| sign::<S>(side) * term);
+            add(&mut speed, 0, -contact.creep());
             first_negative(&speed, zeros).map(|at| (at, side))
         }
     }

@@ -153,6 +153,11 @@ impl<S: Float, Z: Size> Series<S, Z> {
         difference(self.x.as_ref(), plus, minus)
     }
 
+    /// Returns the power series of the displacements and velocities of all nodes.
+    pub(super) fn nodes(&self) -> (&[Poly<S>], &[Poly<S>]) {
+        (self.x.as_ref(), self.v.as_ref())
+    }
+
     /// Returns the displacement of a node at the start of the time interval.
     pub(super) fn displacement_at_start(&self, node: usize) -> S {
         term(self.x.as_ref(), node, 0)

@@ -31,6 +31,8 @@ pub trait Size: Clone + Debug + PartialEq + Sized {
     type Square<T: Value>: Array<T>;
     /// Type of an array with one entry for each point of the friction law.
     type Points<T: Value>: Array<T>;
+    /// Type of an array with one entry for each coordinate of a stepper.
+    type Row<T: Value>: Array<T>;
     /// Type of an array of any length whose entries do not change.
     type Constants<T: Value>: AsRef<[T]> + Clone + Debug;
 
@@ -43,6 +45,8 @@ pub trait Size: Clone + Debug + PartialEq + Sized {
     fn cells<T: Value>(&self, count: usize, value: T) -> Self::Cells<T>;
     /// Returns a storage for a motion that uses no tables yet.
     fn tables<S: crate::Float>(&self) -> Self::Tables<S>;
+    /// Returns an array without entries that do not change.
+    fn none<T: Value>(&self) -> Self::Constants<T>;
     /// Returns an array that contains `value` for each mass.
     fn masses<T: Value>(&self, value: T) -> Self::Masses<T>;
     /// Returns an array that contains `value` for each node.
@@ -55,11 +59,14 @@ pub trait Size: Clone + Debug + PartialEq + Sized {
     fn unknowns<T: Value>(&self, value: T) -> Self::Unknowns<T>;
     /// Returns a square matrix for the unknowns of a steady state. All its entries are `value`.
     fn square<T: Value>(&self, value: T) -> Self::Square<T>;
+    /// Returns an array that contains `value` for each of the `count` coordinates of a stepper.
+    fn row<T: Value>(&self, count: usize, value: T) -> Self::Row<T>;
 }
 
 /// Size of a chain in emitted code, with N masses, NODES = N + 2 nodes, M contacts and L loads. For steady states, U =
 /// 2N + M is the number of unknowns, and SQUARE = U² is the number of entries of a matrix. If the code needs only
 /// closed forms, U is 2N. LAW is the number of points of the friction law, or 0 if the kinetic friction is constant.
+/// ROW is the number of coordinates of a stepper that uses tables.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Fixed<
     const N: usize,
@@ -69,6 +76,7 @@ pub struct Fixed<
     const U: usize = 0,
     const SQUARE: usize = 0,
     const LAW: usize = 0,
+    const ROW: usize = 0,
 >;
 
 impl<
@@ -79,7 +87,8 @@ impl<
     const U: usize,
     const SQUARE: usize,
     const LAW: usize,
-> Size for Fixed<N, NODES, M, L, U, SQUARE, LAW>
+    const ROW: usize,
+> Size for Fixed<N, NODES, M, L, U, SQUARE, LAW, ROW>
 {
     type Masses<T: Value> = [T; N];
     type Nodes<T: Value> = [T; NODES];
@@ -88,6 +97,7 @@ impl<
     type Unknowns<T: Value> = [T; U];
     type Square<T: Value> = [T; SQUARE];
     type Points<T: Value> = [T; LAW];
+    type Row<T: Value> = [T; ROW];
     type Constants<T: Value> = &'static [T];
     type Cells<T: Value> = [T; 0];
     type Tables<S: crate::Float> = NoTables<[S; 0]>;
@@ -98,6 +108,10 @@ impl<
 
     fn tables<S: crate::Float>(&self) -> NoTables<[S; 0]> {
         NoTables([[], []])
+    }
+
+    fn none<T: Value>(&self) -> &'static [T] {
+        &[]
     }
 
     fn masses<T: Value>(&self, value: T) -> [T; N] {
@@ -122,6 +136,10 @@ impl<
 
     fn square<T: Value>(&self, value: T) -> [T; SQUARE] {
         [value; SQUARE]
+    }
+
+    fn row<T: Value>(&self, _: usize, value: T) -> [T; ROW] {
+        [value; ROW]
     }
 }
 

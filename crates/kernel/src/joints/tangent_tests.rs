@@ -13,12 +13,12 @@ use fuzzing::Random;
 /// Step of the differences, in units of the unknowns.
 const STEP: f64 = 1e-6;
 
-fn between(random: &mut Random, low: f64, high: f64) -> f64 {
+pub(super) fn between(random: &mut Random, low: f64, high: f64) -> f64 {
     low + (high - low) * 0.5 * (1.0 + random.signed())
 }
 
 /// Returns a chain of masses between springs, with contacts between neighbours, the wall and the base.
-fn chain(random: &mut Random, omega: f64) -> Model<f64, Heap> {
+pub(super) fn chain(random: &mut Random, omega: f64) -> Model<f64, Heap> {
     let below = |random: &mut Random, count: usize| between(random, 0.0, count as f64) as usize;
     let masses = 1 + below(random, 4);
     let (wall, base) = (masses, masses + 1);

@@ -1,7 +1,8 @@
 //! Checks the energy balance of the stepper. The work of the loads and of the base must equal the change of the stored
 //! energy plus the energy that friction, dashpots and damping dissipate.
 
-use super::{Contact, Curve, Fixed, Model, Observe, Series, State, Stepper, Wave, value};
+use super::{Contact, Curve, Fixed, Model, Observe, Sample, Series, State, Stepper, Wave, value};
+use crate::stepper::Input;
 use fuzzing::Random;
 
 type Size = Fixed<3, 5, 4, 2>;
@@ -108,7 +109,7 @@ impl Account {
     }
 
     /// Returns the kinetic and the elastic energy at the end of a step.
-    fn stored(&self, stepper: &Stepper<f64, Size>, base: f64) -> f64 {
+    fn stored(&self, stepper: &Stepper<f64, Size, [f64; 0]>, base: f64) -> f64 {
         let state = stepper.motion().state();
         let x = [state.x[0], state.x[1], state.x[2], 0.0, base];
         let kinetic = MASSES.iter().zip(&state.v).map(|(m, v)| m * v * v / 2.0);
@@ -157,7 +158,7 @@ impl Observe<f64, Size> for Account {
 #[test]
 fn ten_thousand_random_steps_keep_their_energy() {
     let mut random = Random(46);
-    let mut stepper = Stepper::new(chain(), DT, false).expect("a stepper");
+    let mut stepper = Stepper::new(chain(), (DT, Input::Linear, true), []).expect("a stepper");
     let mut account = Account {
         gauss: gauss(),
         model: chain(),
@@ -170,13 +171,19 @@ fn ten_thousand_random_steps_keep_their_energy() {
         events: 0,
     };
     let (mut force, mut base, mut worst) = ([0.0; 2], [0.0; 2], 0.0_f64);
+    let begun = stepper.begin(Sample {
+        base,
+        forces: &force,
+        frictions: &account.levels,
+    });
+    begun.expect("the input at the start");
     for step in 0..10_000 {
         if step % 20 == 0 {
             force = force.map(|_: f64| random.between(-40.0, 40.0));
         }
         if step % 50 == 0 {
             // The contacts 1 and 3 are rigid. A change of the friction force would change the energy stored in an
-            // elastic contact.
+            // elastic contact. It takes one step.
             account.levels[1] = random.between(-1.0, 8.0).max(0.0);
             account.levels[3] = random.between(-1.0, 4.0).max(0.0);
         }
@@ -189,11 +196,25 @@ fn ten_thousand_random_steps_keep_their_energy() {
             forces[1] = force;
         }
         let levels = account.levels;
-        let taken = stepper.advance_with(base, (&force, &levels), &mut account);
+        let sample = Sample {
+            base,
+            forces: &force,
+            frictions: &levels,
+        };
+        let taken = stepper.advance_with(sample, &mut account);
         taken.expect("a step");
         let stored = account.stored(&stepper, base[0]);
         let missing = account.load - account.friction - account.damping - stored;
         worst = worst.max(missing.abs() / account.size);
+        let work = stepper.work();
+        let pairs = [
+            (work.load, account.load),
+            (work.friction, account.friction),
+            (work.damping, account.damping),
+        ];
+        for (told, own) in pairs {
+            worst = worst.max((told - own).abs() / account.size);
+        }
     }
     println!(
         "{} events, work of the loads {:.3}, friction {:.3}, damping {:.3}: {worst:.1e}",

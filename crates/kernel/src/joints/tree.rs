@@ -2,7 +2,7 @@
 //! never form a loop. Each group is therefore a tree.
 
 use super::model::{Contact, Model};
-use super::size::{Size, add, at, set};
+use super::size::{Fixed, Size, add, at, set};
 use super::state::State;
 use crate::Float;
 
@@ -18,6 +18,14 @@ struct Branch {
     /// True if the child is the node `plus` of the contact.
     child_is_plus: bool,
 }
+
+/// Entry of the list of branches that no contact uses yet.
+const UNUSED: Branch = Branch {
+    child: NONE,
+    parent: NONE,
+    contact: NONE,
+    child_is_plus: false,
+};
 
 impl Branch {
     fn turned<S: Float>(&self, value: S) -> S {
@@ -43,14 +51,8 @@ impl<S: Float, Z: Size> Tree<S, Z> {
     /// Builds the trees of the masses that sticking rigid contacts connect. If a tree contains the wall or the base,
     /// this support is its root.
     pub fn new(model: &Model<S, Z>, sticks: impl Fn(usize) -> bool) -> Self {
-        let unused = Branch {
-            child: NONE,
-            parent: NONE,
-            contact: NONE,
-            child_is_plus: false,
-        };
         let mut tree = Self {
-            branches: model.size.contacts(unused),
+            branches: model.size.contacts(UNUSED),
             count: 0,
             roots: model.size.nodes(NONE),
             masses: model.size.nodes(S::constant(0.0)),
@@ -104,6 +106,11 @@ impl<S: Float, Z: Size> Tree<S, Z> {
         };
         set(self.branches.as_mut(), self.count, branch);
         self.count += 1;
+    }
+
+    /// Returns true if no sticking contact connects two nodes.
+    pub(super) fn is_empty(&self) -> bool {
+        self.count == 0
     }
 
     fn branches(&self) -> &[Branch] {
@@ -227,6 +234,30 @@ impl<S: Float, Z: Size> Tree<S, Z> {
             let held = at(rest, branch.child);
             set(holds, branch.contact, branch.turned(held));
             add(rest, branch.parent, held);
+        }
+    }
+}
+
+impl<
+    S: Float,
+    const N: usize,
+    const NODES: usize,
+    const M: usize,
+    const L: usize,
+    const U: usize,
+    const SQUARE: usize,
+    const LAW: usize,
+    const ROW: usize,
+> Tree<S, Fixed<N, NODES, M, L, U, SQUARE, LAW, ROW>>
+{
+    /// Returns the trees of a chain in which no contact sticks, in a constant expression. They do not contain the
+    /// masses.
+    pub(super) const fn empty(zero: S) -> Self {
+        Self {
+            branches: [UNUSED; M],
+            count: 0,
+            roots: [NONE; NODES],
+            masses: [zero; NODES],
         }
     }
 }

@@ -23,17 +23,17 @@ use crate::motion::Contact;
 use crate::number::scalar::Float;
 
 /// First bytes of every image (saved state of a stepper).
-const NAME: [u8; 2] = *b"fs";
+pub(crate) const NAME: [u8; 2] = *b"fs";
 /// Version of the image format that [`Stepper::write_image`] writes.
 const VERSION: u8 = 1;
 /// Length in bytes of the first section of an image (saved state of a stepper). This section contains the name, the
 /// version, the size of a scalar, and the hash of scene and step.
-const HEAD: usize = 12;
+pub(crate) const HEAD: usize = 12;
 /// Length in bytes of the second section of an image (saved state of a stepper). This section contains the counts of
 /// steps, the line of the friction law, the state of the contact, two flags and the event budget.
 const COUNTS: usize = 24;
 /// Number of bytes of the checksum at the end of an image (saved state of a stepper).
-const CHECKSUM: usize = 4;
+pub(crate) const CHECKSUM: usize = 4;
 /// Number of scalars in an image (saved state of a stepper) that come before the scalars of the modes. They are the
 /// time step dt and the numbers of the status.
 const SCALARS: usize = 1 + super::state::SCALARS;
@@ -54,14 +54,14 @@ pub const fn image_bytes(scalar: usize, modes: usize, held: usize, inputs: usize
 /// another version of the image. [`OutOfDomain::Saved`] for another number type.
 #[doc(hidden)]
 pub fn image_step<S: Float>(bytes: &[u8]) -> Result<S, OutOfDomain> {
-    let mut reader = checked::<S>(bytes)?;
+    let mut reader = checked::<S>(bytes, (VERSION, HEAD + COUNTS))?;
     reader.skip(8 + COUNTS);
     Ok(reader.scalar())
 }
 
 /// Returns the checksum CRC-32 (IEEE 802.3) of bytes. The checksum detects every change that is limited to 32
 /// neighbouring bits.
-fn crc<'b>(bytes: impl Iterator<Item = &'b u8>) -> u32 {
+pub(crate) fn crc<'b>(bytes: impl Iterator<Item = &'b u8>) -> u32 {
     !bytes.fold(u32::MAX, |sum, byte| {
         (0..8).fold(sum ^ u32::from(*byte), |sum, _| {
             (sum >> 1) ^ if sum & 1 == 1 { 0xedb8_8320 } else { 0 }
@@ -69,12 +69,16 @@ fn crc<'b>(bytes: impl Iterator<Item = &'b u8>) -> u32 {
     })
 }
 
-/// Checks the name, the version, the size of a scalar and the checksum of an image (saved state of a stepper). Returns
-/// a reader that is positioned at the hash of scene and step.
-fn checked<S: Float>(bytes: &[u8]) -> Result<Reader<'_>, OutOfDomain> {
+/// Checks the name, the version, the size of a scalar and the checksum of an image (saved state of a stepper). The image
+/// must have the version `own`, and more than `least` bytes. Returns a reader that is positioned at the hash of scene and
+/// step.
+pub(crate) fn checked<S: Float>(
+    bytes: &[u8],
+    (own, least): (u8, usize),
+) -> Result<Reader<'_>, OutOfDomain> {
     let body = bytes.len().checked_sub(CHECKSUM);
     let (body, sum) = body
-        .filter(|body| HEAD + COUNTS < *body)
+        .filter(|body| least < *body)
         .and_then(|body| bytes.split_at_checked(body))
         .ok_or(OutOfDomain::ImageDamaged)?;
     let sum = Reader(sum.iter()).word();
@@ -84,7 +88,7 @@ fn checked<S: Float>(bytes: &[u8]) -> Result<Reader<'_>, OutOfDomain> {
         return Err(OutOfDomain::ImageDamaged);
     }
     let [version, scalar] = reader.bytes();
-    if version != VERSION {
+    if version != own {
         return Err(OutOfDomain::ImageVersion);
     }
     if usize::from(scalar) != size_of::<S>() || !(scalar == 4 || scalar == 8) {
@@ -95,28 +99,28 @@ fn checked<S: Float>(bytes: &[u8]) -> Result<Reader<'_>, OutOfDomain> {
 
 /// Reads numbers from bytes, one after the other. After the end of the bytes, the reader returns zeros.
 #[derive(Clone)]
-struct Reader<'b>(core::slice::Iter<'b, u8>);
+pub(crate) struct Reader<'b>(pub(crate) core::slice::Iter<'b, u8>);
 
 impl Reader<'_> {
-    fn bytes<const N: usize>(&mut self) -> [u8; N] {
+    pub(crate) fn bytes<const N: usize>(&mut self) -> [u8; N] {
         core::array::from_fn(|_| self.0.next().copied().unwrap_or(0))
     }
 
-    fn skip(&mut self, bytes: usize) {
+    pub(crate) fn skip(&mut self, bytes: usize) {
         for _ in 0..bytes {
             self.0.next();
         }
     }
 
-    fn word(&mut self) -> u32 {
+    pub(crate) fn word(&mut self) -> u32 {
         u32::from_le_bytes(self.bytes())
     }
 
-    fn long(&mut self) -> u64 {
+    pub(crate) fn long(&mut self) -> u64 {
         u64::from_le_bytes(self.bytes())
     }
 
-    fn scalar<S: Float>(&mut self) -> S {
+    pub(crate) fn scalar<S: Float>(&mut self) -> S {
         S::constant(if size_of::<S>() == 4 {
             f64::from(f32::from_bits(self.word()))
         } else {
@@ -124,16 +128,16 @@ impl Reader<'_> {
         })
     }
 
-    fn scalars<S: Float, const N: usize>(&mut self) -> [S; N] {
+    pub(crate) fn scalars<S: Float, const N: usize>(&mut self) -> [S; N] {
         core::array::from_fn(|_| self.scalar())
     }
 }
 
 /// Writes numbers into bytes, one after the other, until the bytes are full.
-struct Writer<'b>(core::slice::IterMut<'b, u8>);
+pub(crate) struct Writer<'b>(pub(crate) core::slice::IterMut<'b, u8>);
 
 impl Writer<'_> {
-    fn bytes(&mut self, bytes: &[u8]) {
+    pub(crate) fn bytes(&mut self, bytes: &[u8]) {
         // The bytes of the number come first in `zip`. In the other order, `zip` would take one byte too many from
         // `self.0`.
         for (byte, to) in bytes.iter().zip(self.0.by_ref()) {
@@ -141,7 +145,7 @@ impl Writer<'_> {
         }
     }
 
-    fn scalar<S: Float>(&mut self, number: S) {
+    pub(crate) fn scalar<S: Float>(&mut self, number: S) {
         let bits = number.bits().to_le_bytes();
         let [a, b, c, d, ..] = bits;
         if size_of::<S>() == 4 {
@@ -151,7 +155,7 @@ impl Writer<'_> {
         }
     }
 
-    fn scalars<'s, S: Float + 's>(&mut self, numbers: impl IntoIterator<Item = &'s S>) {
+    pub(crate) fn scalars<'s, S: Float + 's>(&mut self, numbers: impl IntoIterator<Item = &'s S>) {
         for number in numbers {
             self.scalar(*number);
         }
@@ -246,7 +250,7 @@ impl<S: Float, const D: usize, T: StepTables<S, D>, V: Store<S, D>, K: StepConta
     /// - [`OutOfDomain::ImageVersion`] for an image of another version of this library.
     /// - [`OutOfDomain::Saved`] for an image of another scene, another time step or another number type.
     pub fn restore_image(&mut self, bytes: &[u8]) -> Result<(), OutOfDomain> {
-        let mut reader = checked::<S>(bytes)?;
+        let mut reader = checked::<S>(bytes, (VERSION, HEAD + COUNTS))?;
         if reader.long() != self.mark() || bytes.len() != self.image_len() {
             return Err(OutOfDomain::Saved);
         }

@@ -25,7 +25,7 @@ mod drive;
 mod elastic;
 mod events;
 mod graze;
-mod image;
+pub(crate) mod image;
 mod input;
 #[cfg(feature = "event-times")]
 mod instant;
@@ -38,7 +38,7 @@ mod reaction;
 mod rigid;
 mod rows;
 mod run;
-mod saved;
+pub(crate) mod saved;
 mod scene;
 mod sliding;
 mod state;

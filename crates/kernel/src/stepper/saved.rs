@@ -101,14 +101,14 @@ impl<S: Float, const D: usize, T: StepTables<S, D>, V: Store<S, D>, K: StepConta
 
 /// Hash of numbers by the algorithm FNV-1a, for words of 64 bits. After each word the code combines the upper half of
 /// the hash with its lower half.
-struct Hash(u64);
+pub(crate) struct Hash(pub(crate) u64);
 
 impl Hash {
-    fn new() -> Self {
+    pub(crate) fn new() -> Self {
         Self(0xcbf2_9ce4_8422_2325)
     }
 
-    fn word(&mut self, word: u64) -> &mut Self {
+    pub(crate) fn word(&mut self, word: u64) -> &mut Self {
         let mixed = (self.0 ^ word).wrapping_mul(0x0100_0000_01b3);
         // In a product, carries go only to higher bits. The code must therefore combine the upper half with the lower
         // half.
@@ -116,11 +116,11 @@ impl Hash {
         self
     }
 
-    fn number<S: Float>(&mut self, number: S) -> &mut Self {
+    pub(crate) fn number<S: Float>(&mut self, number: S) -> &mut Self {
         self.word(number.bits())
     }
 
-    fn count(&mut self, count: usize) -> &mut Self {
+    pub(crate) fn count(&mut self, count: usize) -> &mut Self {
         self.word(u64::try_from(count).unwrap_or(u64::MAX))
     }
 }

@@ -19,10 +19,14 @@ pub(super) struct Slides {
 pub(super) struct Slide {
     /// The two nodes between which the contact acts.
     ends: (usize, usize),
-    /// Kinetic friction force of the contact.
+    /// Kinetic friction force of the contact. It is that at the end of the step, if it changes during a step.
     level: f64,
+    /// Stiffness of an elastic contact.
+    stiffness: Option<f64>,
     /// True if the kinetic friction force depends on the sliding speed.
     has_law: bool,
+    /// True if the kinetic friction force changes during the present step.
+    changes: bool,
     /// Energy that an elastic contact dissipates at a break-away, divided by the square of the kinetic friction force.
     /// 0 for a rigid contact.
     drop: f64,
@@ -39,7 +43,9 @@ impl Slides {
         let contacts = model.contacts.iter().map(|contact| Slide {
             ends: (contact.plus, contact.minus),
             level: contact.level.constant,
+            stiffness: contact.stiffness,
             has_law: contact.is_rigid() && !model.law.is_empty(),
+            changes: false,
             // At the break-away the force falls from μF to F. Friction then dissipates the energy (μ² − 1)F²/(2k) that
             // the spring of the contact loses.
             drop: contact.stiffness.map_or(0.0, |stiffness| {
@@ -60,18 +66,27 @@ impl Slides {
         &self.contacts
     }
 
-    /// Sets the kinetic friction force of a contact to `level`. If the `force` of an elastic contact exceeds `level`,
-    /// the spring of the contact loses a part of its energy. The method adds this part to the dissipated energy.
-    pub fn set_level(&mut self, index: usize, level: f64, (force, stiffness): (f64, Option<f64>)) {
+    /// Sets the kinetic friction force of a contact to `level`, by a jump at the present instant. If the `force` of an
+    /// elastic contact exceeds `level`, the spring of the contact loses a part of its energy. The method adds this part
+    /// to the dissipated energy.
+    pub fn set_level(&mut self, index: usize, level: f64, force: f64) {
         let Some(slide) = self.contacts.get_mut(index) else {
             return;
         };
-        if let Some(stiffness) = stiffness
+        if let Some(stiffness) = slide.stiffness
             && level != slide.level
         {
             slide.energy += (force * force - level * level).max(0.0) / (2.0 * stiffness);
         }
-        slide.level = level;
+        (slide.level, slide.changes) = (level, false);
+    }
+
+    /// Sets the kinetic friction force of a contact at the end of the next step. It changes linearly during the step.
+    pub fn lead_level(&mut self, index: usize, level: f64) {
+        if let Some(slide) = self.contacts.get_mut(index) {
+            slide.changes = level != slide.level;
+            slide.level = level;
+        }
     }
 
     /// Returns the events since the last call, each with the displacements of the masses at its instant.
@@ -91,9 +106,12 @@ impl Observe<f64, Heap> for Slides {
                 // A contact does not reverse during a stretch (time interval of a power series). The distance is
                 // therefore the difference of two displacements.
                 let travel = series.place(slide.ends, end) - series.place(slide.ends, 0.0);
+                let stored =
+                    |force: f64| slide.stiffness.map_or(0.0, |k| force * force / (2.0 * k));
                 slide.slip += travel.abs();
-                slide.energy += if slide.has_law {
-                    series.work(index, slide.ends, end)
+                slide.energy += if slide.has_law || slide.changes {
+                    let [from, to] = [0.0, end].map(|at| stored(series.force(index, at)));
+                    series.work(index, slide.ends, end) - (to - from)
                 } else {
                     slide.level * travel.abs()
                 };

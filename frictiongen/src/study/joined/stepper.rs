@@ -6,7 +6,7 @@ use super::simulation::JoinedContactNow;
 use super::slides::Slides;
 use crate::study::joints::{Chain, Heap, Wave};
 use crate::{Given, OutOfDomain};
-use frictiongen_kernel::joints::Stepper;
+use frictiongen_kernel::joints::{Sample, Stepper};
 use frictiongen_model::scene::{Excitation, StepInput};
 
 /// Input of one step of a stepper, in the units of the scene description.
@@ -21,8 +21,9 @@ pub struct JoinedInput<'i> {
     /// Forces on masses at the end of the step, or during the whole step with `input: hold`. Each force has the name
     /// of its mass. Forces on the same mass add up. A mass without an entry has no force.
     pub forces: &'i [(&'i str, f64)],
-    /// Kinetic friction forces of contacts during the step, each with the name of its contact. A contact with the
-    /// friction force 0 has no effect. A contact without an entry keeps its friction force.
+    /// Kinetic friction forces of contacts at the end of the step, or during the whole step with `input: hold`, each
+    /// with the name of its contact. A contact with the friction force 0 has no effect. A contact without an entry
+    /// keeps its friction force.
     pub frictions: &'i [(&'i str, f64)],
 }
 
@@ -30,8 +31,7 @@ pub struct JoinedInput<'i> {
 #[derive(Clone, Debug)]
 pub struct JoinedStepper<'a> {
     joined: Joined<'a>,
-    stepper: Stepper<f64, Heap>,
-    steps: u64,
+    stepper: Stepper<f64, Heap, Vec<f64>>,
     /// Kinetic friction force of each contact in the last step.
     frictions: Vec<f64>,
     /// For each contact, the distance that the slider has travelled, and the energy that friction has dissipated.
@@ -48,8 +48,8 @@ impl<'a> Joined<'a> {
     /// Returns a stepper that starts from rest. A force can act on every mass. Every contact has its own friction
     /// force, which is 0 until an input sets it.
     ///
-    /// The field `input` of the scene description determines the forces between two samples: linear, or constant
-    /// (`hold`). A base that drives the scene follows a cubic between two samples. With `hold`, the base instead
+    /// The field `input` of the scene description determines forces and friction forces between two samples: linear, or
+    /// constant (`hold`). A base that drives the scene follows a cubic between two samples. With `hold`, the base instead
     /// starts from the displacement of the new sample and moves with the velocity of this sample.
     ///
     /// # Errors
@@ -71,13 +71,15 @@ impl<'a> Joined<'a> {
         let mut chain: Chain = self.chain().clone();
         let masses = chain.masses.len();
         chain.loads = (0..masses).map(|mass| (mass, Wave::default())).collect();
-        let holds = self.scene().stepping.input == StepInput::Hold;
-        let stepper = Stepper::from_state(chain.model()?, (dt, holds), x, v)?;
+        let input = self.scene().stepping.input.into();
+        let on_base = self.scene().excitation == Excitation::Base;
+        // Without tables the stepper follows power series, from which the distances and energies come.
+        let tables = Vec::new();
+        let stepper = Stepper::from_state(chain.model()?, (dt, input, on_base), tables, (x, v))?;
         Ok(JoinedStepper {
             slides: Slides::new(stepper.motion().model()),
             stepper,
             joined: self.clone(),
-            steps: 0,
             frictions: vec![0.0; chain.contacts.len()],
         })
     }
@@ -98,13 +100,24 @@ impl JoinedStepper<'_> {
         if let Some(velocity) = input.start_velocity {
             self.stepper.set_base_velocity(velocity)?;
         }
-        let mut slides = self.relaxed(&frictions);
-        let inputs = (forces.as_slice(), frictions.as_slice());
-        let events = self.stepper.advance_with(input.base, inputs, &mut slides)?;
+        let mut slides = self.slides.clone();
+        match self.joined.scene().stepping.input {
+            StepInput::Hold => self.relax(&mut slides, &frictions),
+            StepInput::Linear => {
+                for (index, friction) in frictions.iter().enumerate() {
+                    slides.lead_level(index, *friction);
+                }
+            }
+        }
+        let sample = Sample {
+            base: input.base,
+            forces: &forces,
+            frictions: &frictions,
+        };
+        let stepped = self.stepper.advance_with(sample, &mut slides)?;
         slides.take_events();
         (self.slides, self.frictions) = (slides, frictions);
-        self.steps += 1;
-        Ok(events as usize)
+        Ok(stepped.events as usize)
     }
 
     /// Sets the input at the start of the first step. Without this call, the input at the start is 0. After the call,
@@ -113,13 +126,15 @@ impl JoinedStepper<'_> {
     /// # Errors
     /// Same errors as [`advance`](Self::advance), and [`OutOfDomain::Begun`] after the first step.
     pub fn begin(&mut self, input: JoinedInput<'_>) -> Result<(), JoinedError> {
-        if self.steps != 0 {
-            return Err(OutOfDomain::Begun.into());
-        }
         let Ordered { forces, frictions } = self.ordered(&input)?;
-        self.stepper.begin(input.base, &forces, &frictions)?;
-        self.slides = self.relaxed(&frictions);
-        self.frictions = frictions;
+        self.stepper.begin(Sample {
+            base: input.base,
+            forces: &forces,
+            frictions: &frictions,
+        })?;
+        let mut slides = self.slides.clone();
+        self.relax(&mut slides, &frictions);
+        (self.slides, self.frictions) = (slides, frictions);
         Ok(())
     }
 
@@ -148,17 +163,13 @@ impl JoinedStepper<'_> {
         Ok(Ordered { forces, frictions })
     }
 
-    /// Returns the travelled distances and dissipated energies after a change of the friction forces. If the new
-    /// friction force of an elastic contact is below the present force in this contact, its spring loses a part of its
-    /// energy. This part counts as dissipated.
-    fn relaxed(&self, frictions: &[f64]) -> Slides {
-        let mut slides = self.slides.clone();
-        let contacts = self.stepper.motion().model().contacts.iter();
-        for (index, (contact, friction)) in contacts.zip(frictions).enumerate() {
+    /// Adds to the dissipated energies what a jump of the friction forces dissipates. If the new friction force of an
+    /// elastic contact is below the present force in this contact, its spring loses a part of its energy.
+    fn relax(&self, slides: &mut Slides, frictions: &[f64]) {
+        for (index, friction) in frictions.iter().enumerate() {
             let force = self.stepper.contact(index).force();
-            slides.set_level(index, *friction, (force, contact.stiffness));
+            slides.set_level(index, *friction, force);
         }
-        slides
     }
 
     /// Returns the scene whose motion the stepper computes.
@@ -170,7 +181,7 @@ impl JoinedStepper<'_> {
     /// Returns the time since the start at the end of the last step, in s.
     #[must_use]
     pub fn time(&self) -> f64 {
-        self.steps as f64 * self.stepper.dt()
+        self.stepper.steps() as f64 * self.stepper.dt()
     }
 
     /// Returns displacement and velocity of the mass called `name` at the end of the last step.

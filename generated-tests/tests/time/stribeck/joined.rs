@@ -85,7 +85,8 @@ fn steppers_follow_the_system() {
         };
         let count = emitted
             .advance(RibsInput { force, friction })
-            .expect("a step");
+            .expect("a step")
+            .events;
         let frictions = [
             ("brace", friction.brace),
             ("pads", friction.pads),

@@ -1,6 +1,6 @@
 //! The stepper of two masses with an elastic and a rigid contact.
 
-use super::{Machine, Outcome};
+use super::{Cost, Machine, Outcome};
 
 frictiongen::friction_system! {
     /// Two storeys with a brace and pads.
@@ -29,6 +29,13 @@ pub fn start() -> Option<Run> {
     Chain::stepper(Chain::STEP).ok().map(Run)
 }
 
+/// Creates a stepper at rest whose tables are constants.
+#[inline(never)]
+#[cfg_attr(feature = "prove", no_panic::no_panic)]
+pub fn start_declared() {
+    core::hint::black_box(&Chain::declared_stepper());
+}
+
 /// Returns the length of a step, in s.
 #[inline(never)]
 #[cfg_attr(feature = "prove", no_panic::no_panic)]
@@ -45,11 +52,11 @@ pub fn advance(run: &mut Run, load: [f32; 2], friction: f32) -> Option<Outcome> 
         pads: 0.6 * friction,
     };
     let [force, _] = load;
-    let events = run.0.advance(ChainInput { force, friction }).ok()?;
+    let stepped = run.0.advance(ChainInput { force, friction }).ok()?;
     Some(Outcome {
         sticks: run.0.motion().state().phases.contains(&0),
-        events,
-        exceeded: false,
+        events: stepped.events,
+        exceeded: stepped.exceeded,
     })
 }
 
@@ -72,6 +79,22 @@ impl Machine for Run {
 
     fn advance(&mut self, load: [f32; 2], friction: f32) -> Option<Outcome> {
         advance(self, load, friction)
+    }
+
+    const DECLARED: Option<usize> = Some(core::mem::size_of::<ChainDeclaredStepper>());
+
+    fn cost(&self) -> Option<Cost> {
+        Some(self.0.cost())
+    }
+
+    fn set_budget(&mut self, events: u8) -> Option<()> {
+        self.0.set_event_budget(events);
+        Some(())
+    }
+
+    fn start_declared() -> Option<()> {
+        start_declared();
+        Some(())
     }
 
     fn read_each(&self) {

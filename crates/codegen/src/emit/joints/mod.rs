@@ -2,6 +2,7 @@
 //! dashpots. Each emitted type wraps a type of the kernel, and has a method for each mass and each contact.
 
 mod at;
+mod declared;
 mod simulation;
 mod stepper;
 
@@ -10,10 +11,11 @@ use super::emission::rounded;
 use super::names::TypeNames;
 use crate::Description;
 use crate::graph::literal::{literal, scalar};
+use frictiongen_kernel::joints::Layout;
 use frictiongen_kernel::number::dd::Dd;
 use frictiongen_model::joined::{at_rest, damping_matrix, numbered};
 use frictiongen_model::modal::Modal;
-use frictiongen_model::scene::{Excitation, NamedContact, Node, Provide};
+use frictiongen_model::scene::{Excitation, NamedContact, Node, Precision, Provide};
 use proc_macro2::{Ident, Literal, TokenStream};
 use quote::format_ident;
 
@@ -31,6 +33,8 @@ struct JointsEmission<'a> {
     scalar: TokenStream,
     /// The type argument that fixes the lengths of all arrays.
     size: TokenStream,
+    /// Numbers of coordinates and rows in the stepper's tables, or `None` for a stepper without tables.
+    steps: Option<Layout>,
     /// Path of the kernel's module for scenes with several contacts.
     engine: TokenStream,
 }
@@ -66,12 +70,25 @@ impl<'a> JointsEmission<'a> {
             0
         };
         let points = scene.friction.points().len();
-        if unknowns > 0 || points > 0 {
-            sizes.extend([unknowns, unknowns * unknowns]);
+        let steps = (scene.provide.contains(&Provide::Stepper) && points == 0).then(|| Layout {
+            masses,
+            contacts: contacts.len(),
+            elastic: contacts
+                .iter()
+                .filter(|contact| contact.law.stiffness.is_some())
+                .count(),
+            loads: loads.len(),
+            input: scene.stepping.input.into(),
+            on_base: scene.excitation == Excitation::Base,
+            shears: scene.precision == Precision::F32,
+        });
+        let steps = steps.filter(|layout| layout.entries() > 0);
+        let row = steps.map_or(0, |layout| layout.coordinates());
+        let mut others = vec![unknowns, unknowns * unknowns, points, row];
+        while others.last() == Some(&0) {
+            others.pop();
         }
-        if points > 0 {
-            sizes.push(points);
-        }
+        sizes.extend(others);
         let sizes = sizes.into_iter().map(Literal::usize_unsuffixed);
         let precision = scalar(scene.precision);
         let mut friction = format_ident!("{}Friction", name);
@@ -85,6 +102,7 @@ impl<'a> JointsEmission<'a> {
             loads,
             scalar: code!(::core::primitive::#precision),
             size: code!(#engine::Fixed<#(#sizes),*>),
+            steps,
             engine,
         }
     }
@@ -137,8 +155,23 @@ impl<'a> JointsEmission<'a> {
     /// Emits the constants of the chain. The kinetic friction force of each contact is its share of the common
     /// friction force.
     fn chain(&self, modal: &Modal) -> TokenStream {
-        let (scene, engine, size) = (&self.description.scene, &self.engine, &self.size);
-        let scalar = &self.scalar;
+        let (engine, size, scalar) = (&self.engine, &self.size, &self.scalar);
+        let fields = self.chain_fields(modal, |contact| contact.law.share, 1.0);
+        code! {
+            /// The chain. Node numbers are those of the masses, then the wall, then the base. The level of each contact
+            /// is its share. The start of a motion sets the stretch.
+            const CHAIN: #engine::Model<#scalar, #size> = #fields;
+        }
+    }
+
+    /// Emits the constants of the chain as an expression. `level` returns the kinetic friction force of a contact.
+    fn chain_fields(
+        &self,
+        modal: &Modal,
+        level: impl Fn(&NamedContact) -> f64,
+        stretch: f64,
+    ) -> TokenStream {
+        let (scene, engine) = (&self.description.scene, &self.engine);
         let masses = scene.masses.iter().map(|mass| self.number(mass.value));
         let springs = scene.springs.iter();
         let springs = springs.map(|spring| self.link(spring.from, spring.to, spring.stiffness));
@@ -150,7 +183,7 @@ impl<'a> JointsEmission<'a> {
         let contacts = self.contacts.iter().map(|contact| {
             let [plus, minus] = self.ends(contact.sides.from, contact.sides.to);
             let (level, stiction) = (
-                self.constant(contact.law.share),
+                self.constant(level(contact)),
                 self.number(contact.law.stiction),
             );
             let stiffness = contact.law.stiffness.map_or_else(
@@ -173,15 +206,13 @@ impl<'a> JointsEmission<'a> {
             let mass = Literal::usize_unsuffixed(*mass);
             code!((#mass, #rest))
         });
-        let (zero, one) = (self.number(0.0), self.number(1.0));
+        let (zero, stretch) = (self.number(0.0), self.number(stretch));
         let law = scene.friction.points().iter().map(|[speed, level]| {
             let (speed, level) = (self.number(*speed), self.number(*level));
             code!([#speed, #level])
         });
         code! {
-            /// The chain. Node numbers are those of the masses, then the wall, then the base. The level of each contact
-            /// is its share. The start of a motion sets the stretch.
-            const CHAIN: #engine::Model<#scalar, #size> = #engine::Model {
+            #engine::Model {
                 size: #engine::Fixed,
                 masses: &[#(#masses),*],
                 springs: &[#(#springs),*],
@@ -196,8 +227,8 @@ impl<'a> JointsEmission<'a> {
                     square: #zero,
                     cube: #zero,
                 },
-                stretch: #one,
-            };
+                stretch: #stretch,
+            }
         }
     }
 
@@ -216,6 +247,17 @@ impl<'a> JointsEmission<'a> {
                 on_base: #on_base,
             };
         }
+    }
+
+    /// Returns the number of entries in the stepper's tables.
+    fn entries(&self) -> Literal {
+        Literal::usize_unsuffixed(self.steps.map_or(0, |layout| layout.entries()))
+    }
+
+    /// Emits the kernel's type of a stepper whose tables have the type `tables`.
+    fn stepper_type(&self, tables: &TokenStream) -> TokenStream {
+        let (engine, scalar, size) = (&self.engine, &self.scalar, &self.size);
+        code!(#engine::Stepper<#scalar, #size, #tables>)
     }
 
     /// Emits the methods that return the present motion of one mass or one contact. Each method has the name of its
@@ -275,7 +317,7 @@ pub(super) fn emit(description: &Description) -> (TokenStream, TokenStream) {
     let mut types = scene_type(&emission);
     let mut items = code!(impl #name { #chain });
     if emission.provides(&Provide::Stepper) {
-        let (own, more) = stepper::emit(&emission);
+        let (own, more) = stepper::emit(&emission, &modal);
         types.extend(own);
         items.extend(more);
     }
@@ -346,12 +388,27 @@ fn wrapper(emission: &JointsEmission<'_>, name: &Ident, target: &str, about: &st
         engine,
         ..
     } = emission;
-    let visibility = &emission.description.visibility;
     let target = format_ident!("{target}");
+    wrapper_of(
+        emission,
+        name,
+        &code!(#engine::#target<#scalar, #size>),
+        about,
+    )
+}
+
+/// Emits a type that wraps the type `target`.
+fn wrapper_of(
+    emission: &JointsEmission<'_>,
+    name: &Ident,
+    target: &TokenStream,
+    about: &str,
+) -> TokenStream {
+    let visibility = &emission.description.visibility;
     code! {
         #[doc = #about]
         #[allow(deprecated, non_camel_case_types)]
         #[::core::prelude::v1::derive(::core::clone::Clone, ::core::fmt::Debug)]
-        #visibility struct #name(#engine::#target<#scalar, #size>);
+        #visibility struct #name(#target);
     }
 }

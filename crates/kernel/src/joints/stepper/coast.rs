@@ -1,0 +1,58 @@
+//! Ends a sub-interval of a step without a search for events, once the stepper has reached its bound on events.
+
+use crate::Float;
+use crate::errors::Halt;
+use crate::joints::run::{Motion, Observe};
+use crate::joints::series::Series;
+use crate::joints::size::{Size, set, sign};
+use crate::joints::state::{FREE, STUCK};
+
+/// Number of pieces of motion in a sub-interval, beside those of its events, before the stepper ends it by the rule of
+/// this module.
+pub(super) const PIECES: usize = 2;
+/// Number of pieces of motion for each event, before the stepper ends a sub-interval by the rule of this module. An event
+/// ends a piece even if no contact changes its phase.
+pub(super) const PIECES_PER_EVENT: usize = 4;
+
+impl<S: Float, Z: Size> Motion<S, Z> {
+    /// Advances the motion to the instant `until`. All contacts keep their phases. A contact whose velocity then has the
+    /// wrong sign has passed a stop. It sticks from there on: a rigid contact gives its two sides a common velocity that
+    /// conserves their momentum, so that the work of the wrong friction force is lost again.
+    pub(super) fn coast(&mut self, until: S, watch: &mut impl Observe<S, Z>) -> Result<(), Halt> {
+        let length = until - self.time;
+        if length > S::constant(0.0) {
+            let series = Series::new(&self.model, &self.state, &self.tree, (self.time, length));
+            let end = S::constant(1.0);
+            watch.follow(&self.model, &series, end, &self.state);
+            watch.stretch(&series, end, &self.state);
+            self.take(&series, end);
+            self.finite()?;
+        }
+        self.time = until;
+        self.forget_events(S::constant(1.0), S::constant(0.0));
+        let (x, v) = self.nodes();
+        for j in 0..self.model.contacts().len() {
+            let phase = self.state.phase(j);
+            let Some(contact) = self.model.contact(j) else {
+                continue;
+            };
+            let speed = sign::<S>(phase) * contact.across(v.as_ref());
+            if [FREE, STUCK].contains(&phase) || speed > contact.creep() {
+                continue;
+            }
+            let force = sign::<S>(phase) * contact.level.value(until, 0);
+            let (is_rigid, place) = (contact.is_rigid(), contact.across(x.as_ref()));
+            self.state.set_phase(j, STUCK);
+            if is_rigid {
+                set(self.state.places.as_mut(), j, place);
+            } else {
+                set(self.state.forces.as_mut(), j, force);
+            }
+        }
+        self.join();
+        let (_, mut v) = self.nodes();
+        self.tree.meet(&self.model, v.as_mut());
+        self.state.keep_speeds(v.as_ref());
+        Ok(())
+    }
+}
