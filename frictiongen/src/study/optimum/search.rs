@@ -172,18 +172,11 @@ impl Band<'_> {
         all
     }
 
-    /// Finds the friction with which the largest amplitude over the band is smallest, within a bound on work. Returns
-    /// `None` if no friction bounds the amplitude. `window` restricts the search to an interval of friction.
-    pub(super) fn least(
-        &self,
-        (range, unbounded_to): (Range, f64),
-        window: Option<[f64; 2]>,
-        work: usize,
-    ) -> Option<Least> {
-        self.allow(work);
+    /// Evaluates the grid at some frictions. Returns the results in ascending order of friction.
+    fn scanned(&self, frictions: Vec<f64>) -> Vec<Look> {
         let mut scan: Vec<Look> = Vec::new();
         let mut best = Merit::WORST;
-        for beta in self.frictions(range, unbounded_to, window) {
+        for beta in frictions {
             let look = self.look(
                 FrictionAmount::Ratio(beta),
                 best.times(MARGIN),
@@ -198,12 +191,31 @@ impl Band<'_> {
             }
         }
         scan.sort_by(|a, b| a.beta.total_cmp(&b.beta));
+        scan
+    }
+
+    /// Finds the friction with which the largest amplitude over the band is smallest, within a bound on work. Returns
+    /// `None` if no friction bounds the amplitude. `window` restricts the search to an interval of friction.
+    pub(super) fn least(
+        &self,
+        (range, unbounded_to): (Range, f64),
+        window: Option<[f64; 2]>,
+        work: usize,
+    ) -> Option<Least> {
+        self.allow(work);
+        // A search that has reached its bound checks further frictions of the scan, if a check shows a higher peak. All
+        // checks together then take as much work as the search.
+        let last = self.work.get().saturating_add(work.saturating_mul(2));
+        let mut scan = self.scanned(self.frictions(range, unbounded_to, window));
         let mut checked: Vec<(Look, [f64; 2])> = Vec::new();
         let (mut end, mut ran_out) = (SearchEnd::Unconfirmed, false);
         for _ in 0..CHECKS {
             let Some((found, bracket)) = self.best_of(&mut scan) else {
                 break;
             };
+            if self.is_spent() && checked.iter().any(|(look, _)| look.beta == found.beta) {
+                break;
+            }
             let known = checked.iter().map(|(look, _)| look.merit);
             let known = known.fold(
                 Merit::WORST,
@@ -231,12 +243,13 @@ impl Band<'_> {
                 checked.push((look, bracket));
                 (spent, ran_out) = (true, true);
             }
+            let goes_on = check.complete && !ran_out && self.work.get() < last;
             insert(&mut scan, check);
-            if confirmed || spent || self.is_spent() {
+            if confirmed || (spent || self.is_spent()) && !goes_on {
                 end = SearchEnd::Converged;
                 break;
             }
-            if !self.follows.replace(true) {
+            if !self.follows.replace(true) && !self.is_spent() {
                 // The closed forms have not led to the motion from rest. The search evaluates the best frictions again.
                 for look in &mut scan {
                     look.complete = look.beta == found.beta && look.complete;
