@@ -87,8 +87,10 @@ fn refused(error: clap::Error) -> Ended {
         Some(ContextValue::String(option))
             if error.kind() == ErrorKind::UnknownArgument && option == "--from" =>
         {
-            let message = "--from: only `orbit`, `response`, `curve`, `map`, `time` and `optimum` take an initial state; leave it out of this command";
-            Ended::Lines(vec![message.to_owned()])
+            Failure::new(
+                "--from: only `orbit`, `response`, `curve`, `map`, `time` and `optimum` take an initial state; leave it out of this command",
+            )
+            .into()
         }
         _ => Ended::Usage(error),
     }
