@@ -182,7 +182,7 @@ pub(in crate::study) struct Band<'s> {
     pub(super) asked: Cell<usize>,
     /// Number of evaluations without a result.
     pub(super) silent: Cell<usize>,
-    pub(super) work: Cell<usize>,
+    work: Cell<usize>,
     most: Cell<usize>,
     /// True if all evaluations follow the motion from rest, even where the closed form of a sliding contact exists.
     pub(super) follows: Cell<bool>,

@@ -46,6 +46,9 @@ const GOLDEN: f64 = 0.618_033_988_749_894_8;
 const CHECKS: usize = 5;
 /// Relative excess of a check over the search up to which the check confirms the result.
 const SAME: f64 = 1e-5;
+/// Factor by which a check must exceed the amplitude of another friction, so that an unfinished search prefers the other
+/// friction without a check.
+const CLEARLY: f64 = 1.1;
 /// Relative difference of two peaks from which secants may equalise them.
 pub(super) const NEARLY_EQUAL: f64 = 1e-3;
 /// Relative difference of two peaks at which they count as equally high.
@@ -203,9 +206,6 @@ impl Band<'_> {
         work: usize,
     ) -> Option<Least> {
         self.allow(work);
-        // A search that has reached its bound checks further frictions of the scan, if a check shows a higher peak. All
-        // checks together then take as much work as the search.
-        let last = self.work.get().saturating_add(work.saturating_mul(2));
         let mut scan = self.scanned(self.frictions(range, unbounded_to, window));
         let mut checked: Vec<(Look, [f64; 2])> = Vec::new();
         let (mut end, mut ran_out) = (SearchEnd::Unconfirmed, false);
@@ -213,14 +213,7 @@ impl Band<'_> {
             let Some((found, bracket)) = self.best_of(&mut scan) else {
                 break;
             };
-            if self.is_spent() && checked.iter().any(|(look, _)| look.beta == found.beta) {
-                break;
-            }
-            let known = checked.iter().map(|(look, _)| look.merit);
-            let known = known.fold(
-                Merit::WORST,
-                |best, merit| if merit < best { merit } else { best },
-            );
+            let known = least_merit(&checked);
             let mut spent = self.is_spent();
             let check = self.check(found.beta, known.times(1.0 + SAME), work);
             let (value, expected) = (check.merit.value, found.merit.value);
@@ -243,13 +236,12 @@ impl Band<'_> {
                 checked.push((look, bracket));
                 (spent, ran_out) = (true, true);
             }
-            let goes_on = check.complete && !ran_out && self.work.get() < last;
             insert(&mut scan, check);
-            if confirmed || (spent || self.is_spent()) && !goes_on {
+            if confirmed || spent || self.is_spent() {
                 end = SearchEnd::Converged;
                 break;
             }
-            if !self.follows.replace(true) && !self.is_spent() {
+            if !self.follows.replace(true) {
                 // The closed forms have not led to the motion from rest. The search evaluates the best frictions again.
                 for look in &mut scan {
                     look.complete = look.beta == found.beta && look.complete;
@@ -258,6 +250,14 @@ impl Band<'_> {
         }
         if self.is_spent() || ran_out {
             end = SearchEnd::Spent;
+            // No work is left for the check of another friction. If the checked one is clearly worse than the scan, the
+            // result is the best of the scan.
+            let known = least_merit(&checked);
+            let other = self.best_of(&mut scan).filter(|(look, _)| {
+                let differs = checked.iter().all(|(other, _)| other.beta != look.beta);
+                differs && look.merit.times(CLEARLY) < known
+            });
+            checked.extend(other);
         }
         let order = |a: &(Look, [f64; 2]), b: &(Look, [f64; 2])| {
             let order = a.0.merit.partial_cmp(&b.0.merit);
@@ -530,6 +530,15 @@ impl Band<'_> {
         }
         Some(a)
     }
+}
+
+/// Returns the least merit of the checked frictions.
+fn least_merit(checked: &[(Look, [f64; 2])]) -> Merit {
+    let merits = checked.iter().map(|(look, _)| look.merit);
+    merits.fold(
+        Merit::WORST,
+        |best, merit| if merit < best { merit } else { best },
+    )
 }
 
 /// Returns the frequency ratios of the highest peaks at some frictions.
