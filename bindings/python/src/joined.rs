@@ -1,8 +1,8 @@
 //! Computes the steady states of scenes with several contacts, with the numbers of each contact.
 
 use crate::asked::{
-    FrequencyKeywords, FrequencyValues, FrictionKeywords, FrictionValues, LoadKeywords, Optional,
-    check_size, measure, names, put_grid, setting,
+    DrivenKeywords, FrequencyKeywords, FrequencyValues, FrictionKeywords, FrictionValues, Optional,
+    check_size, driven, names, put_grid, setting,
 };
 use crate::columns::NamedArrays;
 use crate::errors::domain;
@@ -31,21 +31,21 @@ pub fn masses(system: &System, given: Option<&Bound<'_, PyAny>>) -> PyResult<Vec
     indices.collect()
 }
 
-/// Computes the steady state that motion from rest approaches, for a scene with several contacts, over frequency and
-/// friction.
+/// Computes the steady state that motion from rest or from another state reaches, for a scene with several contacts,
+/// over frequency and friction.
 #[pyfunction]
 pub fn by_contact<'py>(
     py: Python<'py>,
     system: &NativeSystem,
     frequency: FrequencyKeywords<'py>,
     friction: FrictionKeywords<'py>,
-    load: LoadKeywords<'py>,
+    load: DrivenKeywords<'py>,
     of: Optional<'py>,
 ) -> PyResult<Bound<'py, PyDict>> {
-    let system = &system.system;
+    let (measure, system) = driven(&system.system, &load)?;
+    let system = &*system;
     let joined = system.joined().map_err(domain)?;
     let frequencies = FrequencyValues::of(system, &frequency, true)?;
-    let measure = measure::of(system, &load)?;
     let frictions = FrictionValues::of(&friction, &measure)?;
     let table = JoinedTable {
         setting: setting(system, measure, frequencies.unit(&measure), &[]),

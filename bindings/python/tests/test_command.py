@@ -220,6 +220,24 @@ def test_several_contacts_are_the_commands(command):
     assert stuck.any() and all((np.abs(contact.energy_J[stuck]) < 1e-9).all() for contact in answer.contacts.values())
 
 
+@pytest.mark.parametrize(("start", "option"), [("rest", "rest"), (([0.01] * 5, [0.0] * 5), "0.01,0.01,0.01,0.01,0.01;0,0,0,0,0")])
+def test_several_contacts_start_where_they_are_told(command, start, option):
+    storeys = frictiongen.System.from_file(SCENES / "storeys.friction")
+    asked = {"hz": 0.9, "friction": 3e6, "base": 0.001}
+    answer = storeys.by_contact(**asked, start=start)
+    theirs = command(
+        "orbit", "storeys.friction", "--hz", "0.9", "--friction", "3e6", "--base", "0.001", "--from", option
+    )
+    assert hold(answer.to_frame(), theirs) > 50
+    assert abs(answer["roof"].amplitude_m / storeys.by_contact(**asked)["roof"].amplitude_m - 1) > 0.01
+
+
+def test_several_contacts_are_told_which_method_has_them():
+    storeys = frictiongen.System.from_file(SCENES / "storeys.friction")
+    with pytest.raises(frictiongen.DomainError, match="in Python `by_contact`"):
+        storeys.orbit(hz=0.9, friction=3e6, base=0.001)
+
+
 def test_one_contact_has_the_same_answer_by_contact(frame):
     """The engine of several contacts shares nothing with that of one contact but the description."""
     asked = {"hz": [1.2, 2.5], "friction": [0.4, 0.6], "base": 0.001}

@@ -56,6 +56,7 @@ mod vary;
 
 use args::{Arguments, Command};
 use clap::Parser;
+use clap::error::{ContextKind, ContextValue, ErrorKind};
 use failure::Failure;
 use std::ffi::OsString;
 use std::io::Write;
@@ -80,6 +81,21 @@ impl From<Failure> for Ended {
     }
 }
 
+/// Returns the error of an invalid command line. If a command does not know --from, the message names those that do.
+fn refused(error: clap::Error) -> Ended {
+    match error.get(ContextKind::InvalidArg) {
+        Some(ContextValue::String(option))
+            if error.kind() == ErrorKind::UnknownArgument && option == "--from" =>
+        {
+            Failure::new(
+                "--from: only `orbit`, `response`, `curve`, `map`, `time` and `optimum` take an initial state; leave it out of this command",
+            )
+            .into()
+        }
+        _ => Ended::Usage(error),
+    }
+}
+
 /// Runs a command line, whose first word is the name of the program. The command writes its results to `out`.
 ///
 /// # Errors
@@ -88,7 +104,7 @@ pub fn run(
     arguments: impl IntoIterator<Item = OsString>,
     out: &mut dyn Write,
 ) -> Result<(), Ended> {
-    let arguments = Arguments::try_parse_from(arguments).map_err(Ended::Usage)?;
+    let arguments = Arguments::try_parse_from(arguments).map_err(refused)?;
     Ok(match &arguments.command {
         Command::Limits(arguments) => limits::run(arguments, out),
         Command::Response(arguments) => response::run(arguments, out),

@@ -9,6 +9,7 @@ use frictiongen::study::response::MotionQuantity;
 use frictiongen::study::{
     InitialState, System,
     optimum::{FrequencyBand, Optimum, OptimumEnd, OptimumError, OptimumKind, OptimumRequest},
+    units::Load,
 };
 use std::f64::consts::FRAC_PI_4;
 use std::time::Instant;
@@ -146,6 +147,50 @@ fn two_equal_peaks() {
         "β = {}, {}, peaks at {} and {}; {} amplitudes in {seconds:.2} s",
         optimum.beta, optimum.amplitude, a.r, b.r, optimum.evaluations
     );
+}
+
+/// Checks three floors on an isolator with stiction under a base acceleration of 0.1 g. At the best friction, two peaks of
+/// the roof's acceleration are equally high: one near the resonance of the isolator, one near a resonance of the floors. With 3 % more or less friction, and over a coarse map, the largest acceleration is higher.
+#[test]
+fn an_isolator_of_three_floors() {
+    let text = "struct Isolated { masses: { first: 558201, second: 485438, roof: 378684 },
+        springs: { base - first: 6.1635e6, first - second: 3.1086e8, second - roof: 3.4075e8 },
+        contact: base - first, excitation: base, damping: modal(0.024), damping_from: base, stiction: 1.3 }";
+    let system: System = text.parse().expect("a valid scene");
+    let of = system.motion_named("roof").expect("a mass");
+    let level = 0.980_665;
+    let request = OptimumRequest {
+        of,
+        size: MotionQuantity::Acceleration,
+        band: FrequencyBand::Hertz(0.2, 3.0),
+        load: Some(Load::BaseAcceleration(level)),
+    };
+    let (optimum, seconds) = optimum(&system, &request);
+    println!(
+        "β = {}, {} in {seconds:.1} s",
+        optimum.beta, optimum.amplitude
+    );
+    assert_eq!(optimum.kind, OptimumKind::EqualPeaks);
+    let [from, to] = [0.2, 3.0].map(|hertz| system.frequency_ratio_at_hertz(hertz));
+    // The amplitude of the base and its friction ratio change with frequency: Y = a/ω², β = F/(k₁Y).
+    let largest = |friction: f64, frequencies: u32| {
+        let places = (0..=frequencies).map(|place| f64::from(place) / f64::from(frequencies));
+        let values = places.map(|place| {
+            let r = from * (to / from).powf(place);
+            let response = system.at(r).expect("r").response(friction * r * r);
+            let value = response
+                .expect("a motion")
+                .largest(of, MotionQuantity::Acceleration);
+            value.expect("an acceleration")
+        });
+        values.fold(0.0, f64::max)
+    };
+    let best = largest(optimum.beta, 1500);
+    assert!((best / optimum.amplitude - 1.0).abs() < 2e-3, "{best}");
+    for share in [0.3, 0.5, 0.7, 0.9, 0.97, 1.03, 1.1, 1.4, 2.0, 4.0] {
+        let other = largest(share * optimum.beta, 300);
+        assert!(optimum.amplitude < other, "{share}: {other}");
+    }
 }
 
 /// Checks the frame in a band that ends just below its second resonance. At the best friction the largest amplitude

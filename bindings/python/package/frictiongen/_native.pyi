@@ -100,7 +100,7 @@ class System:
 
 def limits(system: System, frequency: _Frequency, load: _Load, estimates: bool, search: bool) -> _Columns: ...
 def by_contact(
-    system: System, frequency: _Frequency, friction: _Friction, load: _Load, of: Any | None
+    system: System, frequency: _Frequency, friction: _Friction, load: _Driven, of: Any | None
 ) -> _Columns: ...
 def response(
     system: System, frequency: _Frequency, friction: _Friction, load: _Driven, of: Any | None, highest: Any | None

@@ -26,15 +26,14 @@ impl ResultTable for JoinedReport<'_> {
         let (question, table) = (self.question, self.question.table());
         for frequency in question.frequencies.all(question.system) {
             for friction in question.frictions.all() {
-                let mut rows = Vec::new();
-                if self.states {
-                    rows = table.states(frequency, friction).map_err(Failure::new)?;
-                }
-                // If the search finds no steady state, the table has a line with the reason.
-                if rows.is_empty() {
-                    rows.push(table.row(frequency, friction).map_err(Failure::new)?);
-                }
-                rows.iter().try_for_each(&mut *visit)?;
+                let rows = if self.states {
+                    table.states(frequency, friction)
+                } else {
+                    table.row(frequency, friction).map(|row| vec![row])
+                };
+                rows.map_err(Failure::new)?
+                    .iter()
+                    .try_for_each(&mut *visit)?;
             }
         }
         Ok(())

@@ -148,6 +148,16 @@ fn wrong_states() {
         );
     }
     for line in [
+        "limits --r 1",
+        "sensitivity --r 1 --beta 1 --of m",
+        "features --r 1:2 --beta 1",
+        "report --r 1:2 -o page.html",
+    ] {
+        let told = failure(BRACED, &words(&format!("{line} --from rest")));
+        let expected = "frictiongen: --from: only `orbit`, `response`, `curve`, `map`, `time` and `optimum` take an initial state; leave it out of this command";
+        assert_eq!(told, [expected], "{line}");
+    }
+    for line in [
         "curve --r 1:2 --beta 1 --from up",
         "curve --r 1:2 --beta 1 --from rest,down",
     ] {

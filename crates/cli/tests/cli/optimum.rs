@@ -19,6 +19,41 @@ fn found<'a>(rows: &'a [Vec<&str>], quantity: &str) -> (f64, &'a str) {
     (row[1].parse().unwrap_or(f64::NAN), row[2])
 }
 
+/// Checks an undamped absorber that rubs on its main mass, against values of an independent program. Both peaks are
+/// named, although one is stick-slip motion.
+#[test]
+fn two_equal_peaks_are_named() {
+    let scene = "struct D { masses: { main: 1, absorber: 0.05 }, springs: { wall - main: 1, main - absorber: 0.045 },
+        contact: main - absorber, excitation: main }";
+    let table = output(
+        scene,
+        &words("optimum --omega 0.5:1.5 --force 1 --of main --csv"),
+    );
+    let rows = cells(&table);
+    assert!((found(&rows, "friction").0 - 0.23069).abs() < 1e-5);
+    assert!((found(&rows, "largest amplitude of main").0 - 6.9744).abs() < 1e-4);
+    assert!(table.contains("two equal peaks"), "{table}");
+    let column = |name: &str| -> Vec<&str> {
+        let rows = rows.iter().filter(|row| row[0].trim() == name);
+        rows.map(|row| row[1]).collect()
+    };
+    let places: Vec<f64> = column("peak at r")
+        .iter()
+        .map(|r| r.parse().unwrap())
+        .collect();
+    assert_eq!(places.len(), 2);
+    for ((r, regime), (expected, name)) in places
+        .iter()
+        .zip(column("regime"))
+        .zip([(1.05160, "continuous"), (0.90847, "stick-slip")])
+    {
+        assert!(
+            (r - expected).abs() < 1e-5 && regime == name,
+            "{r} {regime}"
+        );
+    }
+}
+
 /// Checks that Hz and m are the groups times their units, and that the three formats agree.
 #[test]
 fn in_units_and_in_three_formats() {

@@ -54,6 +54,28 @@ pub(crate) fn value(printed: &str, name: &str) -> f64 {
     line.split_whitespace().next().unwrap().parse().unwrap()
 }
 
+/// Checks that a reader of the front page and of docs/start.md can install the command from its folder.
+#[test]
+fn the_folder_of_the_command_exists() {
+    for page in ["README.md", "docs/start.md"] {
+        let text = std::fs::read_to_string(format!("{ROOT}/{page}")).unwrap();
+        let folders: Vec<&str> = text
+            .split("cargo install --path ")
+            .skip(1)
+            .filter_map(|rest| rest.split(['`', ' ', '\n']).next())
+            .collect();
+        assert!(!folders.is_empty(), "{page}");
+        for folder in folders {
+            let manifest = format!("{ROOT}/{folder}/Cargo.toml");
+            let manifest = std::fs::read_to_string(&manifest).unwrap_or_default();
+            assert!(
+                manifest.contains("name = \"frictiongen-cli\""),
+                "{page}: {folder}"
+            );
+        }
+    }
+}
+
 #[test]
 fn start_has_what_its_commands_print() {
     let page = page("start.md");

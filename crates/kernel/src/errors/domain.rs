@@ -220,7 +220,7 @@ impl fmt::Display for Unsupported {
                 "the exact continuous response needs a constant kinetic level, but this scene has `friction: stribeck`; ask for its motion in time, under a load with its amplitude in units"
             }
             Self::SeveralContacts => {
-                "this answer needs a single contact without dashpots, but this scene has `contacts` or `dampers`; ask for its steady state (`orbit`), its stuck state or its motion in time"
+                "this answer needs a single contact without dashpots, but this scene has `contacts` or `dampers`; ask for its steady state (`orbit`, in Python `by_contact`), its stuck state or its motion in time"
             }
             Self::NoExcitation => {
                 "this answer needs a load, but the description has no `excitation`; add the name of a mass or `base`, as in `excitation: base`"

@@ -160,19 +160,15 @@ impl<'a> JoinedTable<'a> {
         let friction = friction.at(&self.setting.measure, frequency);
         match at.orbit(friction.beta) {
             Ok(orbit) => self.found(&at, (frequency, friction), &orbit),
-            Err(JoinedError::Engine(error)) => Ok(JoinedRow {
-                frequency,
-                friction,
-                regime: "",
-                state: reason(&error),
-                stuck: limit(&at),
-                steady: None,
-            }),
+            Err(JoinedError::Engine(error)) => {
+                Ok(Self::without_state(&at, (frequency, friction), &error))
+            }
             Err(error) => Err(error),
         }
     }
 
-    /// Computes one table row for every steady state that the search finds.
+    /// Computes one table row for every steady state that the search finds. If the search finds no steady state, the
+    /// result is the [`row`](Self::row) of the motion from rest, which contains the reason.
     ///
     /// # Errors
     /// Same errors as [`row`](Self::row).
@@ -183,11 +179,33 @@ impl<'a> JoinedTable<'a> {
     ) -> Result<Vec<JoinedRow>, JoinedError> {
         let at = self.at(frequency)?;
         let friction = friction.at(&self.setting.measure, frequency);
-        let states = at.states(friction.beta)?;
-        let rows = states
-            .iter()
-            .map(|orbit| self.found(&at, (frequency, friction), orbit));
-        rows.collect()
+        match at.states(friction.beta) {
+            Ok(states) => states
+                .iter()
+                .map(|orbit| self.found(&at, (frequency, friction), orbit))
+                .collect(),
+            Err(JoinedError::Engine(error)) => Ok(vec![Self::without_state(
+                &at,
+                (frequency, friction),
+                &error,
+            )]),
+            Err(error) => Err(error),
+        }
+    }
+
+    fn without_state(
+        at: &JoinedAt<'_>,
+        (frequency, friction): (Frequency, FrictionSetting),
+        error: &JointError,
+    ) -> JoinedRow {
+        JoinedRow {
+            frequency,
+            friction,
+            regime: "",
+            state: reason(error),
+            stuck: limit(at),
+            steady: None,
+        }
     }
 
     fn found(

@@ -16,17 +16,22 @@ impl<'a> JoinedAt<'a> {
     /// in which no contact slides, the response without friction, and multiples of these two responses.
     ///
     /// The first entry is the steady state from rest, if the motion from rest settles. Initial states from which the
-    /// motion does not settle give no entry. The list may be empty.
+    /// motion does not settle give no entry. The list has at least one entry.
     ///
     /// # Errors
-    /// [`OutOfDomain`](crate::OutOfDomain) for a friction that is negative or not finite.
+    /// [`JoinedError::OutOfDomain`] for a friction that is negative or not finite. [`JoinedError::Engine`] if no initial
+    /// state leads to a steady state: the reason why the motion from rest does not.
     pub fn states(&self, friction: f64) -> Result<Vec<JoinedOrbit<'a>>, JoinedError> {
         let mut found: Vec<JoinedOrbit<'a>> = Vec::new();
+        let mut reason = None;
         let mut keep = |orbit: Result<JoinedOrbit<'a>, JoinedError>| {
             match orbit {
                 Ok(orbit) if !found.iter().any(|known| same(known, &orbit)) => found.push(orbit),
-                // The motion from this initial state does not settle.
-                Ok(_) | Err(JoinedError::Engine(_)) => {}
+                Ok(_) => {}
+                // The motion from this initial state does not settle. The first initial state is rest.
+                Err(JoinedError::Engine(error)) => {
+                    reason.get_or_insert(error);
+                }
                 Err(error) => return Err(error),
             }
             Ok(())
@@ -42,7 +47,10 @@ impl<'a> JoinedAt<'a> {
                 keep(self.orbit_from(friction, (&scaled(&x), &scaled(&v))))?;
             }
         }
-        Ok(found)
+        match reason {
+            Some(error) if found.is_empty() => Err(error.into()),
+            _ => Ok(found),
+        }
     }
 }
 

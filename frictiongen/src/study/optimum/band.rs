@@ -21,6 +21,12 @@ const APART: f64 = 1e-3;
 const FINE: f64 = 0.0025;
 /// Largest number of frequencies of the finer grid.
 const MOST_FINE: f64 = 2000.0;
+/// Largest excess of the friction over β*_lim, relative to β*_lim, at which the finer grid divides its intervals.
+const NEAR_STUCK: f64 = 0.02;
+/// Number of parts into which the finer grid divides such an interval.
+const PARTS: u32 = 40;
+/// Largest number of frequencies from such intervals.
+const MOST_PARTS: usize = 1200;
 /// Number of rounds in which the search evaluates the finer grid.
 const SPREAD: usize = 8;
 /// The search refines a maximum if its amplitude, divided by the largest amplitude, is at least this.
@@ -132,7 +138,7 @@ pub(super) struct Look {
 pub(super) enum Closely {
     /// Only the grid and its maxima.
     Grid,
-    /// In addition a finer grid, with steps of 0.25 %.
+    /// In addition a finer grid, with steps of 0.25 %, or smaller steps where the contacts can just stick.
     Whole,
 }
 
@@ -283,7 +289,7 @@ impl<'s> Band<'s> {
             }
         }
         if closely == Closely::Whole {
-            for r in self.finer(&mut points, LOW * most) {
+            for r in self.finer(&mut points, LOW * most, look.beta) {
                 let answer = self.noted(r, friction, (&mut look, &mut points));
                 if self.is_spent() || cutoff.excludes(&answer) {
                     self.learn(r);
@@ -450,7 +456,7 @@ impl<'s> Band<'s> {
     }
 
     /// Returns the frequencies of the finer grid, without those between two points that are both below `low`.
-    fn finer(&self, points: &mut [Point], low: f64) -> Vec<f64> {
+    fn finer(&self, points: &mut [Point], low: f64, beta: f64) -> Vec<f64> {
         points.sort_by(|a, b| a.0.total_cmp(&b.0));
         let [from, to] = self.ends;
         let steps = ((to / from).ln() / FINE).ceil().clamp(200.0, MOST_FINE);
@@ -463,8 +469,42 @@ impl<'s> Band<'s> {
         };
         let fine: Vec<f64> = fine.filter(is_worth).collect();
         // If the bound on work ends the evaluation early, its frequencies are spread over the band.
-        let parts = (0..SPREAD).flat_map(|part| fine.iter().skip(part).step_by(SPREAD));
-        parts.copied().collect()
+        let spread = |all: &[f64], rounds: usize| -> Vec<f64> {
+            let rounds = (0..rounds).flat_map(|round| all.iter().skip(round).step_by(rounds));
+            rounds.copied().collect()
+        };
+        let hidden = spread(&self.nearly_sliding(&fine, beta), PARTS as usize);
+        let mut all = spread(&fine, SPREAD);
+        all.extend(hidden.into_iter().take(MOST_PARTS));
+        all
+    }
+
+    /// Returns frequencies between those of the finer grid at which all contacts can just stick. With μ > 1 a motion
+    /// from rest may slide there for ever. Such motions lie in many ranges that are much narrower than the finer grid.
+    fn nearly_sliding(&self, fine: &[f64], beta: f64) -> Vec<f64> {
+        if self.evaluator.locks() {
+            return Vec::new();
+        }
+        let limits: Vec<(f64, f64)> = fine
+            .iter()
+            .map(|r| (*r, self.evaluator.sliding_limit(*r)))
+            .collect();
+        let sticks = |limit: f64| limit <= beta && beta <= (1.0 + NEAR_STUCK) * limit;
+        let mut found = Vec::new();
+        for pair in limits.windows(2) {
+            let [(a, from), (b, to)] = *pair else {
+                continue;
+            };
+            let crosses = from.min(to) <= beta && beta <= (1.0 + NEAR_STUCK) * from.max(to);
+            // An interval between low amplitudes is not part of the finer grid.
+            if !crosses || (1.0 + 2.0 * FINE) * a < b {
+                continue;
+            }
+            let part = |part: u32| a + (b - a) * f64::from(part) / f64::from(PARTS);
+            let parts = (1..PARTS).map(part);
+            found.extend(parts.filter(|r| sticks(self.evaluator.sliding_limit(*r))));
+        }
+        found
     }
 
     /// Returns the highest of the maxima next to the given frequency ratios. It is infinite if there is no motion at one

@@ -70,6 +70,9 @@ pub(super) trait Evaluator {
     /// Returns β_lim and β*_lim at the frequency ratio r, as frictions. β_lim is NaN for several contacts.
     fn limits(&self, r: f64) -> [f64; 2];
 
+    /// Returns β*_lim at the frequency ratio r, as a friction. It is infinite if no friction keeps all contacts stuck.
+    fn sliding_limit(&self, r: f64) -> f64;
+
     /// Returns true if every friction from β*_lim on leaves the contacts stuck at the same place. With μ > 1 the motion
     /// from rest may still slide. An initial state leaves a contact at a place that depends on friction.
     fn locks(&self) -> bool;
@@ -284,19 +287,20 @@ impl Evaluator for OneContact<'_> {
     }
 
     fn limits(&self, r: f64) -> [f64; 2] {
-        let limits = |r: f64| {
-            self.system.at(r).map_or([f64::NAN; 2], |at| {
-                let limits = at.limits();
-                [limits.continuous, limits.sliding]
-            })
-        };
-        let [continuous, mut sliding] = limits(r);
+        let continuous = self.system.at(r).map(|at| at.limits().continuous);
+        let continuous = continuous.unwrap_or(f64::NAN) / r.powi(self.goal.fall());
+        [continuous, self.sliding_limit(r)]
+    }
+
+    fn sliding_limit(&self, r: f64) -> f64 {
+        let limit = |r: f64| self.system.at(r).map_or(f64::NAN, |at| at.sliding_limit());
+        let mut sliding = limit(r);
         if sliding == f64::INFINITY {
             // r is a resonance of the chain with its contact stuck. The limit is finite if the load does not drive
             // this resonance.
-            sliding = beside(r, |r| limits(r)[1]);
+            sliding = beside(r, limit);
         }
-        [continuous, sliding].map(|limit| limit / r.powi(self.goal.fall()))
+        sliding / r.powi(self.goal.fall())
     }
 
     fn locks(&self) -> bool {
@@ -423,10 +427,14 @@ impl Evaluator for SeveralContacts<'_> {
     }
 
     fn limits(&self, r: f64) -> [f64; 2] {
+        [f64::NAN, self.sliding_limit(r)]
+    }
+
+    fn sliding_limit(&self, r: f64) -> f64 {
         let stuck = self.joined.at_any(r).and_then(|at| at.stuck());
         // On an undamped resonance of the chain with its contacts stuck, no friction keeps all contacts stuck.
         let limit = stuck.map_or(f64::INFINITY, |stuck| stuck.limit());
-        [f64::NAN, limit / r.powi(self.goal.fall())]
+        limit / r.powi(self.goal.fall())
     }
 
     fn locks(&self) -> bool {

@@ -46,6 +46,9 @@ const GOLDEN: f64 = 0.618_033_988_749_894_8;
 const CHECKS: usize = 5;
 /// Relative excess of a check over the search up to which the check confirms the result.
 const SAME: f64 = 1e-5;
+/// Factor by which a check must exceed the amplitude of another friction, so that an unfinished search prefers the other
+/// friction without a check.
+const CLEARLY: f64 = 1.1;
 /// Relative difference of two peaks from which secants may equalise them.
 pub(super) const NEARLY_EQUAL: f64 = 1e-3;
 /// Relative difference of two peaks at which they count as equally high.
@@ -172,18 +175,11 @@ impl Band<'_> {
         all
     }
 
-    /// Finds the friction with which the largest amplitude over the band is smallest, within a bound on work. Returns
-    /// `None` if no friction bounds the amplitude. `window` restricts the search to an interval of friction.
-    pub(super) fn least(
-        &self,
-        (range, unbounded_to): (Range, f64),
-        window: Option<[f64; 2]>,
-        work: usize,
-    ) -> Option<Least> {
-        self.allow(work);
+    /// Evaluates the grid at some frictions. Returns the results in ascending order of friction.
+    fn scanned(&self, frictions: Vec<f64>) -> Vec<Look> {
         let mut scan: Vec<Look> = Vec::new();
         let mut best = Merit::WORST;
-        for beta in self.frictions(range, unbounded_to, window) {
+        for beta in frictions {
             let look = self.look(
                 FrictionAmount::Ratio(beta),
                 best.times(MARGIN),
@@ -198,17 +194,26 @@ impl Band<'_> {
             }
         }
         scan.sort_by(|a, b| a.beta.total_cmp(&b.beta));
+        scan
+    }
+
+    /// Finds the friction with which the largest amplitude over the band is smallest, within a bound on work. Returns
+    /// `None` if no friction bounds the amplitude. `window` restricts the search to an interval of friction.
+    pub(super) fn least(
+        &self,
+        (range, unbounded_to): (Range, f64),
+        window: Option<[f64; 2]>,
+        work: usize,
+    ) -> Option<Least> {
+        self.allow(work);
+        let mut scan = self.scanned(self.frictions(range, unbounded_to, window));
         let mut checked: Vec<(Look, [f64; 2])> = Vec::new();
         let (mut end, mut ran_out) = (SearchEnd::Unconfirmed, false);
         for _ in 0..CHECKS {
             let Some((found, bracket)) = self.best_of(&mut scan) else {
                 break;
             };
-            let known = checked.iter().map(|(look, _)| look.merit);
-            let known = known.fold(
-                Merit::WORST,
-                |best, merit| if merit < best { merit } else { best },
-            );
+            let known = least_merit(&checked);
             let mut spent = self.is_spent();
             let check = self.check(found.beta, known.times(1.0 + SAME), work);
             let (value, expected) = (check.merit.value, found.merit.value);
@@ -245,6 +250,14 @@ impl Band<'_> {
         }
         if self.is_spent() || ran_out {
             end = SearchEnd::Spent;
+            // No work is left for the check of another friction. If the checked one is clearly worse than the scan, the
+            // result is the best of the scan.
+            let known = least_merit(&checked);
+            let other = self.best_of(&mut scan).filter(|(look, _)| {
+                let differs = checked.iter().all(|(other, _)| other.beta != look.beta);
+                differs && look.merit.times(CLEARLY) < known
+            });
+            checked.extend(other);
         }
         let order = |a: &(Look, [f64; 2]), b: &(Look, [f64; 2])| {
             let order = a.0.merit.partial_cmp(&b.0.merit);
@@ -517,6 +530,15 @@ impl Band<'_> {
         }
         Some(a)
     }
+}
+
+/// Returns the least merit of the checked frictions.
+fn least_merit(checked: &[(Look, [f64; 2])]) -> Merit {
+    let merits = checked.iter().map(|(look, _)| look.merit);
+    merits.fold(
+        Merit::WORST,
+        |best, merit| if merit < best { merit } else { best },
+    )
 }
 
 /// Returns the frequency ratios of the highest peaks at some frictions.

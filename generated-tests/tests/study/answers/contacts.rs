@@ -8,6 +8,7 @@
 use frictiongen::study::System;
 use frictiongen::study::optimum::{FrequencyBand, Optimum, OptimumEnd, OptimumRequest};
 use frictiongen::study::response::MotionQuantity;
+use frictiongen::study::units::Load;
 use frictiongen::{Of, Regime};
 use fuzzing::Random;
 use std::time::Instant;
@@ -244,6 +245,40 @@ fn one_contact_in_two_spellings() {
     assert!((one.amplitude / other.amplitude - 1.0).abs() < 1e-6);
     assert!((one.beta - 1.11).abs() < 0.01 && one.amplitude < 0.114_162);
     assert_eq!((one.kind, one.end), (other.kind, other.end));
+}
+
+/// Checks that the best friction of three contacts does not depend on the upper end of the band. Another program finds a
+/// largest amplitude of 49.53 mm at 788 N.
+#[test]
+fn one_optimum_in_two_bands() {
+    let text = "struct O { masses: { f1: 163.3, f2: 238.3, f3: 135.7 },
+        springs: { base - f1: 82928, f1 - f2: 59739, f2 - f3: 74983 },
+        contacts: { c0: base - f1 { stiffness: 93857 }, c1: f1 - f2 { stiffness: 39361, share: 0.743 },
+            c2: f2 - f3 { stiffness: 80280, share: 0.808 } },
+        excitation: base, damping: modal(0.02), damping_from: base }";
+    let system: System = text.parse().expect("a valid scene");
+    let load = Load::Base(0.01);
+    let scale = system.load_scale(load).expect("a base motion");
+    for (from, to) in [(0.86, 5.0), (0.87, 4.0)] {
+        let found = system.optimum(&OptimumRequest {
+            of: Of::Mass(2),
+            size: MotionQuantity::Displacement,
+            band: FrequencyBand::Hertz(from, to),
+            load: Some(load),
+        });
+        let found = found.expect("an optimum");
+        let (force, height) = (
+            scale.friction(found.beta),
+            scale.displacement(found.amplitude),
+        );
+        println!("{from}:{to} {force} N, {height} m, {:?}", found.end);
+        assert_eq!(found.end, OptimumEnd::Converged);
+        assert!(
+            (height / 0.04953 - 1.0).abs() < 1e-3,
+            "{force} N: {height} m"
+        );
+        assert!((700.0..800.0).contains(&force), "{force} N");
+    }
 }
 
 /// Checks one frame of two contacts.

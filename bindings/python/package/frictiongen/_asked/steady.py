@@ -116,6 +116,7 @@ class Steady(Base):
         force: float | str | None = None,
         base: float | str | None = None,
         of: str | Iterable[str] | None = None,
+        start: str | tuple[ArrayLike, ArrayLike] | None = None,
     ) -> ByContact:
         """Computes the steady states of a scene with several contacts or dashpots, with the numbers of each contact.
 
@@ -123,6 +124,7 @@ class Steady(Base):
         has its share of it.
 
         :param of: names of the masses to return.  The default is all masses.  Every contact is in the answer.
+        :param start: the initial state, as for :meth:`orbit`.
 
         >>> import frictiongen
         >>> pair = frictiongen.System('''struct Pair {
@@ -137,7 +139,9 @@ class Steady(Base):
         ([2, 2, 0], True)
         """
         return ByContact(
-            _native.by_contact(self._native, (r, hz, omega), (beta, friction), (force, base), names(of))
+            _native.by_contact(
+                self._native, (r, hz, omega), (beta, friction), ((force, base), state(start)), names(of)
+            )
         )
 
     def orbit(

@@ -3,6 +3,7 @@
 use super::{apart, system};
 use crate::answer::Event;
 use crate::study::joined::{JoinedError, JoinedHistory};
+use crate::study::joints::JointError;
 
 const BLOCK: &str =
     "struct Block { masses: { block: 2.0 }, contacts: { floor: block - wall }, excitation: block }";
@@ -110,6 +111,19 @@ fn states_repeat() {
             assert!((a - b).abs() < 1e-9, "{a} {b}");
         }
     }
+}
+
+/// Checks that a search without a steady state gives the reason. Both contacts act on the middle mass, which rests in
+/// the antisymmetric mode. Nothing damps this mode, and the load drives it.
+#[test]
+fn no_steady_state_has_a_reason() {
+    let chain = system(
+        "struct Chain { masses: { a: 1, b: 1, c: 1 }, springs: { base - a: 1, a - b: 1, b - c: 1, c - wall: 1 },
+        contacts: { left: b - wall { stiffness: 2 }, right: b - base { stiffness: 3 } }, excitation: a }",
+    );
+    let at = chain.joined().expect("answers").at(0.5).expect("r");
+    let reason = at.states(0.3).map(|states| states.len());
+    assert_eq!(reason, Err(JoinedError::Engine(JointError::NotSteady)));
 }
 
 /// Checks that a path (samples with two more samples at each event) has the corners of the hysteresis loops. The area
