@@ -61,8 +61,12 @@ fn one_contact_moves_as_with_the_solver_of_one_contact() {
         ];
         options.extend(["--of", "spring(base-lower)", "--of", "shear"]);
         options.extend(friction.into_iter().flat_map(|f| ["--friction", f]));
+        // The solver of one contact holds the friction during a step, also with linear input.
+        let input = if friction.is_none() { "hold" } else { "linear" };
         let scene = |contact: &str| {
-            format!("struct Frame {{ {chain}, {contact}, excitation: {excitation} }}")
+            format!(
+                "struct Frame {{ {chain}, {contact}, input: {input}, excitation: {excitation} }}"
+            )
         };
         let (one, other) = contact;
         let damped = match excitation {

@@ -2,7 +2,7 @@
 //! samples.
 
 use super::poly::Poly;
-use super::size::{add, at};
+use super::size::add;
 use super::wave::Wave;
 use crate::Float;
 
@@ -99,7 +99,17 @@ impl<S: Float> Curve<S> {
     /// derivative: 0 (the function itself), 1 or 2.
     #[must_use]
     pub fn value(&self, time: S, derivative: usize) -> S {
-        at(&self.terms(time, S::constant(0.0), derivative), 0)
+        let wave = self.wave.value(time, derivative);
+        if !self.bends() {
+            return wave;
+        }
+        let (two, three) = (S::constant(2.0), S::constant(3.0));
+        let (square, cube) = (self.square, self.cube);
+        wave + match derivative {
+            0 => (square + cube * time) * time * time,
+            1 => (two * square + three * cube * time) * time,
+            _ => two * (square + three * cube * time),
+        }
     }
 
     /// Returns the power series of the function or of a derivative over a time interval. The variable of the series is

@@ -99,7 +99,9 @@ impl<S: Float, Z: Size> Motion<S, Z> {
         let contacts = self.model.contacts().iter().zip(pattern.as_ref());
         for (j, (contact, &phase)) in contacts.enumerate() {
             let rate = contact.across(accelerations.as_ref());
-            let of_contact = if phase == STUCK {
+            let of_contact = if !contact.is_rigid() {
+                self.at_limit(&decision, j, rate)
+            } else if phase == STUCK {
                 let hold = at(held.as_ref(), j);
                 let most = contact.stiction * at(decision.levels.as_ref(), j);
                 let at_limit = most - hold.abs() <= decision.rounding();
@@ -113,7 +115,14 @@ impl<S: Float, Z: Size> Motion<S, Z> {
         }
         let asked = decision.asked;
         let decided = pattern.as_ref().iter().zip(zeros.as_ref()).enumerate();
-        for (j, (&phase, &zeros)) in decided.filter(|(j, _)| holds(&asked, *j)) {
+        for (j, (&phase, &zeros)) in decided {
+            let is_elastic = self.model.contact(j).is_some_and(|own| !own.is_rigid());
+            if is_elastic && zeros.0 > 0 {
+                self.state.set_zeros(j, zeros);
+            }
+            if !holds(&asked, j) {
+                continue;
+            }
             let was_stuck = self.state.phase(j) == STUCK;
             self.state.set_phase(j, phase);
             if phase != STUCK || !was_stuck || zeros.0 > 0 {
@@ -125,6 +134,24 @@ impl<S: Float, Z: Size> Motion<S, Z> {
         self.tree.meet(&self.model, v.as_mut());
         self.state.keep_speeds(v.as_ref());
         Ok(())
+    }
+
+    /// Returns the number of leading zeros of the next event of an elastic contact, and its side, if the contact sticks at
+    /// its limit and a rigid contact beside it has held its two sides together. The rate of its force is then 0. If the
+    /// acceleration `rate` is a rounding error, too, only the jerk shows whether the contact slips.
+    fn at_limit(&self, decision: &Decision<'_, S, Z>, contact: usize, rate: S) -> (usize, i8) {
+        let force = at(self.state.forces.as_ref(), contact);
+        let (_, v) = self.nodes();
+        let rests = self.model.contact(contact).is_some_and(|own| {
+            let most = own.stiction * at(decision.levels.as_ref(), contact);
+            force.abs() == most && own.across(v.as_ref()).is_zero()
+        });
+        if !rests || self.state.phase(contact) != STUCK {
+            return (0, 0);
+        }
+        let side = if force > S::constant(0.0) { 1 } else { -1 };
+        let is_sure = rate.abs() > decision.noise(contact);
+        (if is_sure { 2 } else { 3 }, side)
     }
 
     /// Returns the numbers that decide which of the contacts in `asked` stick at this instant.

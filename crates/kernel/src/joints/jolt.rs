@@ -8,16 +8,6 @@ use crate::Float;
 use crate::errors::Halt;
 
 impl<S: Float, Z: Size> Motion<S, Z> {
-    /// Changes the motion of the base from the present instant on. At this instant the displacement and the velocity of
-    /// the base must not jump.
-    pub(super) fn lead_base(&mut self, to: Curve<S>) {
-        let jump = to.value(self.time, 2) - self.model.base.value(self.time, 2);
-        self.model.base = to;
-        if !jump.is_zero() {
-            self.accelerations_jump();
-        }
-    }
-
     /// Changes the motion of the base from the present instant on. The displacement and the velocity of the base may
     /// jump. The masses keep their displacements and velocities. In a contact between a mass and the base, the relative
     /// displacement and velocity therefore jump.

@@ -295,11 +295,6 @@ impl<S: Float, Z: Size> Motion<S, Z> {
         }
     }
 
-    /// Changes a load from the present instant on. At this instant the value of the load must not jump.
-    pub(super) fn lead_load(&mut self, load: usize, to: Wave<S>) {
-        self.model.change_load(load, to, self.time);
-    }
-
     /// Shortens the stretches (time intervals of one power series) so that a power series can represent the function
     /// `wave`.
     fn shorten(&mut self, wave: &Wave<S>) {

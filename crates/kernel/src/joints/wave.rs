@@ -94,7 +94,21 @@ impl<S: Float> Wave<S> {
     /// Returns the value of the function or of a derivative at the instant `time`. `derivative` is the order of the
     /// derivative: 0 (the function itself), 1 or 2.
     #[must_use]
+    #[inline]
     pub fn value(&self, time: S, derivative: usize) -> S {
+        let line = match derivative {
+            0 => self.constant + self.slope * time,
+            1 => self.slope,
+            _ => S::constant(0.0),
+        };
+        if self.amplitude.is_zero() {
+            return line;
+        }
+        self.harmonic_value(time, derivative)
+    }
+
+    #[inline(never)]
+    fn harmonic_value(&self, time: S, derivative: usize) -> S {
         at(&self.terms(time, S::constant(0.0), derivative), 0)
     }
 

@@ -140,7 +140,7 @@ where
         let Some(cost) = machine.cost().filter(|_| !M::SOFTWARE) else {
             continue;
         };
-        let bound = Cost::INSTRUCTIONS * cost.most + Cost::FIXED;
+        let bound = M::INSTRUCTIONS * cost.most + Cost::FIXED;
         hprintln!("cost|{}|budget {}: bound|{}|0", M::NAME, budget, bound);
         hprintln!(
             "# {}, budget {}: {} steps exceeded, up to {} events",
@@ -256,7 +256,7 @@ impl Visitor for Bench<'_> {
                 measured,
                 operations
             );
-            if !M::SOFTWARE && Cost::INSTRUCTIONS * operations + Cost::FIXED < measured {
+            if !M::SOFTWARE && M::INSTRUCTIONS * operations + Cost::FIXED < measured {
                 hprintln!("over: {}, {}", M::NAME, what);
             }
         }

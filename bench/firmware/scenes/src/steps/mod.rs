@@ -55,6 +55,8 @@ pub trait Machine: Sized {
     }
     /// Size in memory in bytes of a stepper that borrows its constant tables, or `None` if the stepper has no tables.
     const DECLARED: Option<usize> = None;
+    /// Largest number of instructions for one floating-point operation of the stepper's cost.
+    const INSTRUCTIONS: u64 = Cost::INSTRUCTIONS;
     /// Size of the stepper in memory in bytes, including its constant tables.
     const SIZE: usize = core::mem::size_of::<Self>();
     /// Returns the bits of three numbers of the state: displacement and velocity of the last mass, and work of the

@@ -81,6 +81,7 @@ impl Machine for Run {
         advance(self, load, friction)
     }
 
+    const INSTRUCTIONS: u64 = 8;
     const DECLARED: Option<usize> = Some(core::mem::size_of::<ChainDeclaredStepper>());
 
     fn cost(&self) -> Option<Cost> {

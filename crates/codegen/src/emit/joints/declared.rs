@@ -50,7 +50,11 @@ pub(super) fn emit(
         frictiongen_kernel::stepper::Input::Hold => code!(Hold),
         frictiongen_kernel::stepper::Input::Linear => code!(Linear),
     };
-    let on_base = pace.on_base;
+    let layout = emission.steps?;
+    let [masses, contacts, elastic, loads] =
+        [layout.masses, layout.contacts, layout.elastic, layout.loads]
+            .map(Literal::usize_unsuffixed);
+    let (on_base, shears) = (layout.on_base, layout.shears);
     let target = emission.stepper_type(&code!(&'static [#scalar; #entries]));
     let about = format!(
         " Stepper of the declared step `STEP`.  It borrows its tables, which stay constants of the program, and has the methods of [`{}`].",
@@ -70,6 +74,16 @@ pub(super) fn emit(
                 input: #facade::kernel::stepper::Input::#input,
                 on_base: #on_base,
             };
+            /// Lengths of the tables.
+            const STEP_LAYOUT: #engine::Layout = #engine::Layout {
+                masses: #masses,
+                contacts: #contacts,
+                elastic: #elastic,
+                loads: #loads,
+                input: #facade::kernel::stepper::Input::#input,
+                on_base: #on_base,
+                shears: #shears,
+            };
             /// Tables of a part, for each set of contacts that stick.
             const STEP_TABLES: [#scalar; #entries] = [#(#tables),*];
 
@@ -82,7 +96,7 @@ pub(super) fn emit(
                 #declared {
                     0: #engine::Stepper::declared(
                         Self::STEP_CHAIN,
-                        Self::STEP_PACE,
+                        (Self::STEP_PACE, Self::STEP_LAYOUT),
                         &Self::STEP_TABLES,
                         #zero,
                     ),

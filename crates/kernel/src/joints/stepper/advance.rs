@@ -230,16 +230,31 @@ impl<S: Float, Z: Size, T: AsRef<[S]>> Stepper<S, Z, T> {
     /// Sets the inputs of a step to the constant values of `sample`. The base jumps to its displacement, and then moves
     /// with its velocity.
     pub(super) fn hold(&mut self, sample: &Sample<'_, S>) -> Result<(), Halt> {
-        self.motion.rewind();
         if self.pace.on_base {
+            self.motion.rewind();
             self.jolt(Curve::straight(sample.base))?;
         }
-        let motion = &mut self.motion;
-        for (load, force) in sample.forces.iter().enumerate() {
-            motion.set_load(load, Wave::constant(*force))?;
+        let (motion, status) = (&mut self.motion, &self.status);
+        motion.time = S::constant(0.0);
+        let mut jumps = false;
+        let loads = motion
+            .model
+            .loads
+            .as_mut()
+            .iter_mut()
+            .zip(status.forces.as_ref());
+        for (((_, load), before), force) in loads.zip(sample.forces) {
+            jumps |= before != force;
+            *load = Wave::constant(*force);
         }
-        for (contact, friction) in sample.frictions.iter().enumerate() {
-            motion.lead_level(contact, Wave::constant(*friction))?;
+        if jumps {
+            motion.accelerations_jump();
+        }
+        let levels = status.levels.as_ref().iter().zip(sample.frictions);
+        for (contact, (before, friction)) in levels.enumerate() {
+            if before != friction {
+                motion.lead_level(contact, Wave::constant(*friction), true)?;
+            }
         }
         Ok(())
     }
@@ -248,17 +263,33 @@ impl<S: Float, Z: Size, T: AsRef<[S]>> Stepper<S, Z, T> {
     pub(super) fn lead(&mut self, sample: &Sample<'_, S>) -> Result<(), Halt> {
         let (motion, status, dt) = (&mut self.motion, &self.status, self.pace.dt);
         let zero = S::constant(0.0);
-        motion.rewind();
+        motion.time = zero;
         if self.pace.on_base {
-            motion.lead_base(Curve::through(status.base, sample.base, dt));
+            motion.model.base = Curve::through(status.base, sample.base, dt);
+            if motion.model.base.value(zero, 2) != status.lift {
+                motion.accelerations_jump();
+            }
         }
         let line = |from: S, to: S| Wave::line((zero, from), (dt, to));
-        for (load, force) in sample.forces.iter().enumerate() {
-            motion.lead_load(load, line(at(status.forces.as_ref(), load), *force));
+        let loads = motion
+            .model
+            .loads
+            .as_mut()
+            .iter_mut()
+            .zip(status.forces.as_ref());
+        for (((_, load), before), force) in loads.zip(sample.forces) {
+            *load = line(*before, *force);
         }
-        for (contact, friction) in sample.frictions.iter().enumerate() {
-            let level = line(at(status.levels.as_ref(), contact), *friction);
-            motion.lead_level(contact, level)?;
+        let levels = status.levels.as_ref().iter().zip(sample.frictions);
+        for (contact, (before, friction)) in levels.enumerate() {
+            let level = line(*before, *friction);
+            if motion
+                .model
+                .contact(contact)
+                .is_some_and(|own| own.level != level)
+            {
+                motion.lead_level(contact, level, false)?;
+            }
         }
         Ok(())
     }
@@ -278,7 +309,7 @@ impl<S: Float, Z: Size, T: AsRef<[S]>> Stepper<S, Z, T> {
             events,
             stretches: PIECES + PIECES_PER_EVENT * events,
         };
-        let until = self.pace.end(part);
+        let until = self.pace.start(part + 1);
         noted.work = self.status.work;
         let followed = self.motion.run(until, bounds, noted);
         let exceeded = matches!(
@@ -322,25 +353,20 @@ fn check_base<S: Float>(base: [S; 2]) -> Result<(), OutOfDomain> {
 }
 
 impl<S: Float, Z: Size> Motion<S, Z> {
-    /// Changes the kinetic friction force of a contact from the present instant on. If the contact keeps its phase, this
-    /// needs no decision.
-    fn lead_level(&mut self, contact: usize, level: Wave<S>) -> Result<(), Halt> {
-        let time = self.time;
+    /// Changes the kinetic friction force of a contact from the present instant on. It `jumps`, or only its slope changes.
+    /// If the contact keeps its phase, this needs no decision.
+    fn lead_level(&mut self, contact: usize, level: Wave<S>, jumps: bool) -> Result<(), Halt> {
         let Some(own) = self.model.contacts.as_mut().get_mut(contact) else {
             return Ok(());
         };
-        if own.level == level {
-            return Ok(());
-        }
-        let jump = level.value(time, 0) - own.level.value(time, 0);
         let starts_or_ends = own.is_free() != level.is_zero();
         let has_law = !self.model.law.as_ref().is_empty();
-        if has_law || starts_or_ends || (!own.is_rigid() && !jump.is_zero()) {
+        let is_rigid = own.is_rigid();
+        if has_law || starts_or_ends || (!is_rigid && jumps) {
             return self.set_level(contact, level);
         }
         own.level = level;
-        let is_rigid = own.is_rigid();
-        if !jump.is_zero() {
+        if jumps {
             self.accelerations_jump();
         }
         if let Some(zeros) = self.state.zeros.as_mut().get_mut(contact)

@@ -1,6 +1,6 @@
 //! Steppers whose tables are constants of the program, so that a constant expression can create them.
 
-use super::{Pace, Status, Stepper};
+use super::{Layout, Pace, Status, Stepper};
 use crate::Float;
 use crate::joints::model::Model;
 use crate::joints::run::Motion;
@@ -20,17 +20,18 @@ impl<
 > Stepper<S, Fixed<N, NODES, M, L, U, SQUARE, LAW, ROW>, &'static [S; ENTRIES]>
 {
     /// Creates a stepper at rest. `model` has no loads, friction forces of 0, and its longest stretch. `tables` are
-    /// those of the model and the pace. `zero` is the number 0.
+    /// those of the model, the pace and the layout. `zero` is the number 0.
     #[must_use]
     pub const fn declared(
         model: Model<S, Fixed<N, NODES, M, L, U, SQUARE, LAW, ROW>>,
-        pace: Pace<S>,
+        (pace, layout): (Pace<S>, Layout),
         tables: &'static [S; ENTRIES],
         zero: S,
     ) -> Self {
         Self {
             motion: Motion::at_rest(model, zero),
             pace,
+            layout,
             tables,
             ends: [[zero; ROW]; 2],
             status: Status::at_rest([zero; L], [zero; M], zero),

@@ -12,6 +12,7 @@ use super::work::Moments;
 use crate::Float;
 use crate::joints::least::dot;
 use crate::joints::model::Model;
+use crate::joints::run::Motion;
 use crate::joints::size::{Size, at, sign};
 use crate::joints::state::{FREE, STUCK};
 use crate::stepper::Input;
@@ -25,7 +26,7 @@ impl<S: Float, Z: Size, T: AsRef<[S]>> Stepper<S, Z, T> {
     /// may have an event, or if the stepper has no tables.
     pub(super) fn leap(&mut self, part: u32) -> bool {
         let model = self.motion.model();
-        let layout = Layout::of(model, &self.pace);
+        let layout = self.layout;
         let (state, count) = (self.motion.state(), layout.coordinates());
         let starts_at_event = state.zeros.as_ref().iter().any(|(zeros, _)| *zeros > 0);
         let rows = layout.rows(self.tables.as_ref(), state.key());
@@ -35,11 +36,10 @@ impl<S: Float, Z: Size, T: AsRef<[S]>> Stepper<S, Z, T> {
         if starts_at_event {
             return false;
         }
-        let times = [part, part + 1].map(|part| S::constant(f64::from(part)) * self.pace.part);
+        let times = [self.pace.start(part), self.pace.start(part + 1)];
         let [before, after] = &mut self.ends;
-        for (ends, time) in [&mut *before, &mut *after].into_iter().zip(times) {
-            write(&self.motion, &layout, time, ends.as_mut());
-        }
+        write(&self.motion, &layout, times[0], before.as_mut());
+        write(&self.motion, &layout, times[1], after.as_mut());
         let before = before.as_ref();
         let gained = if layout.shears {
             shear(model, state, shears, after.as_mut())
@@ -52,7 +52,20 @@ impl<S: Float, Z: Size, T: AsRef<[S]>> Stepper<S, Z, T> {
         let quiet = model.contacts().iter().zip(rows).enumerate();
         let quiet = quiet.filter(|(j, _)| state.phase(*j) != FREE);
         let is_quiet = quiet.clone().all(|(j, (contact, rows))| {
-            let watched = watched(rows, (before, after));
+            let [value, slope, bound] = split(rows, count);
+            let value = |coordinates: &[S]| match (state.phase(j), contact.stiffness) {
+                (STUCK, None) => dot(value, coordinates),
+                (STUCK, Some(_)) => at(coordinates, 2 * layout.masses + j),
+                _ => {
+                    layout.speed(contact.plus, coordinates)
+                        - layout.speed(contact.minus, coordinates)
+                }
+            };
+            let watched = Watched::new(
+                [value(before), value(after)],
+                [dot(slope, before), dot(slope, after)],
+                size(bound, before),
+            );
             let levels = times.map(|time| contact.level.value(time, 0));
             match state.phase(j) {
                 STUCK => sticks(&watched, levels.map(|level| contact.stiction * level)),
@@ -69,49 +82,57 @@ impl<S: Float, Z: Size, T: AsRef<[S]>> Stepper<S, Z, T> {
         };
         let [start, _] = times;
         moments.add(&mut self.status.work, &self.motion, start, (before, after));
-        self.motion.land(after, self.pace.end(part));
+        self.motion.land(after, self.pace.start(part + 1));
         true
     }
 }
 
 /// Writes the coordinates of a motion. The inputs have their values at the instant `time`.
-fn write<S: Float, Z: Size>(
-    motion: &crate::joints::run::Motion<S, Z>,
-    layout: &Layout,
-    time: S,
-    to: &mut [S],
-) {
+fn write<S: Float, Z: Size>(motion: &Motion<S, Z>, layout: &Layout, time: S, to: &mut [S]) {
     let (model, state) = (motion.model(), motion.state());
-    let masses = state.x.as_ref().iter().chain(state.v.as_ref()).copied();
-    let contacts = model.contacts().iter().enumerate();
-    let forces = contacts.clone().map(|(j, contact)| match state.phase(j) {
-        FREE => S::constant(0.0),
-        STUCK => at(state.forces.as_ref(), j),
-        side => sign::<S>(side) * contact.level.value(time, 0),
-    });
     let is_linear = layout.input == Input::Linear;
-    let loads = model.loads.as_ref().iter();
-    let loads = loads.flat_map(|(_, load)| {
-        let slope = is_linear.then_some(load.slope);
-        core::iter::once(load.constant + load.slope * time).chain(slope)
-    });
-    let base = layout.on_base.then(|| model.base.about(time));
-    let base = base
-        .into_iter()
-        .flatten()
-        .take(if is_linear { 4 } else { 2 });
-    let frictions = contacts.map(|(j, contact)| match state.phase(j) {
-        FREE | STUCK => S::constant(0.0),
-        side => sign::<S>(side) * contact.level.slope,
-    });
-    let frictions = frictions.take(if is_linear { layout.contacts } else { 0 });
-    let all = masses
-        .chain(forces)
-        .chain(loads)
-        .chain(base)
-        .chain(frictions);
-    for (entry, value) in to.iter_mut().zip(all) {
-        *entry = value;
+    let mut entries = to.iter_mut();
+    let mut put = |value: S| {
+        if let Some(entry) = entries.next() {
+            *entry = value;
+        }
+    };
+    for value in state.x.as_ref() {
+        put(*value);
+    }
+    for value in state.v.as_ref() {
+        put(*value);
+    }
+    for (j, contact) in model.contacts().iter().enumerate() {
+        put(match state.phase(j) {
+            FREE => S::constant(0.0),
+            STUCK => at(state.forces.as_ref(), j),
+            side => sign::<S>(side) * contact.level.value(time, 0),
+        });
+    }
+    for (_, load) in model.loads.as_ref() {
+        put(load.constant + load.slope * time);
+        if is_linear {
+            put(load.slope);
+        }
+    }
+    if layout.on_base {
+        for value in model
+            .base
+            .about(time)
+            .into_iter()
+            .take(if is_linear { 4 } else { 2 })
+        {
+            put(value);
+        }
+    }
+    if is_linear {
+        for (j, contact) in model.contacts().iter().enumerate() {
+            put(match state.phase(j) {
+                FREE | STUCK => S::constant(0.0),
+                side => sign::<S>(side) * contact.level.slope,
+            });
+        }
     }
 }
 
@@ -148,18 +169,28 @@ struct Watched<S> {
     bound: S,
 }
 
-fn watched<S: Float>(rows: &[S], (before, after): (&[S], &[S])) -> Watched<S> {
-    let mut rows = rows.chunks_exact(before.len().max(1));
-    let mut next = || rows.next().unwrap_or_default();
-    let (value, slope, bounds) = (next(), next(), next());
-    let third = S::constant(1.0 / 3.0);
-    let (first, last) = (dot(value, before), dot(value, after));
-    let (rise, end) = (third * dot(slope, before), third * dot(slope, after));
-    let bounds = bounds.iter().zip(before);
-    Watched {
-        bernstein: [first, first + rise, last - end, last],
-        bound: bounds.fold(S::constant(0.0), |sum, (bound, u)| sum + *bound * u.abs()),
+impl<S: Float> Watched<S> {
+    /// Creates the polynomial with the given values and derivatives at both ends.
+    fn new([first, last]: [S; 2], slopes: [S; 2], bound: S) -> Self {
+        let [rise, end] = slopes.map(|slope| S::constant(1.0 / 3.0) * slope);
+        Self {
+            bernstein: [first, first + rise, last - end, last],
+            bound,
+        }
     }
+}
+
+/// Divides the rows of a contact: of the value of its watched quantity, of its derivative, and of the bound.
+fn split<S>(rows: &[S], count: usize) -> [&[S]; 3] {
+    let (value, rows) = rows.split_at_checked(count).unwrap_or_default();
+    let (slope, bound) = rows.split_at_checked(count).unwrap_or_default();
+    [value, slope, bound]
+}
+
+/// Returns the sum of the products of a row and the absolute values of the coordinates.
+fn size<S: Float>(row: &[S], coordinates: &[S]) -> S {
+    let products = row.iter().zip(coordinates);
+    products.fold(S::constant(0.0), |sum, (bound, u)| sum + *bound * u.abs())
 }
 
 /// Returns true if the force of a contact stays below the static friction force, which changes linearly between the two

@@ -66,27 +66,32 @@ impl<S: Float> Pace<S> {
             return Err(OutOfDomain::Step(Given::of(dt)));
         }
         let mut parts = 1_u32;
-        let count = |parts: u32| S::constant(f64::from(parts));
-        while dt > count(parts) * stretch {
+        while dt > whole::<S>(parts) * stretch {
             parts += 1;
         }
         Ok(Self {
             dt,
             parts,
-            part: dt / count(parts),
+            part: dt / whole(parts),
             input,
             on_base,
         })
     }
 
-    /// Returns the end of the sub-interval with the index `part`, as the time since the start of the step.
-    fn end(&self, part: u32) -> S {
-        if part + 1 == self.parts {
+    /// Returns the start of the sub-interval with the index `part`, as the time since the start of the step. The end of
+    /// the last sub-interval is the end of the step.
+    fn start(&self, part: u32) -> S {
+        if part == self.parts {
             self.dt
         } else {
-            S::constant(f64::from(part + 1)) * self.part
+            whole::<S>(part) * self.part
         }
     }
+}
+
+/// Converts an index to a scalar.
+fn whole<S: Float>(index: u32) -> S {
+    S::whole(usize::try_from(index).unwrap_or(usize::MAX))
 }
 
 /// Input of a stepper at one instant, in the units of the scene.
@@ -108,6 +113,7 @@ pub struct Sample<'i, S> {
 pub struct Stepper<S: Float, Z: Size, T> {
     motion: Motion<S, Z>,
     pace: Pace<S>,
+    layout: Layout,
     tables: T,
     /// Coordinates at both ends of a sub-interval.
     ends: [Z::Row<S>; 2],
@@ -191,14 +197,15 @@ impl<S: Float, Z: Size, T: AsRef<[S]>> Stepper<S, Z, T> {
         if !x.iter().chain(v).all(|number| number.is_finite()) {
             return Err(OutOfDomain::State);
         }
-        let count = Layout::of(&model, &pace).coordinates();
-        let row = model.size.row(count, zero);
+        let layout = Layout::of(&model, &pace);
+        let row = model.size.row(layout.coordinates(), zero);
         let (forces, levels) = (model.size.loads(zero), model.size.contacts(zero));
         let status = Status::at_rest(forces, levels, zero);
         let motion = Motion::new(model, x, v).map_err(OutOfDomain::Motion)?;
         let mut stepper = Self {
             motion,
             pace,
+            layout,
             tables,
             ends: [row.clone(), row],
             status,

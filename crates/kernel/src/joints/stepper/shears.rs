@@ -10,7 +10,7 @@
 //! energy then does not drift. The rows of the table contain only what damping changes, and the columns of the inputs. A power series gives (Ωh)²ᵏ for each unit velocity, and the expansion
 //! tan(θ/2)/θ = Σ cₖθ²ᵏ the matrix A.
 
-use super::table::{Layout, increment};
+use super::table::{Layout, increment, increments};
 use crate::Float;
 use crate::joints::least::dot;
 use crate::joints::model::Model;
@@ -40,6 +40,9 @@ pub(super) fn has_shears<S: Float>() -> bool {
     S::EPSILON > 1e-10
 }
 
+/// A chain without damping, its state, and the power series of its motion from this state.
+type FreeMotion<'f, S, Z> = (&'f Model<S, Z>, &'f State<S, Z>, &'f Series<S, Z>);
+
 /// Matrices of the shears of one pattern, stored row by row.
 pub(super) struct Shears<'t, S> {
     masses: usize,
@@ -61,13 +64,14 @@ impl<'t, S: Float> Shears<'t, S> {
         }
     }
 
-    /// Adds the coordinate with the index `column`, which is 1 in `state`. `rows` are the entries of this column in the
-    /// rows of the results. They keep only the effect of damping, if the coordinate belongs to the free motion.
+    /// Adds the coordinate with the index `column`, which is 1 in `state`. `model` has no damping, and `free` is the power
+    /// series of its motion. `rows` are the entries of this column in the rows of the results. They keep only the effect
+    /// of damping, if the coordinate belongs to the free motion.
     pub(super) fn add<'e, Z: Size>(
         &mut self,
         column: usize,
-        (model, state, tree): (&Model<S, Z>, &State<S, Z>, &Tree<S, Z>),
-        part: S,
+        (model, state, free): FreeMotion<'_, S, Z>,
+        is_damped: bool,
         rows: impl Iterator<Item = &'e mut S>,
     ) where
         S: 'e,
@@ -80,20 +84,7 @@ impl<'t, S: Float> Shears<'t, S> {
         if force.is_some_and(is_inert) {
             return;
         }
-        let mut undamped = model.clone();
-        undamped.dashpots = model.size.none();
-        undamped.damping = model.size.none();
-        let series = Series::new(&undamped, state, tree, (S::constant(0.0), part));
-        let is_damped = !model.dashpots.as_ref().is_empty() || !model.damping.as_ref().is_empty();
-        let places = (0..masses).map(|mass| increment(&series.displacement_terms(mass)));
-        let speeds = (0..masses).map(|mass| increment(&series.velocity_terms(mass)));
-        let contacts = model.contacts().iter().enumerate();
-        let elastic = contacts.filter(|(_, contact)| !contact.is_rigid());
-        let forces = elastic.map(|(j, _)| match state.phase(j) {
-            STUCK => increment(&series.force_terms(j)),
-            _ => S::constant(0.0),
-        });
-        for (entry, free) in rows.zip(places.chain(speeds).chain(forces)) {
+        for (entry, free) in rows.zip(increments(model, state, free)) {
             *entry = if is_damped {
                 *entry - free
             } else {
@@ -105,12 +96,12 @@ impl<'t, S: Float> Shears<'t, S> {
             match column.checked_sub(masses) {
                 Some(velocity) if velocity < masses => {
                     let divisor = at(model.masses(), velocity);
-                    let value = half_turn(&series, mass, part) / divisor;
+                    let value = half_turn(free, mass) / divisor;
                     set(self.places, mass * masses + velocity, value);
                 }
                 _ => {
                     let index = force.map_or(column, |contact| masses + contact);
-                    let value = *own * increment(&series.velocity_terms(mass));
+                    let value = *own * increment(&free.velocity_terms(mass));
                     set(self.forces, mass * by_force + index, value);
                 }
             }
@@ -152,7 +143,7 @@ impl<'t, S: Float> Shears<'t, S> {
 
 /// Returns the displacement Σ cₖ h (−1)ᵏ(Ωh)²ᵏ v of a mass, for the velocity v at the start of a power series of the
 /// undamped motion.
-fn half_turn<S: Float, Z: Size>(series: &Series<S, Z>, mass: usize, part: S) -> S {
+fn half_turn<S: Float, Z: Size>(series: &Series<S, Z>, mass: usize) -> S {
     let terms = series.velocity_terms(mass);
     let (mut sum, mut factorial, mut sign) = (S::constant(0.0), S::constant(1.0), S::constant(1.0));
     for (k, coefficient) in COEFFICIENTS.iter().enumerate() {
@@ -164,7 +155,7 @@ fn half_turn<S: Float, Z: Size>(series: &Series<S, Z>, mass: usize, part: S) -> 
         factorial = factorial * S::whole((2 * k + 1) * (2 * k + 2));
         sign = -sign;
     }
-    part * sum
+    series.length * sum
 }
 
 /// Advances displacements, velocities and forces of elastic contacts by the shears. Returns the increments of the
@@ -245,6 +236,22 @@ fn drift<S: Float, Z: Size>(
     for (j, contact) in model.contacts().iter().enumerate() {
         if let Some(stiffness) = contact.stiffness.filter(|_| state.phase(j) == STUCK) {
             add(forces, j, stiffness * contact.across(moved.as_ref()));
+        }
+    }
+}
+
+impl<S: Float, Z: Size> Model<S, Z> {
+    /// Returns true if the chain has dashpots or a damping matrix.
+    pub(super) fn is_damped(&self) -> bool {
+        !self.dashpots.as_ref().is_empty() || !self.damping.as_ref().is_empty()
+    }
+
+    /// Returns the chain without dashpots and without its damping matrix.
+    pub(super) fn undamped(&self) -> Self {
+        Self {
+            dashpots: self.size.none(),
+            damping: self.size.none(),
+            ..self.clone()
         }
     }
 }

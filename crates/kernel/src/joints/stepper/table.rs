@@ -15,7 +15,7 @@ use crate::joints::base::Curve;
 use crate::joints::model::Model;
 use crate::joints::poly::Poly;
 use crate::joints::series::Series;
-use crate::joints::size::{Size, set};
+use crate::joints::size::{Size, at, set};
 use crate::joints::state::{STUCK, State};
 use crate::joints::tree::Tree;
 use crate::joints::wave::Wave;
@@ -90,6 +90,17 @@ impl Layout {
         }
         let (load, _, _) = self.coefficients();
         Some(2 * self.masses + self.contacts + load * self.loads)
+    }
+
+    /// Returns the velocity of a node from the coordinates.
+    pub(super) fn speed<S: Float>(&self, node: usize, coordinates: &[S]) -> S {
+        let index = match self.coordinate(node) {
+            None => return S::constant(0.0),
+            Some(mass) if mass < self.masses => self.masses + mass,
+            // The velocity of the base follows its displacement.
+            Some(base) => base + 1,
+        };
+        at(coordinates, index)
     }
 
     /// Returns the number of rows for the work: one for each load and contact with linear input, and one for each
@@ -168,7 +179,10 @@ pub fn fill<S: Float, Z: Size>(model: &Model<S, Z>, part: S, layout: &Layout, ta
             }
             if let Some(shears) = &mut shears {
                 let entries = rows.iter_mut().skip(column).step_by(count);
-                shears.add(column, (&model, &state, &tree), part, entries);
+                let undamped = model.undamped();
+                let free = Series::new(&undamped, &state, &tree, time);
+                let is_damped = model.is_damped();
+                shears.add(column, (&undamped, &state, &free), is_damped, entries);
             }
         }
         if let Some(shears) = shears {
@@ -184,15 +198,8 @@ fn column_of<S: Float, Z: Size>(
     state: &State<S, Z>,
     series: &Series<S, Z>,
 ) -> impl Iterator<Item = S> {
-    let places = (0..layout.masses).map(|mass| increment(&series.displacement_terms(mass)));
-    let speeds = (0..layout.masses).map(|mass| increment(&series.velocity_terms(mass)));
-    let contacts = model.contacts().iter().enumerate();
-    let elastic = contacts.clone().filter(|(_, contact)| !contact.is_rigid());
-    let forces = elastic.map(|(j, _)| match state.phase(j) {
-        STUCK => increment(&series.force_terms(j)),
-        _ => S::constant(0.0),
-    });
-    let watched = contacts.clone().flat_map(|(j, contact)| {
+    let contacts = model.contacts().iter();
+    let watched = contacts.clone().enumerate().flat_map(|(j, contact)| {
         let terms = match state.phase(j) {
             STUCK => series.force_terms(j),
             _ => series.speed_terms(contact.plus, contact.minus),
@@ -202,15 +209,34 @@ fn column_of<S: Float, Z: Size>(
     let length = series.length;
     let loads = model.loads.as_ref().iter();
     let loads = loads.map(move |(mass, _)| moment(&series.velocity_terms(*mass), 1, length));
-    let slips = contacts.map(move |(_, contact)| {
-        moment(&series.speed_terms(contact.plus, contact.minus), 1, length)
-    });
+    let slips = contacts
+        .map(move |contact| moment(&series.speed_terms(contact.plus, contact.minus), 1, length));
     let (_, base, friction) = layout.coefficients();
     let inputs = loads.chain(slips).filter(move |_| friction > 0);
     let reaction = reaction(model, state, series);
     let base = (0..base.saturating_sub(1)).map(move |power| moment(&reaction, power, length));
-    let results = places.chain(speeds).chain(forces).chain(watched);
+    let results = increments(model, state, series).chain(watched);
     results.chain(inputs).chain(base)
+}
+
+/// Returns the increments of the displacements, the velocities, and the forces of elastic contacts that stick.
+pub(super) fn increments<S: Float, Z: Size>(
+    model: &Model<S, Z>,
+    state: &State<S, Z>,
+    series: &Series<S, Z>,
+) -> impl Iterator<Item = S> {
+    let masses = 0..model.wall();
+    let places = masses
+        .clone()
+        .map(|mass| increment(&series.displacement_terms(mass)));
+    let speeds = masses.map(|mass| increment(&series.velocity_terms(mass)));
+    let contacts = model.contacts().iter().enumerate();
+    let elastic = contacts.filter(|(_, contact)| !contact.is_rigid());
+    let forces = elastic.map(|(j, _)| match state.phase(j) {
+        STUCK => increment(&series.force_terms(j)),
+        _ => S::constant(0.0),
+    });
+    places.chain(speeds).chain(forces)
 }
 
 /// Returns the value of a power series at the end of the sub-interval, minus its value at the start.

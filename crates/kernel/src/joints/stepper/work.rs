@@ -12,7 +12,7 @@ use crate::joints::base::Curve;
 use crate::joints::cycle::work;
 use crate::joints::least::dot;
 use crate::joints::model::Model;
-use crate::joints::poly::{Poly, nothing};
+use crate::joints::poly::{Poly, nothing, value};
 use crate::joints::run::Motion;
 use crate::joints::series::Series;
 use crate::joints::size::{Size, at, sign};
@@ -57,26 +57,33 @@ impl<S: Float> Sums<S> {
         state: &State<S, Z>,
     ) {
         let (start, length) = (series.start, series.length);
-        for ((mass, _), force) in model
-            .loads
-            .as_ref()
-            .iter()
-            .zip(model.load_terms(start, length))
-        {
-            self.add_load(work(&force, &series.velocity_terms(*mass), length, end));
+        let moved = |terms: &Poly<S>| value(terms, end) - at(terms, 0);
+        for (mass, load) in model.loads.as_ref() {
+            let done = if load.slope.is_zero() && load.amplitude.is_zero() {
+                load.constant * moved(&series.displacement_terms(*mass))
+            } else {
+                let force = load.terms(start, length, 0);
+                work(&force, &series.velocity_terms(*mass), length, end)
+            };
+            self.add_load(done);
         }
         if !model.base.is_zero() {
             let speed = model.base.terms(start, length, 1);
             self.add_load(work(&reaction(model, state, series), &speed, length, end));
         }
         for (j, contact) in model.contacts().iter().enumerate() {
+            let ends = (contact.plus, contact.minus);
             match (state.phase(j), contact.stiffness) {
                 (FREE, _) | (STUCK, None) => {}
                 (STUCK, Some(stiffness)) => {
                     let [from, to] = [S::constant(0.0), end].map(|end| series.force(j, end));
                     self.add_contact(stored((from, to), stiffness));
                 }
-                _ => self.add_contact(series.work(j, (contact.plus, contact.minus), end)),
+                (side, _) if contact.has_constant_level() && !model.has_lines(contact) => {
+                    let slid = moved(&series.place_terms(ends.0, ends.1));
+                    self.add_contact(sign::<S>(side) * contact.level.constant * slid);
+                }
+                _ => self.add_contact(series.work(j, ends, end)),
             }
         }
     }
