@@ -233,7 +233,7 @@ fn an_elastic_contact_beside_a_rigid_one() {
         }
     }
     // In half a cycle both stop, the rigid contact breaks away, and then the elastic one.
-    assert_eq!(events, 6);
+    assert_eq!(events, 8);
     for ([least, most], amplitude) in ends.into_iter().zip([1.497_878, 1.439_195, 2.363_016]) {
         let told = (most - least) / 2.0;
         assert!((told - amplitude).abs() < 5e-6, "{told} {amplitude}");
