@@ -75,7 +75,7 @@ fn free<'py>(
             index,
             omega,
         });
-        let events = (0..history.events.len());
+        let events = 0..history.events.len();
         let events = events.map(|index| JoinedEventRow {
             history,
             index,

@@ -40,7 +40,7 @@ REFUSED = [
     ({"base": (BASE, "mm"), "plate": (np.clip(PLATE, -3, 3), "mm")}, {}, "the channel `plate` is clipped at 3"),
     ({"base": (BASE, "mm"), "plate": (PLATE[:-1], "mm")}, {}, "the channel `plate` does not have the same number of samples as the others"),
     ({"base": (BASE[:3], "mm")}, {}, "the recording is too short: 3 samples, but 16 are needed"),
-    ({"base": ([], "mm")}, {}, "the recording is too short: 0 samples"),
+    ({"base": ([], "mm")}, {}, "the recording is too short: no samples"),
     ({}, {}, "the recording is too short: it has no channel"),
     (GOOD, {"rate": None}, "the sampling rate is unknown: give rate"),
     (GOOD, {"rate": 0.0}, "rate is 0.0: the number of samples a second must be above 0 and finite"),

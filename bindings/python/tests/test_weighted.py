@@ -26,7 +26,7 @@ def test_the_commands_answer(command_json, tmp_path, load, option, values, texts
     of = [text for name, value in zip(values, texts, strict=True) for text in ("--of", f"{name}/{value}")]
     lines = command_json("optimum", scene, *of, "--hz", "1:9", *option)
     once = {line["key"]: line["value"] for line in lines if line["list"] is None}
-    shown = ("bracket", "beyond_jump", "unbounded_to", "unanswered")
+    shown = ("bracket", "beyond_jump", "unbounded_to", "unanswered", "unsettled")
     assert {name for name in best.keys() if not name.startswith(shown)} == {*once, "decisive", "quotient"} - {
         name for name in once if name.startswith(shown)
     }

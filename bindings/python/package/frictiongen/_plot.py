@@ -68,7 +68,7 @@ def _first(answer: Any, of: str | None) -> str:
     """Returns `of`.  The default is the first mass, or the contact if there is no mass."""
     if of is not None:
         return of
-    return next(iter(answer.masses), next(iter(answer.motions)))
+    return str(next(iter(answer.masses), next(iter(answer.motions))))
 
 
 def limits(answer: answers.Limits, ax: Axes | None) -> Axes:

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Mapping
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, cast
 
 from .. import _native
 from .._answers.in_time import History, Steps
@@ -59,7 +59,7 @@ class InTime(Base):
         >>> len(history.time_s)
         201
         >>> free = frame.simulate(start=([0.004, 0.006], [0, 0]), friction=0.8, until=10)
-        >>> free.events.event[-1]
+        >>> str(free.events.event[-1])
         'stop'
         """
         return History(
@@ -166,4 +166,6 @@ class InTime(Base):
 
 
 def _start(start: tuple[ArrayLike, ArrayLike] | Steps | None) -> tuple[ArrayLike, ArrayLike] | _native.StepState | None:
-    return start.end if isinstance(start, Steps) else state(start)
+    if isinstance(start, Steps):
+        return start.end
+    return cast("tuple[ArrayLike, ArrayLike] | None", state(start))

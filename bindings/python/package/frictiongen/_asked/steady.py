@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Mapping
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, cast
 
 from .. import _native
 from .._answers.steady import ByContact, Curve, Limits, Map, Orbit, Periodic, Response
@@ -303,7 +303,7 @@ class Steady(Base):
         if isinstance(words, (list, tuple)) and all(isinstance(word, str) for word in words):
             start = "rest"
         else:
-            words, start = ["rest"], state(start)
+            words, start = ["rest"], state(cast("tuple[ArrayLike, ArrayLike] | None", start))
         return Curve(
             _native.curve(
                 self._native,
