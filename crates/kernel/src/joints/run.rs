@@ -182,6 +182,7 @@ impl<S: Float, Z: Size> Motion<S, Z> {
         self.state = state;
         change(&mut self.model);
         self.join();
+        self.tree.settle(&self.model, &mut self.state, self.time);
     }
 
     /// Sets μ of a contact, the ratio of its static to its kinetic friction force.

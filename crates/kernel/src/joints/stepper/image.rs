@@ -173,10 +173,9 @@ impl<S: Float, Z: Size> Saved<S, Z> {
         let (mut origin, mut load) = (status.origin.parts(), status.work.load.parts());
         let mut contacts = status.work.contacts.parts();
         let sums = origin.iter_mut().chain(&mut load).chain(&mut contacts);
-        let scalars = status.base.iter_mut().chain(sums);
-        scalars
-            .chain([&mut status.work.stored])
-            .for_each(&mut visit);
+        let scalars = status.base.iter_mut().chain([&mut status.lift]);
+        let scalars = scalars.chain(sums).chain([&mut status.work.stored]);
+        scalars.for_each(&mut visit);
         status.origin = Total::of_parts(origin);
         status.work.load = Total::of_parts(load);
         status.work.contacts = Total::of_parts(contacts);

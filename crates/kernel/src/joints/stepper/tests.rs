@@ -326,6 +326,33 @@ fn saved_states_and_images_continue_to_the_last_bit() {
 }
 
 #[test]
+fn an_image_keeps_the_acceleration_of_the_base() {
+    // The contact sticks, so that its force is the inertia of the mass on the accelerated base.
+    let mut model = row::<f64>(&[], 1.0, None);
+    model.contacts[0].minus = model.base_node();
+    let pace = (0.1, Input::Linear, true);
+    let mut first = stepper(&model, pace, true);
+    let sample = |base| Sample {
+        base,
+        forces: &[0.0],
+        frictions: &[100.0],
+    };
+    first.advance(sample([0.01, 0.3])).expect("a step");
+    let mut image = vec![0; first.image_len()];
+    first.write_image(&mut image);
+    let mut second = stepper(&model, pace, true);
+    second.restore_image(&image).expect("the image");
+    let force = first.contact(0).force();
+    assert!(force.abs() > 1.0, "{force}");
+    assert_eq!(second.contact(0), first.contact(0));
+    for stepper in [&mut first, &mut second] {
+        stepper.advance(sample([0.05, 0.2])).expect("a step");
+    }
+    assert_eq!(second.contact(0), first.contact(0));
+    assert_eq!(second.mass(0), first.mass(0));
+}
+
+#[test]
 fn an_error_leaves_the_stepper_unchanged() {
     let model = row(&[3.0, 5.0], 1.2, None);
     let mut stepper = stepper(&model, (0.3, Input::Linear, false), true);
