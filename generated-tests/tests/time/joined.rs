@@ -4,6 +4,7 @@
 use frictiongen::study::joined::JoinedInput;
 use frictiongen::{OutOfDomain, System};
 use fuzzing::Random;
+use std::sync::Mutex;
 
 scenes! {
     struct Storeys {
@@ -242,6 +243,25 @@ fn single_precision_follows_double_precision() {
     println!("f32: {:.1e} of the largest displacement", worst / size);
     // The run has about five hundred steps, each with several rounding errors of 6e-8.
     assert!(worst < 1e-4 * size, "{worst} {size}");
+}
+
+/// Checks that the stepper with constant tables, in a `static`, gives the bits of the other.
+#[test]
+fn declared_steppers_have_the_same_bits() {
+    static DECLARED: Mutex<PairDeclaredStepper> = Mutex::new(Pair::declared_stepper());
+    let mut declared = DECLARED.lock().expect("one thread");
+    let mut other = Pair::stepper(Pair::STEP).expect("a stepper");
+    let (brace, pads) = (6.0, 4.0);
+    let friction = PairFriction { brace, pads };
+    for index in 0..500_u16 {
+        let force = if (index / 80) % 2 == 0 { 20.0 } else { -20.0 };
+        let input = PairInput { force, friction };
+        let stepped = other.advance(input).expect("a step");
+        assert_eq!(declared.advance(input), Ok(stepped));
+        assert_eq!(declared.upper(), other.upper());
+        assert_eq!(declared.brace(), other.brace());
+    }
+    assert_eq!(declared.image(), other.image());
 }
 
 #[test]

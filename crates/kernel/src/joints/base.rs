@@ -73,16 +73,23 @@ impl<S: Float> Curve<S> {
         !self.square.is_zero() || !self.cube.is_zero()
     }
 
+    /// Returns at² + bt³ at the instant `time`, its derivative, and half its second derivative.
+    fn bend(&self, time: S) -> [S; 3] {
+        let (two, three) = (S::constant(2.0), S::constant(3.0));
+        let (square, cube) = (self.square, self.cube);
+        [
+            (square + cube * time) * time * time,
+            (two * square + three * cube * time) * time,
+            square + three * cube * time,
+        ]
+    }
+
     /// Returns the coefficients of the powers of t − `time`, from the constant to the cube, without the harmonic.
     pub(super) fn about(&self, time: S) -> [S; 4] {
-        let (two, three) = (S::constant(2.0), S::constant(3.0));
-        let (square, cube, line) = (self.square, self.cube, &self.wave);
-        [
-            line.constant + (line.slope + (square + cube * time) * time) * time,
-            line.slope + (two * square + three * cube * time) * time,
-            square + three * cube * time,
-            cube,
-        ]
+        let [bend, slope, square] = self.bend(time);
+        let line = &self.wave;
+        let place = line.constant + line.slope * time;
+        [place + bend, line.slope + slope, square, self.cube]
     }
 
     /// Changes the coefficients of the function so that the instant `time` becomes the instant 0.
@@ -103,12 +110,11 @@ impl<S: Float> Curve<S> {
         if !self.bends() {
             return wave;
         }
-        let (two, three) = (S::constant(2.0), S::constant(3.0));
-        let (square, cube) = (self.square, self.cube);
+        let [bend, slope, square] = self.bend(time);
         wave + match derivative {
-            0 => (square + cube * time) * time * time,
-            1 => (two * square + three * cube * time) * time,
-            _ => two * (square + three * cube * time),
+            0 => bend,
+            1 => slope,
+            _ => S::constant(2.0) * square,
         }
     }
 
@@ -121,23 +127,21 @@ impl<S: Float> Curve<S> {
             return terms;
         }
         let (zero, two, three) = (S::constant(0.0), S::constant(2.0), S::constant(3.0));
-        let (square, cube) = (self.square, self.cube);
-        let slope = (two * square + three * cube * time) * time;
-        let bend = square + three * cube * time;
+        let ([bend, slope, square], cube) = (self.bend(time), self.cube);
         let bends = match derivative {
             0 => [
-                (square + cube * time) * time * time,
+                bend,
                 slope * length,
-                bend * length * length,
+                square * length * length,
                 cube * length * length * length,
             ],
             1 => [
                 slope,
-                two * bend * length,
+                two * square * length,
                 three * cube * length * length,
                 zero,
             ],
-            _ => [two * bend, S::constant(6.0) * cube * length, zero, zero],
+            _ => [two * square, S::constant(6.0) * cube * length, zero, zero],
         };
         for (order, bend) in bends.into_iter().enumerate() {
             add(&mut terms, order, bend);

@@ -95,12 +95,15 @@ impl<S: Float, Z: Size> Motion<S, Z> {
         let decision = self.decision(asked, broke.clone());
         let pattern = decision.decide()?;
         let (accelerations, held) = decision.accelerations(&decision.asked, &pattern);
+        let (_, v) = self.nodes();
         let mut zeros = self.model.size.contacts((0, 0));
         let contacts = self.model.contacts().iter().zip(pattern.as_ref());
         for (j, (contact, &phase)) in contacts.enumerate() {
             let rate = contact.across(accelerations.as_ref());
             let of_contact = if !contact.is_rigid() {
-                self.at_limit(&decision, j, rate)
+                self.at_limit(&decision, j, (contact.across(v.as_ref()), rate))
+            } else if !holds(&decision.asked, j) {
+                (0, 0)
             } else if phase == STUCK {
                 let hold = at(held.as_ref(), j);
                 let most = contact.stiction * at(decision.levels.as_ref(), j);
@@ -116,11 +119,10 @@ impl<S: Float, Z: Size> Motion<S, Z> {
         let asked = decision.asked;
         let decided = pattern.as_ref().iter().zip(zeros.as_ref()).enumerate();
         for (j, (&phase, &zeros)) in decided {
-            let is_elastic = self.model.contact(j).is_some_and(|own| !own.is_rigid());
-            if is_elastic && zeros.0 > 0 {
-                self.state.set_zeros(j, zeros);
-            }
             if !holds(&asked, j) {
+                if zeros.0 > 0 {
+                    self.state.set_zeros(j, zeros);
+                }
                 continue;
             }
             let was_stuck = self.state.phase(j) == STUCK;
@@ -137,16 +139,20 @@ impl<S: Float, Z: Size> Motion<S, Z> {
     }
 
     /// Returns the number of leading zeros of the next event of an elastic contact, and its side, if the contact sticks at
-    /// its limit and a rigid contact beside it has held its two sides together. The rate of its force is then 0. If the
-    /// acceleration `rate` is a rounding error, too, only the jerk shows whether the contact slips.
-    fn at_limit(&self, decision: &Decision<'_, S, Z>, contact: usize, rate: S) -> (usize, i8) {
+    /// its limit and a rigid contact has held its two sides together. The relative velocity `speed` and the rate of the
+    /// force are then 0. If the acceleration `rate` is a rounding error, too, only the jerk shows whether the contact
+    /// slips.
+    fn at_limit(
+        &self,
+        decision: &Decision<'_, S, Z>,
+        contact: usize,
+        (speed, rate): (S, S),
+    ) -> (usize, i8) {
         let force = at(self.state.forces.as_ref(), contact);
-        let (_, v) = self.nodes();
-        let rests = self.model.contact(contact).is_some_and(|own| {
-            let most = own.stiction * at(decision.levels.as_ref(), contact);
-            force.abs() == most && own.across(v.as_ref()).is_zero()
-        });
-        if !rests || self.state.phase(contact) != STUCK {
+        let level = at(decision.levels.as_ref(), contact);
+        let own = self.model.contact(contact);
+        let rests = own.is_some_and(|own| force.abs() == own.stiction * level);
+        if !rests || !speed.is_zero() || self.state.phase(contact) != STUCK {
             return (0, 0);
         }
         let side = if force > S::constant(0.0) { 1 } else { -1 };

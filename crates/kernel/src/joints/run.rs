@@ -4,9 +4,9 @@ use super::model::{Contact, Model};
 use super::poly::Poly;
 use super::roots::first_negative;
 use super::series::Series;
-use super::size::{Fixed, Size, add, at, set, sign};
+use super::size::{Size, add, at, set, sign};
 use super::state::{FREE, STUCK, State};
-use super::table::{Leap, NoTables, Table, Tables};
+use super::table::{Leap, Table, Tables};
 use super::tree::Tree;
 use super::wave::Wave;
 use crate::Float;
@@ -80,16 +80,27 @@ impl<S: Float, Z: Size> Motion<S, Z> {
         state.keep_speeds(v);
         let tree = Tree::new(&model, |_| false);
         let tables = model.size.tables();
-        let mut motion = Self {
+        let mut motion = Self::at_start(model, state, tree, tables, S::constant(0.0));
+        motion.begin()?;
+        Ok(motion)
+    }
+
+    /// Returns a motion at the instant `zero`, which is 0, before the decision which contacts stick.
+    pub(super) const fn at_start(
+        model: Model<S, Z>,
+        state: State<S, Z>,
+        tree: Tree<S, Z>,
+        tables: Z::Tables<S>,
+        zero: S,
+    ) -> Self {
+        Self {
             model,
             state,
-            time: S::constant(0.0),
+            time: zero,
             tree,
             stalls: 0,
             tables,
-        };
-        motion.begin()?;
-        Ok(motion)
+        }
     }
 
     /// Returns the time since the start of the motion.
@@ -515,41 +526,6 @@ impl<S: Float, Z: Size> Motion<S, Z> {
     /// Returns the present displacements and velocities of all nodes: the masses, the wall and the base.
     pub(super) fn nodes(&self) -> (Z::Nodes<S>, Z::Nodes<S>) {
         self.state.nodes(&self.model, self.time)
-    }
-}
-
-impl<
-    S: Float,
-    const N: usize,
-    const NODES: usize,
-    const M: usize,
-    const L: usize,
-    const U: usize,
-    const SQUARE: usize,
-    const LAW: usize,
-    const ROW: usize,
-> Motion<S, Fixed<N, NODES, M, L, U, SQUARE, LAW, ROW>>
-{
-    /// Returns a motion at rest of a chain without loads and friction, in a constant expression. `zero` is the number 0.
-    pub(super) const fn at_rest(
-        model: Model<S, Fixed<N, NODES, M, L, U, SQUARE, LAW, ROW>>,
-        zero: S,
-    ) -> Self {
-        Self {
-            model,
-            state: State {
-                x: [zero; N],
-                v: [zero; N],
-                forces: [zero; M],
-                places: [zero; M],
-                phases: [FREE; M],
-                zeros: [(0, 0); M],
-            },
-            time: zero,
-            tree: Tree::empty(zero),
-            stalls: 0,
-            tables: NoTables([[], []]),
-        }
     }
 }
 

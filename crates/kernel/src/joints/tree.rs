@@ -2,16 +2,16 @@
 //! never form a loop. Each group is therefore a tree.
 
 use super::model::{Contact, Model};
-use super::size::{Fixed, Size, add, at, set};
+use super::size::{Size, add, at, set};
 use super::state::State;
 use crate::Float;
 
 /// Mark for a node that does not belong to a tree yet.
-const NONE: usize = usize::MAX;
+pub(super) const NONE: usize = usize::MAX;
 
 /// A contact in a tree. It connects a node (child) to its neighbour on the way to the root (parent).
 #[derive(Clone, Copy, Debug, PartialEq)]
-struct Branch {
+pub(super) struct Branch {
     child: usize,
     parent: usize,
     contact: usize,
@@ -20,7 +20,7 @@ struct Branch {
 }
 
 /// Entry of the list of branches that no contact uses yet.
-const UNUSED: Branch = Branch {
+pub(super) const UNUSED: Branch = Branch {
     child: NONE,
     parent: NONE,
     contact: NONE,
@@ -48,15 +48,28 @@ pub struct Tree<S: Float, Z: Size> {
 }
 
 impl<S: Float, Z: Size> Tree<S, Z> {
+    /// Returns no trees, from one [`UNUSED`] for each contact, and one [`NONE`] and one 0 for each node.
+    pub(super) const fn empty(
+        branches: Z::Contacts<Branch>,
+        roots: Z::Nodes<usize>,
+        masses: Z::Nodes<S>,
+    ) -> Self {
+        Self {
+            branches,
+            count: 0,
+            roots,
+            masses,
+        }
+    }
+
     /// Builds the trees of the masses that sticking rigid contacts connect. If a tree contains the wall or the base,
     /// this support is its root.
     pub fn new(model: &Model<S, Z>, sticks: impl Fn(usize) -> bool) -> Self {
-        let mut tree = Self {
-            branches: model.size.contacts(UNUSED),
-            count: 0,
-            roots: model.size.nodes(NONE),
-            masses: model.size.nodes(S::constant(0.0)),
-        };
+        let mut tree = Self::empty(
+            model.size.contacts(UNUSED),
+            model.size.nodes(NONE),
+            model.size.nodes(S::constant(0.0)),
+        );
         let supports = [model.base_node(), model.wall()];
         for root in supports.into_iter().chain(0..model.wall()) {
             tree.grow(model, &sticks, root);
@@ -234,30 +247,6 @@ impl<S: Float, Z: Size> Tree<S, Z> {
             let held = at(rest, branch.child);
             set(holds, branch.contact, branch.turned(held));
             add(rest, branch.parent, held);
-        }
-    }
-}
-
-impl<
-    S: Float,
-    const N: usize,
-    const NODES: usize,
-    const M: usize,
-    const L: usize,
-    const U: usize,
-    const SQUARE: usize,
-    const LAW: usize,
-    const ROW: usize,
-> Tree<S, Fixed<N, NODES, M, L, U, SQUARE, LAW, ROW>>
-{
-    /// Returns the trees of a chain in which no contact sticks, in a constant expression. They do not contain the
-    /// masses.
-    pub(super) const fn empty(zero: S) -> Self {
-        Self {
-            branches: [UNUSED; M],
-            count: 0,
-            roots: [NONE; NODES],
-            masses: [zero; NODES],
         }
     }
 }

@@ -9,8 +9,8 @@ use crate::joints::base::Curve;
 use crate::joints::model::Model;
 use crate::joints::run::{Bounds, Motion, Observe};
 use crate::joints::series::Series;
-use crate::joints::size::{Size, add, at, set};
-use crate::joints::state::{STUCK, State};
+use crate::joints::size::{Size, add, at};
+use crate::joints::state::State;
 use crate::joints::wave::Wave;
 use crate::stepper::Input;
 
@@ -234,20 +234,10 @@ impl<S: Float, Z: Size, T: AsRef<[S]>> Stepper<S, Z, T> {
             self.motion.rewind();
             self.jolt(Curve::straight(sample.base))?;
         }
+        self.motion.time = S::constant(0.0);
+        self.set_loads(sample.forces, |_, force| Wave::constant(force));
         let (motion, status) = (&mut self.motion, &self.status);
-        motion.time = S::constant(0.0);
-        let mut jumps = false;
-        let loads = motion
-            .model
-            .loads
-            .as_mut()
-            .iter_mut()
-            .zip(status.forces.as_ref());
-        for (((_, load), before), force) in loads.zip(sample.forces) {
-            jumps |= before != force;
-            *load = Wave::constant(*force);
-        }
-        if jumps {
+        if status.forces.as_ref() != sample.forces {
             motion.accelerations_jump();
         }
         let levels = status.levels.as_ref().iter().zip(sample.frictions);
@@ -259,26 +249,27 @@ impl<S: Float, Z: Size, T: AsRef<[S]>> Stepper<S, Z, T> {
         Ok(())
     }
 
+    /// Sets each load to the function that `wave` returns for the force of the last sample and that in `forces`.
+    fn set_loads(&mut self, forces: &[S], wave: impl Fn(S, S) -> Wave<S>) {
+        let loads = self.motion.model.loads.as_mut().iter_mut();
+        let ends = self.status.forces.as_ref().iter().zip(forces);
+        for ((_, load), (before, after)) in loads.zip(ends) {
+            *load = wave(*before, *after);
+        }
+    }
+
     /// Sets the inputs of a step to polynomials from the last sample to `sample`.
     pub(super) fn lead(&mut self, sample: &Sample<'_, S>) -> Result<(), Halt> {
-        let (motion, status, dt) = (&mut self.motion, &self.status, self.pace.dt);
-        let zero = S::constant(0.0);
-        motion.time = zero;
+        let (zero, dt) = (S::constant(0.0), self.pace.dt);
+        let line = |from: S, to: S| Wave::line((zero, from), (dt, to));
+        self.motion.time = zero;
+        self.set_loads(sample.forces, line);
+        let (motion, status) = (&mut self.motion, &self.status);
         if self.pace.on_base {
             motion.model.base = Curve::through(status.base, sample.base, dt);
             if motion.model.base.value(zero, 2) != status.lift {
                 motion.accelerations_jump();
             }
-        }
-        let line = |from: S, to: S| Wave::line((zero, from), (dt, to));
-        let loads = motion
-            .model
-            .loads
-            .as_mut()
-            .iter_mut()
-            .zip(status.forces.as_ref());
-        for (((_, load), before), force) in loads.zip(sample.forces) {
-            *load = line(*before, *force);
         }
         let levels = status.levels.as_ref().iter().zip(sample.frictions);
         for (contact, (before, friction)) in levels.enumerate() {
@@ -390,11 +381,7 @@ impl<S: Float, Z: Size> Motion<S, Z> {
                 (false, true) => shift,
                 _ => continue,
             };
-            if self.state.phase(j) == STUCK {
-                add(self.state.places.as_mut(), j, moved);
-            } else {
-                set(self.state.places.as_mut(), j, S::constant(0.0));
-            }
+            add(self.state.places.as_mut(), j, moved);
         }
     }
 }

@@ -5,6 +5,9 @@ use crate::Float;
 use crate::joints::model::Model;
 use crate::joints::run::Motion;
 use crate::joints::size::Fixed;
+use crate::joints::state::{FREE, State};
+use crate::joints::table::NoTables;
+use crate::joints::tree::{NONE, Tree, UNUSED};
 
 impl<
     S: Float,
@@ -28,8 +31,17 @@ impl<
         tables: &'static [S; ENTRIES],
         zero: S,
     ) -> Self {
+        let state = State {
+            x: [zero; N],
+            v: [zero; N],
+            forces: [zero; M],
+            places: [zero; M],
+            phases: [FREE; M],
+            zeros: [(0, 0); M],
+        };
+        let tree = Tree::empty([UNUSED; M], [NONE; NODES], [zero; NODES]);
         Self {
-            motion: Motion::at_rest(model, zero),
+            motion: Motion::at_start(model, state, tree, NoTables([[], []]), zero),
             pace,
             layout,
             tables,

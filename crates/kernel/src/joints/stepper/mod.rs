@@ -4,7 +4,7 @@
 //! The stepper divides a step into equal sub-intervals, called `parts` in the code. In a sub-interval the fastest
 //! oscillation of the chain advances by at most 1.5 rad (1 rad in `f32`). The inputs are polynomials over a
 //! sub-interval. If no contact can change its phase, a product with a constant table gives the motion
-//! ([`leap`](self)). In every other case the stepper follows the motion from event to event by power series, as a
+//! (`leap`). In every other case the stepper follows the motion from event to event by power series, as a
 //! simulation does. Beyond the bound on events it ends the sub-interval by a rule without a search (`coast`).
 
 mod advance;
@@ -123,11 +123,13 @@ pub struct Stepper<S: Float, Z: Size, T> {
 /// State of a stepper beside its motion.
 #[derive(Clone, Debug)]
 struct Status<S: Float, Z: Size> {
-    /// Base, forces and friction forces at the end of the last step.
+    /// Displacement and velocity of the base at the end of the last step.
     base: [S; 2],
     /// Acceleration of the base at the end of the last step.
     lift: S,
+    /// Force of each load at the end of the last step.
     forces: Z::Loads<S>,
+    /// Kinetic friction force of each contact at the end of the last step.
     levels: Z::Contacts<S>,
     /// Place of the moving origin of the displacements. It is 0 unless no spring holds the chain.
     origin: Total<S>,
