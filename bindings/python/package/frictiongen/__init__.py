@@ -8,7 +8,7 @@ A :class:`System` reads a scene description. Its methods take and return numpy a
 >>> response.regime.tolist()
 ['continuous', 'stick-slip', 'stuck']
 >>> (1e3 * response["lower"].amplitude_m).round(3).tolist()  # mm
-[0.714, 0.539, 0.708]
+[0.714, 0.539, 0.697]
 
 Give frequencies as `r`, `hz` or `omega`, friction as `beta` or as `friction` in N, and the load as `force` in N or
 `base` in m.  With a load, answers are in N, m and degrees, and the names of their attributes end in `_N`, `_m` and
