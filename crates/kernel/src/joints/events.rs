@@ -141,7 +141,7 @@ impl<S: Float, Z: Size> Motion<S, Z> {
     /// Returns the number of leading zeros of the next event of an elastic contact, and its side, if the contact sticks at
     /// its limit and a rigid contact has held its two sides together. The relative velocity `speed` and the rate of the
     /// force are then 0. If the acceleration `rate` is a rounding error, too, only the jerk shows whether the contact
-    /// slips.
+    /// slips. If the limit changes with time, its slope decides.
     fn at_limit(
         &self,
         decision: &Decision<'_, S, Z>,
@@ -156,6 +156,9 @@ impl<S: Float, Z: Size> Motion<S, Z> {
             return (0, 0);
         }
         let side = if force > S::constant(0.0) { 1 } else { -1 };
+        if own.is_some_and(|own| !own.level.value(self.time, 1).is_zero()) {
+            return (1, side);
+        }
         let is_sure = rate.abs() > decision.noise(contact);
         (if is_sure { 2 } else { 3 }, side)
     }

@@ -47,6 +47,19 @@ impl<S: Float> Contact<S> {
         at(nodes, self.plus) - at(nodes, self.minus)
     }
 
+    /// Returns the value of a quantity at the node `plus` minus its value at the node `minus`. `masses` contains its
+    /// values at all masses, and `base` is its value at the base. At the wall its value is 0.
+    pub(super) fn relative(&self, masses: &[S], base: S) -> S {
+        let value = |node: usize| {
+            if node > masses.len() {
+                base
+            } else {
+                at(masses, node)
+            }
+        };
+        value(self.plus) - value(self.minus)
+    }
+
     /// Adds the force of the contact to the forces on its two nodes. The node `plus` receives −`force`, and the node
     /// `minus` receives +`force`.
     pub fn pull(&self, nodes: &mut [S], force: S) {

@@ -8,6 +8,7 @@ use crate::Float;
 /// Displacement and velocity of a mass at one instant.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct MassState<S> {
     pub(super) displacement: S,
     pub(super) velocity: S,
@@ -30,6 +31,7 @@ impl<S: Float> MassState<S> {
 /// Motion and force of one contact at one instant, in a chain with several contacts.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct ContactState<S> {
     pub(super) displacement: S,
     pub(super) velocity: S,

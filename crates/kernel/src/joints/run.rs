@@ -207,6 +207,7 @@ impl<S: Float, Z: Size> Motion<S, Z> {
     pub(super) fn land(&mut self, coordinates: &[S], time: S) {
         self.state.land(&self.model, coordinates);
         self.time = time;
+        self.keep_forces();
         self.stalls = 0;
         self.tree.settle(&self.model, &mut self.state, time);
     }
@@ -440,6 +441,7 @@ impl<S: Float, Z: Size> Motion<S, Z> {
         } else {
             self.time + fraction * length
         };
+        self.keep_forces();
         if first > one {
             return self.finite().map(|()| false);
         }
@@ -501,6 +503,18 @@ impl<S: Float, Z: Size> Motion<S, Z> {
             if !contact.is_rigid() && self.state.phase(j) == STUCK {
                 set(self.state.forces.as_mut(), j, series.force(j, fraction));
             }
+        }
+    }
+
+    /// Sets the forces of elastic contacts that slide under a friction force that changes with time.
+    fn keep_forces(&mut self) {
+        for (j, contact) in self.model.contacts().iter().enumerate() {
+            let phase = self.state.phase(j);
+            if contact.is_rigid() || contact.has_constant_level() || phase.abs() != 1 {
+                continue;
+            }
+            let force = sign::<S>(phase) * contact.level.value(self.time, 0);
+            set(self.state.forces.as_mut(), j, force);
         }
     }
 

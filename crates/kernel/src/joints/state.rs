@@ -110,10 +110,11 @@ impl<S: Float, Z: Size> State<S, Z> {
 
     /// Takes the motion at the end of a stretch from its coordinates.
     pub(super) fn land(&mut self, model: &Model<S, Z>, coordinates: &[S]) {
-        let motion = self.x.as_mut().iter_mut().chain(self.v.as_mut());
         let mut coordinates = coordinates.iter();
-        for (own, value) in motion.zip(coordinates.by_ref()) {
-            *own = *value;
+        for own in [self.x.as_mut(), self.v.as_mut()] {
+            for (own, value) in own.iter_mut().zip(coordinates.by_ref()) {
+                *own = *value;
+            }
         }
         let contacts = model.contacts().iter().enumerate().zip(coordinates);
         for ((j, _), value) in contacts.filter(|((_, contact), _)| !contact.is_rigid()) {

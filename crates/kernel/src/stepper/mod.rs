@@ -31,7 +31,7 @@ mod input;
 mod instant;
 mod interval;
 mod law;
-mod now;
+pub(crate) mod now;
 mod pace;
 mod periodic;
 mod reaction;

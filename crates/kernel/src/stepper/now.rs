@@ -37,14 +37,7 @@ impl<S: Float, const D: usize, T: StepTables<S, D>, V: Store<S, D>, K: StepConta
     /// Returns the time since the start of the stepper, in seconds.
     #[must_use]
     pub fn time(&self) -> S {
-        // A conversion of 64 bits would need double precision, which a microcontroller emulates slowly. Two conversions
-        // of 32 bits do not need double precision.
-        let [high, low] = [
-            self.status.steps >> 32,
-            self.status.steps & u64::from(u32::MAX),
-        ]
-        .map(|half| S::constant(f64::from(u32::try_from(half).unwrap_or(u32::MAX))));
-        (high * S::constant(4_294_967_296.0) + low) * self.dt()
+        elapsed(self.status.steps, self.dt())
     }
 
     /// Returns the number of steps in which a sub-interval has reached the bound on events or on pieces of motion.
@@ -271,4 +264,13 @@ impl<
         self.read_masses(&mut masses);
         masses
     }
+}
+
+/// Returns the duration of `steps` steps of the length `dt`.
+pub(crate) fn elapsed<S: Float>(steps: u64, dt: S) -> S {
+    // A conversion of 64 bits would need double precision, which a microcontroller emulates slowly. Two conversions of 32
+    // bits do not need double precision.
+    let [high, low] = [steps >> 32, steps & u64::from(u32::MAX)]
+        .map(|half| S::constant(f64::from(u32::try_from(half).unwrap_or(u32::MAX))));
+    (high * S::constant(4_294_967_296.0) + low) * dt
 }

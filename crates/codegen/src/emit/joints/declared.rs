@@ -51,10 +51,9 @@ pub(super) fn emit(
         frictiongen_kernel::stepper::Input::Linear => code!(Linear),
     };
     let layout = emission.steps?;
-    let [masses, contacts, elastic, loads] =
-        [layout.masses, layout.contacts, layout.elastic, layout.loads]
-            .map(Literal::usize_unsuffixed);
-    let (on_base, shears) = (layout.on_base, layout.shears);
+    let [masses, contacts, loads] =
+        [layout.masses, layout.contacts, layout.loads].map(Literal::usize_unsuffixed);
+    let (on_base, shears, damped) = (layout.on_base, layout.shears, layout.damped);
     let target = emission.stepper_type(&code!(&'static [#scalar; #entries]));
     let about = format!(
         " Stepper of the declared step `STEP`.  It borrows its tables, which stay constants of the program, and has the methods of [`{}`].",
@@ -78,11 +77,11 @@ pub(super) fn emit(
             const STEP_LAYOUT: #engine::Layout = #engine::Layout {
                 masses: #masses,
                 contacts: #contacts,
-                elastic: #elastic,
                 loads: #loads,
                 input: #facade::kernel::stepper::Input::#input,
                 on_base: #on_base,
                 shears: #shears,
+                damped: #damped,
             };
             /// Tables of a part, for each set of contacts that stick.
             const STEP_TABLES: [#scalar; #entries] = [#(#tables),*];

@@ -19,6 +19,8 @@ pub const MAX_STEP_EVENTS: usize = 64;
 
 /// Result of one step of a stepper.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Stepped {
     /// Number of events in the step: instants at which a contact starts to stick, starts to slide, or reverses.
     pub events: u32,

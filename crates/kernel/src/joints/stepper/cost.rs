@@ -28,10 +28,17 @@ impl Extent {
         let [masses, contacts, loads] =
             [layout.masses, layout.contacts, layout.loads].map(|count| count as u64);
         let count = layout.coordinates() as u64;
-        let rows = 2 * masses + layout.elastic as u64 + layout.moments() as u64 + 5 * contacts;
+        let rows = layout.moments() as u64 + 5 * contacts;
+        let increments = 2 * masses * layout.width() as u64;
+        let shears = if layout.shears {
+            masses * (3 * masses + contacts) + 8 * masses + 6 * contacts
+        } else {
+            0
+        };
         let watched = contacts * (3 * count + 60);
         let inputs = 2 * (4 * loads + 8 * contacts + 30);
-        2 * count * rows + watched + inputs + 8 * masses + 20 * (loads + contacts) + 40
+        let rest = watched + inputs + 8 * masses + 20 * (loads + contacts) + 40;
+        2 * (count * rows + increments + shears) + rest
     }
 
     /// Returns the cost of the forces and accelerations at one instant.

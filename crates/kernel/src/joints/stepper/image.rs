@@ -89,8 +89,7 @@ impl<S: Float, Z: Size, T: AsRef<[S]>> Stepper<S, Z, T> {
         image_bytes(size_of::<S>(), masses, model.contacts().len(), loads)
     }
 
-    /// Writes the state to the first [`image_len`](Self::image_len) bytes of `to`. If `to` is shorter, the image is not
-    /// complete, and [`restore_image`](Self::restore_image) refuses it.
+    /// Writes the state to the first [`image_len`](Self::image_len) bytes of `to`. If `to` is shorter, nothing is written.
     pub fn write_image(&self, to: &mut [u8]) {
         let length = self.image_len();
         let image = to.get_mut(..length);

@@ -7,14 +7,14 @@
 
 use super::Stepper;
 use super::shears::shear;
-use super::table::Layout;
+use super::table::{Layout, ROWS, Rows, Sections};
 use super::work::Moments;
 use crate::Float;
 use crate::joints::least::dot;
-use crate::joints::model::Model;
+use crate::joints::model::{Contact, Model};
 use crate::joints::run::Motion;
 use crate::joints::size::{Size, at, sign};
-use crate::joints::state::{FREE, STUCK};
+use crate::joints::state::{FREE, STUCK, State};
 use crate::stepper::Input;
 
 /// Distance from a limit, relative to its value at the start of the sub-interval, that the code requires beside the
@@ -25,140 +25,204 @@ impl<S: Float, Z: Size, T: AsRef<[S]>> Stepper<S, Z, T> {
     /// Advances the motion by the sub-interval with the index `part`. Returns false, and changes nothing, if a contact
     /// may have an event, or if the stepper has no tables.
     pub(super) fn leap(&mut self, part: u32) -> bool {
-        let model = self.motion.model();
-        let layout = self.layout;
-        let (state, count) = (self.motion.state(), layout.coordinates());
-        let starts_at_event = state.zeros.as_ref().iter().any(|(zeros, _)| *zeros > 0);
-        let rows = layout.rows(self.tables.as_ref(), state.key());
-        let Some([shears, results, contacts, moments]) = rows else {
+        let (layout, motion) = (&self.layout, &self.motion);
+        let (model, state) = (motion.model(), motion.state());
+        let Some(rows) = layout.rows(self.tables.as_ref(), state.key()) else {
             return false;
         };
-        if starts_at_event {
+        if state.zeros.as_ref().iter().any(|(zeros, _)| *zeros > 0) {
             return false;
         }
         let times = [self.pace.start(part), self.pace.start(part + 1)];
+        let base = times.map(|time| place_and_speed(model, time));
         let [before, after] = &mut self.ends;
-        write(&self.motion, &layout, times[0], before.as_mut());
-        write(&self.motion, &layout, times[1], after.as_mut());
-        let before = before.as_ref();
-        let gained = if layout.shears {
-            shear(model, state, shears, after.as_mut())
-        } else {
-            model.size.masses(S::constant(0.0))
+        let (before, after) = (before.as_mut(), after.as_mut());
+        write(motion, layout, times[0], before);
+        let before = &*before;
+        let [[from, _], [to, _]] = base;
+        let moved = advance((model, state), (layout, &rows), (before, after), to - from);
+        let watch = Watch {
+            layout,
+            rows: rows.contacts,
+            ends: [before, after],
+            base: base.map(|[_, speed]| speed),
+            times,
         };
-        advance(model, gained.as_ref(), (results, before), after.as_mut());
-        let after = after.as_ref();
-        let rows = contacts.chunks_exact(3 * count.max(1));
-        let quiet = model.contacts().iter().zip(rows).enumerate();
-        let quiet = quiet.filter(|(j, _)| state.phase(*j) != FREE);
-        let is_quiet = quiet.clone().all(|(j, (contact, rows))| {
-            let [value, slope, bound] = split(rows, count);
-            let value = |coordinates: &[S]| match (state.phase(j), contact.stiffness) {
-                (STUCK, None) => dot(value, coordinates),
-                (STUCK, Some(_)) => at(coordinates, 2 * layout.masses + j),
-                _ => {
-                    layout.speed(contact.plus, coordinates)
-                        - layout.speed(contact.minus, coordinates)
-                }
-            };
-            let watched = Watched::new(
-                [value(before), value(after)],
-                [dot(slope, before), dot(slope, after)],
-                size(bound, before),
-            );
-            let levels = times.map(|time| contact.level.value(time, 0));
-            match state.phase(j) {
-                STUCK => sticks(&watched, levels.map(|level| contact.stiction * level)),
-                side => slides(&watched, (sign(side), contact.creep())),
-            }
-        });
         let mut results = after.iter().take(2 * layout.masses + layout.contacts);
-        if !is_quiet || results.any(|value| !value.is_finite()) {
+        if !watch.is_quiet(motion) || results.any(|value| !value.is_finite()) {
             return false;
         }
         let moments = Moments {
-            rows: moments,
-            layout: &layout,
+            rows: rows.moments,
+            layout,
+            moved: moved.as_ref(),
+            moved_base: to - from,
         };
-        let [start, _] = times;
-        moments.add(&mut self.status.work, &self.motion, start, (before, after));
-        self.motion.land(after, self.pace.start(part + 1));
+        let [start, end] = times;
+        moments.add(&mut self.status.work, motion, start, (before, after));
+        self.motion.land(after, end);
         true
     }
 }
 
-/// Writes the coordinates of a motion. The inputs have their values at the instant `time`.
+/// Returns displacement and velocity of the base at the instant `time`.
+fn place_and_speed<S: Float, Z: Size>(model: &Model<S, Z>, time: S) -> [S; 2] {
+    let [place, speed, ..] = model.base.about(time);
+    [place, speed]
+}
+
+/// Writes the coordinates of a motion at the instant `time`.
 fn write<S: Float, Z: Size>(motion: &Motion<S, Z>, layout: &Layout, time: S, to: &mut [S]) {
     let (model, state) = (motion.model(), motion.state());
-    let is_linear = layout.input == Input::Linear;
-    let mut entries = to.iter_mut();
-    let mut put = |value: S| {
-        if let Some(entry) = entries.next() {
-            *entry = value;
-        }
-    };
-    for value in state.x.as_ref() {
-        put(*value);
-    }
-    for value in state.v.as_ref() {
-        put(*value);
-    }
-    for (j, contact) in model.contacts().iter().enumerate() {
-        put(match state.phase(j) {
-            FREE => S::constant(0.0),
+    let zero = S::constant(0.0);
+    let Sections {
+        places,
+        speeds,
+        forces,
+        loads,
+        base,
+        slopes,
+    } = layout.sections(to);
+    copy(state.x.as_ref(), places);
+    copy(state.v.as_ref(), speeds);
+    for (j, (contact, force)) in model.contacts().iter().zip(forces).enumerate() {
+        *force = match state.phase(j) {
+            FREE => zero,
             STUCK => at(state.forces.as_ref(), j),
             side => sign::<S>(side) * contact.level.value(time, 0),
-        });
+        };
     }
-    for (_, load) in model.loads.as_ref() {
-        put(load.constant + load.slope * time);
-        if is_linear {
-            put(load.slope);
-        }
+    let width = if layout.input == Input::Linear { 2 } else { 1 };
+    for ((_, load), entries) in model
+        .loads
+        .as_ref()
+        .iter()
+        .zip(loads.chunks_exact_mut(width))
+    {
+        let terms = [load.constant + load.slope * time, load.slope];
+        copy(&terms, entries);
     }
     if layout.on_base {
-        for value in model
-            .base
-            .about(time)
-            .into_iter()
-            .take(if is_linear { 4 } else { 2 })
-        {
-            put(value);
-        }
+        copy(&model.base.about(time), base);
     }
-    if is_linear {
-        for (j, contact) in model.contacts().iter().enumerate() {
-            put(match state.phase(j) {
-                FREE | STUCK => S::constant(0.0),
-                side => sign::<S>(side) * contact.level.slope,
-            });
-        }
+    for (j, (contact, slope)) in model.contacts().iter().zip(slopes).enumerate() {
+        *slope = match state.phase(j) {
+            FREE | STUCK => zero,
+            side => sign::<S>(side) * contact.level.slope,
+        };
     }
 }
 
-/// Adds the increments of the displacements, the velocities and the forces of elastic contacts in the sub-interval.
-/// `gained` contains the increments of the velocities by shears, which the velocities in `after` contain already.
+/// Copies the first entries of `from`, as many as `to` has.
+fn copy<S: Float>(from: &[S], to: &mut [S]) {
+    for (to, from) in to.iter_mut().zip(from) {
+        *to = *from;
+    }
+}
+
+/// Writes the displacements, the velocities and the forces of elastic contacts at the end of the sub-interval. Returns
+/// the increments of the displacements. `moved_base` is that of the base.
 fn advance<S: Float, Z: Size>(
-    model: &Model<S, Z>,
-    gained: &[S],
-    (rows, before): (&[S], &[S]),
-    after: &mut [S],
-) {
-    let mut rows = rows.chunks_exact(before.len().max(1));
-    let masses = model.wall();
-    let (places, rest) = after.split_at_mut_checked(masses).unwrap_or_default();
-    let (speeds, forces) = rest.split_at_mut_checked(masses).unwrap_or_default();
-    for (place, row) in places.iter_mut().zip(rows.by_ref()) {
-        *place = *place + dot(row, before);
+    (model, state): (&Model<S, Z>, &State<S, Z>),
+    (layout, rows): (&Layout, &Rows<'_, S>),
+    (before, after): (&[S], &mut [S]),
+    moved_base: S,
+) -> Z::Masses<S> {
+    let (masses, width) = (layout.masses, layout.width());
+    let skipped = layout.coordinates().saturating_sub(width);
+    let coordinates = before.get(skipped..).unwrap_or_default();
+    let mut rows_left = rows.increments.chunks_exact(width.max(1));
+    let [mut moved, mut gained] = [0, 1].map(|_| model.size.masses(S::constant(0.0)));
+    for increments in [moved.as_mut(), gained.as_mut()] {
+        for (increment, row) in increments.iter_mut().zip(rows_left.by_ref()) {
+            *increment = dot(row, coordinates);
+        }
     }
-    let old = before.iter().skip(masses).zip(gained);
-    for ((speed, (old, gained)), row) in speeds.iter_mut().zip(old).zip(rows.by_ref()) {
-        // One rounding of the velocity in place of two: its errors add up while a chain slides far.
-        *speed = *old + (*gained + dot(row, before));
+    if layout.shears {
+        let increments = (moved.as_mut(), gained.as_mut());
+        shear(model, state, (rows.shears, before, after), increments);
+    } else {
+        let increments = moved.as_ref().iter().chain(gained.as_ref());
+        for ((after, before), increment) in after.iter_mut().zip(before).zip(increments) {
+            *after = *before + *increment;
+        }
     }
-    let contacts = model.contacts().iter().zip(forces);
-    for ((_, force), row) in contacts.filter(|(c, _)| !c.is_rigid()).zip(rows) {
-        *force = *force + dot(row, before);
+    let forces = after.get_mut(2 * masses..).unwrap_or_default();
+    let old = before.get(2 * masses..).unwrap_or_default();
+    let contacts = model.contacts().iter().zip(forces.iter_mut().zip(old));
+    for (j, (contact, (force, old))) in contacts.enumerate() {
+        *force = match contact.stiffness.filter(|_| state.phase(j) == STUCK) {
+            Some(stiffness) => *old + stiffness * contact.relative(moved.as_ref(), moved_base),
+            None => *old,
+        };
+    }
+    moved
+}
+
+/// Watches the contacts in a sub-interval.
+struct Watch<'w, S> {
+    layout: &'w Layout,
+    /// Rows of the table for the contacts.
+    rows: &'w [S],
+    /// Coordinates at the start, and displacements, velocities and forces at the end.
+    ends: [&'w [S]; 2],
+    /// Velocity of the base at both ends.
+    base: [S; 2],
+    /// Instants of both ends.
+    times: [S; 2],
+}
+
+impl<S: Float> Watch<'_, S> {
+    /// Returns true if no contact can have an event in the sub-interval.
+    fn is_quiet<Z: Size>(&self, motion: &Motion<S, Z>) -> bool {
+        let state = motion.state();
+        let count = self.layout.coordinates().max(1);
+        let rows = self.rows.chunks_exact(ROWS * count);
+        let mut contacts = motion.model().contacts().iter().zip(rows).enumerate();
+        contacts.all(|(j, (contact, rows))| {
+            let (rates, values) = rows.split_at_checked(3 * count).unwrap_or_default();
+            match (state.phase(j), contact.stiffness) {
+                (FREE, _) => true,
+                (STUCK, stiffness) => {
+                    let forces = match stiffness {
+                        None => self.products(values),
+                        Some(_) => self.ends.map(|end| at(end, 2 * self.layout.masses + j)),
+                    };
+                    let levels = self.times.map(|time| contact.level.value(time, 0));
+                    let most = levels.map(|level| contact.stiction * level);
+                    sticks(&self.watched(forces, rates), most)
+                }
+                (side, _) => {
+                    let speeds = [self.speed(contact, 0), self.speed(contact, 1)];
+                    slides(&self.watched(speeds, rates), (sign(side), contact.creep()))
+                }
+            }
+        })
+    }
+
+    /// Returns the relative velocity of a contact at the start (`end` = 0) or at the end of the sub-interval.
+    fn speed(&self, contact: &Contact<S>, end: usize) -> S {
+        let masses = self.layout.masses;
+        let speeds = self
+            .ends
+            .get(end)
+            .and_then(|end| end.get(masses..2 * masses));
+        contact.relative(speeds.unwrap_or_default(), at(&self.base, end))
+    }
+
+    /// Returns the products of the first two rows with the coordinates at the start.
+    fn products(&self, rows: &[S]) -> [S; 2] {
+        let [before, _] = self.ends;
+        let (first, rest) = rows.split_at_checked(before.len()).unwrap_or_default();
+        [dot(first, before), dot(rest, before)]
+    }
+
+    /// Returns the polynomial of a watched quantity with the given values at both ends. `rows` are the rows of its
+    /// derivative at both ends, and of its bound.
+    fn watched(&self, values: [S; 2], rows: &[S]) -> Watched<S> {
+        let [before, _] = self.ends;
+        let (slopes, bound) = rows.split_at_checked(2 * before.len()).unwrap_or_default();
+        Watched::new(values, self.products(slopes), size(bound, before))
     }
 }
 
@@ -178,13 +242,6 @@ impl<S: Float> Watched<S> {
             bound,
         }
     }
-}
-
-/// Divides the rows of a contact: of the value of its watched quantity, of its derivative, and of the bound.
-fn split<S>(rows: &[S], count: usize) -> [&[S]; 3] {
-    let (value, rows) = rows.split_at_checked(count).unwrap_or_default();
-    let (slope, bound) = rows.split_at_checked(count).unwrap_or_default();
-    [value, slope, bound]
 }
 
 /// Returns the sum of the products of a row and the absolute values of the coordinates.

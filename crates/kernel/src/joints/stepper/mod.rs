@@ -30,6 +30,7 @@ use crate::Float;
 use crate::errors::{Given, OutOfDomain};
 use crate::motion::Total;
 use crate::stepper::Input;
+use crate::stepper::now::elapsed;
 
 pub use advance::{MAX_STEP_EVENTS, Stepped};
 pub use image::{Saved, image_bytes, image_step};
@@ -266,6 +267,11 @@ impl<S: Float, Z: Size, T: AsRef<[S]>> Stepper<S, Z, T> {
     /// Returns the number of steps since the start.
     pub fn steps(&self) -> u64 {
         self.status.steps
+    }
+
+    /// Returns the time since the start, in seconds.
+    pub fn time(&self) -> S {
+        elapsed(self.status.steps, self.pace.dt)
     }
 
     /// Returns the number of steps in which the stepper has reached its bound on events.

@@ -6,11 +6,12 @@
 //! * x += A p, v += M⁻¹(B x + C g), x += A p, where p = Mv, A = Ω⁻¹ tan(Ωh/2) M⁻¹ and B = −MΩ sin Ωh.
 //!
 //! K contains the springs of the elastic contacts that stick. Their forces are f = kz + g, and g does not change while a
-//! contact sticks. For each shear there is an exact inverse, and A and B are symmetric, also as rounded numbers. The
-//! energy then does not drift. The rows of the table contain only what damping changes, and the columns of the inputs. A power series gives (Ωh)²ᵏ for each unit velocity, and the expansion
-//! tan(θ/2)/θ = Σ cₖθ²ᵏ the matrix A.
+//! contact sticks. For each shear there is an exact inverse. As long as no rigid contact sticks, A and B are symmetric,
+//! also as rounded numbers, and the energy does not drift. The rows of the increments contain only what damping changes,
+//! and the columns of the inputs: those of the velocities are added in the second shear, those of the displacements in
+//! the third. A power series gives (Ωh)²ᵏ for each unit velocity, and the expansion tan(θ/2)/θ = Σ cₖθ²ᵏ the matrix A.
 
-use super::table::{Layout, increment, increments};
+use super::table::{Layout, increment};
 use crate::Float;
 use crate::joints::least::dot;
 use crate::joints::model::Model;
@@ -65,31 +66,20 @@ impl<'t, S: Float> Shears<'t, S> {
     }
 
     /// Adds the coordinate with the index `column`, which is 1 in `state`. `model` has no damping, and `free` is the power
-    /// series of its motion. `rows` are the entries of this column in the rows of the results. They keep only the effect
-    /// of damping, if the coordinate belongs to the free motion.
-    pub(super) fn add<'e, Z: Size>(
+    /// series of its motion. Returns true if the coordinate belongs to the free motion. Its increments by damping must
+    /// then be without those of the free motion.
+    pub(super) fn add<Z: Size>(
         &mut self,
         column: usize,
         (model, state, free): FreeMotion<'_, S, Z>,
-        is_damped: bool,
-        rows: impl Iterator<Item = &'e mut S>,
-    ) where
-        S: 'e,
-    {
+    ) -> bool {
         let masses = self.masses;
         let force = column.checked_sub(2 * masses);
         let is_inert = |contact: usize| {
             state.phase(contact) != STUCK || model.contact(contact).is_none_or(|c| c.is_rigid())
         };
         if force.is_some_and(is_inert) {
-            return;
-        }
-        for (entry, free) in rows.zip(increments(model, state, free)) {
-            *entry = if is_damped {
-                *entry - free
-            } else {
-                S::constant(0.0)
-            };
+            return false;
         }
         let by_force = masses + model.contacts().len();
         for (mass, own) in model.masses().iter().enumerate() {
@@ -106,11 +96,19 @@ impl<'t, S: Float> Shears<'t, S> {
                 }
             }
         }
+        true
     }
 
     /// Completes B after all columns have been added: the columns of the displacements assume forces f of 0 at the start,
-    /// and B assumes forces g of 0. Then makes both matrices symmetric if all masses move independently.
-    pub(super) fn finish<Z: Size>(self, model: &Model<S, Z>, tree: &Tree<S, Z>) {
+    /// and B assumes forces g of 0. Makes both matrices symmetric if all masses move independently. Then subtracts from
+    /// the increments of the displacements what the third shear makes of those of the velocities. `gains` are the rows of
+    /// the increments, each of `count` entries.
+    pub(super) fn finish<Z: Size>(
+        self,
+        model: &Model<S, Z>,
+        tree: &Tree<S, Z>,
+        (gains, count): (&mut [S], usize),
+    ) {
         let width = self.masses + model.contacts().len();
         for row in self.forces.chunks_exact_mut(width.max(1)) {
             for (j, contact) in model.contacts().iter().enumerate() {
@@ -125,16 +123,18 @@ impl<'t, S: Float> Shears<'t, S> {
                 }
             }
         }
-        if !tree.is_empty() {
-            return;
+        if tree.is_empty() {
+            symmetrise(self.places, (self.masses, self.masses));
+            symmetrise(self.forces, (self.masses, width));
         }
-        for (matrix, width) in [(self.places, self.masses), (self.forces, width)] {
-            for row in 0..self.masses {
-                for column in 0..row {
-                    let (lower, upper) = (row * width + column, column * width + row);
-                    let mean = S::constant(0.5) * (at(matrix, lower) + at(matrix, upper));
-                    set(matrix, lower, mean);
-                    set(matrix, upper, mean);
+        let parts = gains.split_at_mut_checked(self.masses * count);
+        let (places, speeds) = parts.unwrap_or_default();
+        let rows = self.places.chunks_exact(self.masses.max(1));
+        for (gains, row) in places.chunks_exact_mut(count.max(1)).zip(rows) {
+            let factors = row.iter().zip(model.masses());
+            for ((factor, mass), gained) in factors.zip(speeds.chunks_exact(count.max(1))) {
+                for (gain, gained) in gains.iter_mut().zip(gained) {
+                    *gain = *gain - *factor * *mass * *gained;
                 }
             }
         }
@@ -158,43 +158,88 @@ fn half_turn<S: Float, Z: Size>(series: &Series<S, Z>, mass: usize) -> S {
     series.length * sum
 }
 
-/// Advances displacements, velocities and forces of elastic contacts by the shears. Returns the increments of the
-/// velocities, which are more accurate than the difference of two rounded velocities.
+/// Replaces the lower and the upper half of the square matrix in the first columns by their mean. The matrix has `size`
+/// rows, each of `width` entries.
+fn symmetrise<S: Float>(matrix: &mut [S], (size, width): (usize, usize)) {
+    for row in 0..size {
+        for column in 0..row {
+            let (lower, upper) = (row * width + column, column * width + row);
+            let mean = S::constant(0.5) * (at(matrix, lower) + at(matrix, upper));
+            set(matrix, lower, mean);
+            set(matrix, upper, mean);
+        }
+    }
+}
+
+/// Advances the displacements and velocities, which are the first coordinates in `after`, from the coordinates in
+/// `before`. The increments `moved` and `gained` contain those of the inputs and of damping, and the function adds those
+/// of the free motion. They are more accurate than differences of rounded numbers.
 pub(super) fn shear<S: Float, Z: Size>(
     model: &Model<S, Z>,
     state: &State<S, Z>,
-    shears: &[S],
-    coordinates: &mut [S],
-) -> Z::Masses<S> {
+    (shears, before, after): (&[S], &[S], &mut [S]),
+    (moved, gained): (&mut [S], &mut [S]),
+) {
     let masses = model.wall();
     let (by_speed, by_place) = shears.split_at_checked(masses * masses).unwrap_or_default();
-    let by_place = by_place.chunks_exact((masses + model.contacts().len()).max(1));
-    let parts = coordinates.split_at_mut_checked(masses);
-    let (places, rest) = parts.unwrap_or_default();
-    let (speeds, forces) = rest.split_at_mut_checked(masses).unwrap_or_default();
-    let mut gained = model.size.masses(S::constant(0.0));
+    let (old_places, rest) = before.split_at_checked(masses).unwrap_or_default();
+    let (old_speeds, forces) = rest.split_at_checked(masses).unwrap_or_default();
+    let (places, rest) = after.split_at_mut_checked(masses).unwrap_or_default();
+    let speeds = rest.get_mut(..masses).unwrap_or_default();
     let mut kept = model.size.contacts(S::constant(0.0));
-    let contacts = model.contacts().iter().zip(kept.as_mut());
-    for (j, (contact, kept)) in contacts.enumerate() {
+    keep(model, state, (old_places, forces), kept.as_mut());
+    let mut numbers = model.size.masses(S::constant(0.0));
+    let numbers = numbers.as_mut();
+    moments(model, old_speeds, numbers);
+    let rows = by_speed.chunks_exact(masses.max(1));
+    let ends = places.iter_mut().zip(old_places);
+    let mut firsts = model.size.masses(S::constant(0.0));
+    for (((place, old), first), row) in ends.zip(firsts.as_mut()).zip(rows.clone()) {
+        *first = dot(row, numbers);
+        *place = *old + *first;
+    }
+    let origin = origin(model, state, places);
+    for (strain, place) in numbers.iter_mut().zip(&*places) {
+        *strain = *place - origin;
+    }
+    let by_place = by_place.chunks_exact((masses + model.contacts().len()).max(1));
+    let ends = speeds.iter_mut().zip(old_speeds);
+    let results = ends.zip(gained.iter_mut().zip(model.masses()));
+    for (((speed, old), (gained, mass)), row) in results.zip(by_place) {
+        let (of_places, of_forces) = row.split_at_checked(masses).unwrap_or_default();
+        let pull = dot(of_places, numbers) + dot(of_forces, kept.as_ref());
+        // One rounding of the velocity in place of two: its errors add up while a chain slides far.
+        *gained = *gained + pull / *mass;
+        *speed = *old + *gained;
+    }
+    moments(model, speeds, numbers);
+    let results = places.iter_mut().zip(moved.iter_mut().zip(firsts.as_ref()));
+    for ((place, (moved, first)), row) in results.zip(rows) {
+        let last = *moved + dot(row, numbers);
+        *place = *place + last;
+        *moved = *first + last;
+    }
+}
+
+/// Writes the momentum of each mass.
+fn moments<S: Float, Z: Size>(model: &Model<S, Z>, speeds: &[S], to: &mut [S]) {
+    for ((moment, mass), speed) in to.iter_mut().zip(model.masses()).zip(speeds) {
+        *moment = *mass * *speed;
+    }
+}
+
+/// Writes the forces g of elastic contacts that stick.
+fn keep<S: Float, Z: Size>(
+    model: &Model<S, Z>,
+    state: &State<S, Z>,
+    (places, forces): (&[S], &[S]),
+    kept: &mut [S],
+) {
+    for (j, (contact, kept)) in model.contacts().iter().zip(kept).enumerate() {
         if let Some(stiffness) = contact.stiffness.filter(|_| state.phase(j) == STUCK) {
             *kept = at(forces, j) - stiffness * contact.across(places);
         }
     }
-    drift(model, state, by_speed, (places, speeds, forces));
-    let origin = origin(model, state, places);
-    let mut strains = model.size.masses(S::constant(0.0));
-    for (strain, place) in strains.as_mut().iter_mut().zip(&*places) {
-        *strain = *place - origin;
-    }
-    let gains = gained.as_mut().iter_mut().zip(model.masses());
-    for ((speed, (gained, mass)), row) in speeds.iter_mut().zip(gains).zip(by_place) {
-        let (of_places, of_forces) = row.split_at_checked(masses).unwrap_or_default();
-        let pull = dot(of_places, strains.as_ref()) + dot(of_forces, kept.as_ref());
-        *gained = pull / *mass;
-        *speed = *speed + *gained;
-    }
-    drift(model, state, by_speed, (places, speeds, forces));
-    gained
 }
 
 /// Returns the displacement of the first mass if nothing holds the chain, and otherwise 0. The rows of B then have the sum
@@ -208,36 +253,6 @@ fn origin<S: Float, Z: Size>(model: &Model<S, Z>, state: &State<S, Z>, places: &
         return S::constant(0.0);
     }
     at(places, 0)
-}
-
-/// Adds the shear of the velocities to displacements and forces.
-fn drift<S: Float, Z: Size>(
-    model: &Model<S, Z>,
-    state: &State<S, Z>,
-    shear: &[S],
-    (places, speeds, forces): (&mut [S], &[S], &mut [S]),
-) {
-    let masses = model.wall();
-    let mut moments = model.size.masses(S::constant(0.0));
-    for ((moment, mass), speed) in moments.as_mut().iter_mut().zip(model.masses()).zip(speeds) {
-        *moment = *mass * *speed;
-    }
-    let mut moved = model.size.masses(S::constant(0.0));
-    for (moved, row) in moved
-        .as_mut()
-        .iter_mut()
-        .zip(shear.chunks_exact(masses.max(1)))
-    {
-        *moved = dot(row, moments.as_ref());
-    }
-    for (place, moved) in places.iter_mut().zip(moved.as_ref()) {
-        *place = *place + *moved;
-    }
-    for (j, contact) in model.contacts().iter().enumerate() {
-        if let Some(stiffness) = contact.stiffness.filter(|_| state.phase(j) == STUCK) {
-            add(forces, j, stiffness * contact.across(moved.as_ref()));
-        }
-    }
 }
 
 impl<S: Float, Z: Size> Model<S, Z> {

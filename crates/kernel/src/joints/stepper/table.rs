@@ -2,10 +2,10 @@
 //!
 //! Between events the motion is linear in its *coordinates*: the displacements and velocities of the masses, the forces
 //! of the contacts, and the coefficients of the inputs, which are polynomials over a sub-interval. A *pattern* is a set
-//! of sticking contacts. The table of a pattern contains a row of all coordinates for each result: the increments of
-//! displacements, velocities and forces of elastic contacts, for each contact three rows from which `leap` proves that it
-//! has no event, and rows for the work. One column of the table is the power series of the motion for one
-//! coordinate equal to 1 and all others equal to 0.
+//! of sticking contacts. The table of a pattern contains a row of coordinates for each result: the increments of
+//! displacements and velocities, for each contact three rows from which `leap` proves that it has no event, and rows for
+//! the work. One column of the table is the power series of the motion for one coordinate equal to 1 and all others equal
+//! to 0.
 
 use super::Pace;
 use super::shears::{Shears, has_shears};
@@ -15,7 +15,7 @@ use crate::joints::base::Curve;
 use crate::joints::model::Model;
 use crate::joints::poly::Poly;
 use crate::joints::series::Series;
-use crate::joints::size::{Size, at, set};
+use crate::joints::size::{Size, add, at, set};
 use crate::joints::state::{STUCK, State};
 use crate::joints::tree::Tree;
 use crate::joints::wave::Wave;
@@ -26,8 +26,9 @@ pub const MAX_TABLE_CONTACTS: usize = 4;
 /// Largest number of entries in the tables of a stepper. With more entries the stepper uses power series only.
 pub const MAX_TABLE_ENTRIES: usize = 4096;
 
-/// Number of rows of a contact: the watched quantity at the start of the sub-interval, its derivative, and a bound.
-const ROWS: usize = 3;
+/// Number of rows of a contact: the derivative of its watched quantity at both ends of the sub-interval, a bound, and the
+/// quantity at both ends.
+pub(super) const ROWS: usize = 5;
 
 /// Numbers of coordinates and rows in the tables of a stepper.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -36,8 +37,6 @@ pub struct Layout {
     pub masses: usize,
     /// Number of contacts.
     pub contacts: usize,
-    /// Number of elastic contacts.
-    pub elastic: usize,
     /// Number of loads.
     pub loads: usize,
     /// Interpolation of the inputs between two samples.
@@ -46,6 +45,8 @@ pub struct Layout {
     pub on_base: bool,
     /// True if the free motion advances by shears, which keep the energy of an undamped chain in `f32`.
     pub shears: bool,
+    /// True if the chain has dashpots or a damping matrix.
+    pub damped: bool,
 }
 
 impl Layout {
@@ -55,11 +56,11 @@ impl Layout {
         Self {
             masses: model.wall(),
             contacts: contacts.len(),
-            elastic: contacts.iter().filter(|c| !c.is_rigid()).count(),
             loads: model.loads.as_ref().len(),
             input: pace.input,
             on_base: pace.on_base,
             shears: has_shears::<S>(),
+            damped: model.is_damped(),
         }
     }
 
@@ -79,28 +80,41 @@ impl Layout {
         2 * self.masses + (1 + friction) * self.contacts + load * self.loads + base
     }
 
-    /// Returns the index of the coordinate that is the displacement of a node: a mass, the wall or the base. The wall
-    /// has none, and neither has a base that does not move.
-    pub(super) const fn coordinate(&self, node: usize) -> Option<usize> {
-        if node < self.masses {
-            return Some(node);
+    /// Divides the coordinates into their sections.
+    pub(super) fn sections<'c, S>(&self, coordinates: &'c mut [S]) -> Sections<'c, S> {
+        let (load, base, _) = self.coefficients();
+        let lengths = [
+            self.masses,
+            self.masses,
+            self.contacts,
+            load * self.loads,
+            base,
+        ];
+        let mut left = coordinates;
+        let [places, speeds, forces, loads, base] = lengths.map(|length| {
+            let parts = core::mem::take(&mut left).split_at_mut_checked(length);
+            let (section, rest) = parts.unwrap_or_default();
+            left = rest;
+            section
+        });
+        Sections {
+            places,
+            speeds,
+            forces,
+            loads,
+            base,
+            slopes: left,
         }
-        if node == self.masses || !self.on_base {
-            return None;
-        }
-        let (load, _, _) = self.coefficients();
-        Some(2 * self.masses + self.contacts + load * self.loads)
     }
 
-    /// Returns the velocity of a node from the coordinates.
-    pub(super) fn speed<S: Float>(&self, node: usize, coordinates: &[S]) -> S {
-        let index = match self.coordinate(node) {
-            None => return S::constant(0.0),
-            Some(mass) if mass < self.masses => self.masses + mass,
-            // The velocity of the base follows its displacement.
-            Some(base) => base + 1,
-        };
-        at(coordinates, index)
+    /// Returns the number of the last coordinates that the rows of the increments contain. Shears give the effect of the
+    /// motion of an undamped chain, so that its rows contain only forces and inputs.
+    pub(super) const fn width(&self) -> usize {
+        if self.shears && !self.damped {
+            self.coordinates() - 2 * self.masses
+        } else {
+            self.coordinates()
+        }
     }
 
     /// Returns the number of rows for the work: one for each load and contact with linear input, and one for each
@@ -113,8 +127,8 @@ impl Layout {
 
     /// Returns the number of entries in the table of one pattern.
     const fn table(&self) -> usize {
-        let rows = 2 * self.masses + self.elastic + ROWS * self.contacts + self.moments();
-        rows * self.coordinates() + self.sheared()
+        let rows = ROWS * self.contacts + self.moments();
+        self.sheared() + self.increments() + rows * self.coordinates()
     }
 
     /// Returns the number of entries of the shears: a matrix for the velocities, and one for displacements and forces.
@@ -124,6 +138,11 @@ impl Layout {
         } else {
             0
         }
+    }
+
+    /// Returns the number of entries in the rows of the increments of displacements and velocities.
+    const fn increments(&self) -> usize {
+        2 * self.masses * self.width()
     }
 
     /// Returns the number of entries in the tables of all patterns. It is 0 for a scene of more than
@@ -141,24 +160,58 @@ impl Layout {
         }
     }
 
-    /// Returns the parts of the table of one pattern: the shears, and the rows of the results, of the contacts, and of the
-    /// work.
-    pub(super) fn rows<'t, S>(&self, tables: &'t [S], pattern: u64) -> Option<[&'t [S]; 4]> {
-        let start = self.table().checked_mul(usize::try_from(pattern).ok()?)?;
-        let table = tables.get(start..start + self.table())?;
+    /// Returns the parts of the table of one pattern.
+    pub(super) fn rows<'t, S>(&self, tables: &'t [S], pattern: u64) -> Option<Rows<'t, S>> {
+        // All patterns have tables of the same length.
+        let length = tables.len() >> self.contacts;
+        let start = length.checked_mul(usize::try_from(pattern).ok()?)?;
+        let table = tables.get(start..start + length)?;
         let (shears, table) = table.split_at_checked(self.sheared())?;
-        let results = (2 * self.masses + self.elastic) * self.coordinates();
-        let (results, others) = table.split_at_checked(results)?;
-        let contacts = ROWS * self.contacts * self.coordinates();
-        let (contacts, moments) = others.split_at_checked(contacts)?;
-        Some([shears, results, contacts, moments])
+        let (increments, table) = table.split_at_checked(self.increments())?;
+        let (contacts, moments) =
+            table.split_at_checked(ROWS * self.contacts * self.coordinates())?;
+        Some(Rows {
+            shears,
+            increments,
+            contacts,
+            moments,
+        })
     }
+}
+
+/// Sections of the coordinates.
+pub(super) struct Sections<'c, S> {
+    /// Displacements of the masses.
+    pub places: &'c mut [S],
+    /// Velocities of the masses.
+    pub speeds: &'c mut [S],
+    /// Forces of the contacts: σF while a contact slides.
+    pub forces: &'c mut [S],
+    /// Coefficients of each load: its value, and with linear input its slope.
+    pub loads: &'c mut [S],
+    /// Coefficients of the polynomial of the base.
+    pub base: &'c mut [S],
+    /// With linear input the slope of σF of each contact.
+    pub slopes: &'c mut [S],
+}
+
+/// Parts of the table of one pattern.
+pub(super) struct Rows<'t, S> {
+    /// Matrices of the shears.
+    pub shears: &'t [S],
+    /// Rows of the increments of all displacements, then of all velocities.
+    pub increments: &'t [S],
+    /// The rows of each contact, [`ROWS`] in number.
+    pub contacts: &'t [S],
+    /// Rows for the work.
+    pub moments: &'t [S],
 }
 
 /// Computes the tables of all patterns for the length `part` of a sub-interval. `tables` has the length
 /// [`Layout::entries`]. A shorter slice stays empty.
 pub fn fill<S: Float, Z: Size>(model: &Model<S, Z>, part: S, layout: &Layout, tables: &mut [S]) {
     let (table, count) = (layout.table().max(1), layout.coordinates().max(1));
+    let width = layout.width().max(1);
     if tables.len() < layout.entries() {
         return;
     }
@@ -167,31 +220,40 @@ pub fn fill<S: Float, Z: Size>(model: &Model<S, Z>, part: S, layout: &Layout, ta
         let tree = Tree::new(model, sticks);
         let parts = table.split_at_mut_checked(layout.sheared());
         let (shears, rows) = parts.unwrap_or_default();
+        let parts = rows.split_at_mut_checked(layout.increments());
+        let (gains, rows) = parts.unwrap_or_default();
         let mut shears = layout.shears.then(|| Shears::new(layout, shears));
         for column in 0..count {
             let (model, state) = unit(model, layout, (sticks, column));
             let time = (S::constant(0.0), part);
             let series = Series::new(&model, &state, &tree, time);
+            let place = (column + width).checked_sub(count);
+            let entries = || place.into_iter().flat_map(|place| (place..).step_by(width));
+            for (entry, value) in entries().zip(increments(&model, &series)) {
+                set(gains, entry, value);
+            }
             let values = column_of(layout, &model, &state, &series);
-            let entries = rows.iter_mut().skip(column).step_by(count);
-            for (entry, value) in entries.zip(values) {
+            let others = rows.iter_mut().skip(column).step_by(count);
+            for (entry, value) in others.zip(values) {
                 *entry = value;
             }
             if let Some(shears) = &mut shears {
-                let entries = rows.iter_mut().skip(column).step_by(count);
                 let undamped = model.undamped();
                 let free = Series::new(&undamped, &state, &tree, time);
-                let is_damped = model.is_damped();
-                shears.add(column, (&undamped, &state, &free), is_damped, entries);
+                if shears.add(column, (&undamped, &state, &free)) {
+                    for (entry, free) in entries().zip(increments(&undamped, &free)) {
+                        add(gains, entry, -free);
+                    }
+                }
             }
         }
         if let Some(shears) = shears {
-            shears.finish(model, &tree);
+            shears.finish(model, &tree, (gains, width));
         }
     }
 }
 
-/// Returns the entries of one column, from the power series of the motion.
+/// Returns the entries of one column in the rows of the contacts and of the work, from the power series of the motion.
 fn column_of<S: Float, Z: Size>(
     layout: &Layout,
     model: &Model<S, Z>,
@@ -215,14 +277,12 @@ fn column_of<S: Float, Z: Size>(
     let inputs = loads.chain(slips).filter(move |_| friction > 0);
     let reaction = reaction(model, state, series);
     let base = (0..base.saturating_sub(1)).map(move |power| moment(&reaction, power, length));
-    let results = increments(model, state, series).chain(watched);
-    results.chain(inputs).chain(base)
+    watched.chain(inputs).chain(base)
 }
 
-/// Returns the increments of the displacements, the velocities, and the forces of elastic contacts that stick.
-pub(super) fn increments<S: Float, Z: Size>(
+/// Returns the increments of the displacements and of the velocities.
+fn increments<S: Float, Z: Size>(
     model: &Model<S, Z>,
-    state: &State<S, Z>,
     series: &Series<S, Z>,
 ) -> impl Iterator<Item = S> {
     let masses = 0..model.wall();
@@ -230,13 +290,7 @@ pub(super) fn increments<S: Float, Z: Size>(
         .clone()
         .map(|mass| increment(&series.displacement_terms(mass)));
     let speeds = masses.map(|mass| increment(&series.velocity_terms(mass)));
-    let contacts = model.contacts().iter().enumerate();
-    let elastic = contacts.filter(|(_, contact)| !contact.is_rigid());
-    let forces = elastic.map(|(j, _)| match state.phase(j) {
-        STUCK => increment(&series.force_terms(j)),
-        _ => S::constant(0.0),
-    });
-    places.chain(speeds).chain(forces)
+    places.chain(speeds)
 }
 
 /// Returns the value of a power series at the end of the sub-interval, minus its value at the start.
@@ -245,24 +299,21 @@ pub(super) fn increment<S: Float>(terms: &Poly<S>) -> S {
     later.fold(S::constant(0.0), |sum, term| sum + *term)
 }
 
-/// Returns the value and the derivative of a power series at the start of the sub-interval, and a bound on its
-/// difference from the cubic polynomial that has its values and derivatives at both ends. The difference is at most the
-/// largest fourth derivative, divided by 384.
+/// Returns the entries of one column in the rows of a contact, from the power series of its watched quantity. The bound
+/// is that on its difference from the cubic polynomial that has its values and derivatives at both ends. The difference
+/// is at most the largest fourth derivative, divided by 384.
 fn watch<S: Float>(terms: &Poly<S>) -> [S; ROWS] {
-    let mut values = [S::constant(0.0); ROWS];
-    let [value, slope, bound] = &mut values;
-    for (order, term) in terms.iter().enumerate() {
-        match order {
-            0 => *value = *term,
-            1 => *slope = *term,
-            2 | 3 => {}
-            _ => {
-                let factor = S::whole(order * (order - 1)) * S::whole((order - 2) * (order - 3));
-                *bound = *bound + factor / S::constant(384.0) * term.abs();
-            }
+    let zero = S::constant(0.0);
+    let (mut end, mut bound) = (zero, zero);
+    for (order, term) in terms.iter().enumerate().rev() {
+        end = end + S::whole(order) * *term;
+        if order > 3 {
+            let factor = S::whole(order * (order - 1)) * S::whole((order - 2) * (order - 3));
+            bound = bound + factor / S::constant(384.0) * term.abs();
         }
     }
-    values
+    let value = at(terms, 0);
+    [at(terms, 1), end, bound, value, value + increment(terms)]
 }
 
 /// Returns the chain and its state for one coordinate equal to 1 and all others equal to 0. All contacts that do not

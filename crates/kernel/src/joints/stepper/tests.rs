@@ -89,6 +89,7 @@ fn tables_give_the_motion_of_the_power_series() {
                 .map(|stepper| stepper.advance(sample).expect("a step"));
             events += one.events;
             assert_eq!(one, other, "scene {scene}, step {step}");
+            assert!(!one.exceeded, "scene {scene}, step {step}");
             for mass in 0..model.masses.len() {
                 let [a, b] = both.each_ref().map(|stepper| stepper.mass(mass));
                 worst = worst.max((a.displacement() - b.displacement()).abs());

@@ -160,11 +160,15 @@ pub(super) fn moment<S: Float>(terms: &Poly<S>, power: usize, length: S) -> S {
 pub(super) struct Moments<'t, S> {
     pub rows: &'t [S],
     pub layout: &'t Layout,
+    /// Increments of the displacements of the masses.
+    pub moved: &'t [S],
+    /// Increment of the displacement of the base.
+    pub moved_base: S,
 }
 
 impl<S: Float> Moments<'_, S> {
-    /// Adds the work in a sub-interval that starts at the instant `time`. The two slices are the coordinates at its
-    /// ends.
+    /// Adds the work in a sub-interval that starts at the instant `time`. The two slices are the coordinates at its start,
+    /// and displacements, velocities and forces at its end.
     pub(super) fn add<Z: Size>(
         &self,
         sums: &mut Sums<S>,
@@ -173,20 +177,17 @@ impl<S: Float> Moments<'_, S> {
         (before, after): (&[S], &[S]),
     ) {
         let (model, state) = (motion.model(), motion.state());
-        let is_linear = self.layout.input == Input::Linear;
+        let layout = self.layout;
+        let is_linear = layout.input == Input::Linear;
         let mut rows = self.rows.chunks_exact(before.len().max(1));
         let mut moment = || dot(rows.next().unwrap_or_default(), before);
-        let moved = |node: usize| match self.layout.coordinate(node) {
-            Some(index) => at(after, index) - at(before, index),
-            None => S::constant(0.0),
-        };
         for (mass, load) in model.loads.as_ref() {
             let later = if is_linear {
                 load.slope * moment()
             } else {
                 S::constant(0.0)
             };
-            sums.add_load((load.constant + load.slope * time) * moved(*mass) + later);
+            sums.add_load((load.constant + load.slope * time) * at(self.moved, *mass) + later);
         }
         for (j, contact) in model.contacts().iter().enumerate() {
             let later = if is_linear {
@@ -197,17 +198,17 @@ impl<S: Float> Moments<'_, S> {
             match (state.phase(j), contact.stiffness) {
                 (FREE, _) | (STUCK, None) => {}
                 (STUCK, Some(stiffness)) => {
-                    let force = 2 * self.layout.masses + j;
+                    let force = 2 * layout.masses + j;
                     sums.add_contact(stored((at(before, force), at(after, force)), stiffness));
                 }
                 (side, _) => {
-                    let slid = moved(contact.plus) - moved(contact.minus);
+                    let slid = contact.relative(self.moved, self.moved_base);
                     let level = contact.level.value(time, 0);
                     sums.add_contact(sign::<S>(side) * (level * slid + later));
                 }
             }
         }
-        if self.layout.on_base {
+        if layout.on_base {
             let [_, speed, square, cube] = model.base.about(time);
             let mut work = speed * moment();
             if is_linear {
