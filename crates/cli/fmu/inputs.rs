@@ -1,6 +1,6 @@
 //! The inputs between two communication points.
 
-use crate::scene::{self, DT, INPUTS};
+use crate::scene::{self, DT, INPUTS, LINEAR};
 
 /// Returns the inputs of one step of several.  The last step has the inputs that the importer has set.
 pub fn between(
@@ -21,9 +21,8 @@ pub fn between(
         return sample;
     }
     let share = index as f64 / count as f64;
-    // The last input is the friction force, which acts over the whole step.
     let forces = if scene::ON_BASE { 2 } else { 0 };
-    for (value, last) in sample.iter_mut().zip(last).take(INPUTS - 1).skip(forces) {
+    for (value, last) in sample.iter_mut().zip(last).take(LINEAR).skip(forces) {
         *value = last + (*value - last) * share;
     }
     if scene::ON_BASE {

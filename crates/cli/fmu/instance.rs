@@ -1,6 +1,6 @@
 //! An instance of the FMU: its variables and its state.  `steps` has its steps.
 
-use crate::scene::{self, INPUTS, Kind, MASSES, OUTPUTS, SETTABLE, STICTION, Stepper};
+use crate::scene::{self, CONTACTS, INPUTS, Kind, MASSES, OUTPUTS, SETTABLE, STICTION, Stepper};
 
 /// Status of FMI 3.0.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -88,7 +88,7 @@ pub struct State {
     /// Times of start and stop, s.
     pub start: f64,
     pub stop: f64,
-    /// Inputs, stiction, and initial displacements and velocities.
+    /// Inputs, stictions, and initial displacements and velocities.
     pub values: [f64; SETTABLE],
     /// Inputs at the end of the last step.
     pub last: [f64; INPUTS],
@@ -100,13 +100,13 @@ pub struct State {
     pub stepper: Option<Stepper>,
 }
 
-/// First value references of outputs: reals, then a flag, a direction, two counts and an instant.
+/// First value references of outputs: reals, then a flag and a direction of each contact, two counts and an instant.
 const FIRST_OUTPUT: usize = 1 + SETTABLE;
 const STICKS: usize = FIRST_OUTPUT + OUTPUTS.len();
-const DIRECTION: usize = STICKS + 1;
-const EVENTS: usize = STICKS + 2;
-const EXCEEDED: usize = STICKS + 3;
-const EVENT_TIME: usize = STICKS + 4;
+const DIRECTION: usize = STICKS + CONTACTS;
+const EVENTS: usize = DIRECTION + CONTACTS;
+const EXCEEDED: usize = EVENTS + 1;
+const EVENT_TIME: usize = EVENTS + 2;
 
 impl State {
     pub fn new() -> Self {
@@ -164,7 +164,7 @@ impl State {
 
     /// Returns a stepper at the start, with the present values of all variables.
     fn started(&self) -> Result<Stepper, Refusal> {
-        let initial = &self.values[STICTION + 1..];
+        let initial = &self.values[STICTION + CONTACTS..];
         let refused = |error| {
             Refusal::discard(format!(
                 "{error}; the variables are {}",
@@ -176,9 +176,10 @@ impl State {
             std::array::from_fn::<_, MASSES, _>(|mass| initial[2 * mass + 1]),
         )
         .map_err(refused)?;
-        stepper
-            .set_stiction(scene::real(self.values[STICTION]))
-            .map_err(refused)?;
+        for contact in 0..CONTACTS {
+            scene::set_stiction(&mut stepper, contact, self.values[STICTION + contact])
+                .map_err(refused)?;
+        }
         stepper
             .begin(scene::input(&self.inputs()))
             .map_err(refused)?;
@@ -217,16 +218,17 @@ impl State {
     }
 
     pub fn flags(&self, references: &[u32], values: &mut [bool]) -> Result<(), Refusal> {
-        let direction = self.with(scene::direction)?;
+        let directions = self.with(scene::directions)?;
         read(references, values, |reference| {
-            (reference == STICKS).then_some(direction == 0)
+            let direction = directions.get(reference.wrapping_sub(STICKS));
+            direction.map(|direction| *direction == 0)
         })
     }
 
     pub fn directions(&self, references: &[u32], values: &mut [i32]) -> Result<(), Refusal> {
-        let direction = self.with(scene::direction)?;
+        let directions = self.with(scene::directions)?;
         read(references, values, |reference| {
-            (reference == DIRECTION).then_some(direction)
+            directions.get(reference.wrapping_sub(DIRECTION)).copied()
         })
     }
 
@@ -281,21 +283,19 @@ impl State {
             }
             *place = *value;
         }
-        let stiction = next[STICTION];
-        if let Some(stepper) = self
-            .stepper
-            .as_mut()
-            .filter(|_| stiction != self.values[STICTION])
-        {
-            let refused = |error| {
-                Refusal::discard(format!(
-                    "{error}; {} is {stiction:?}",
-                    scene::VARIABLES[STICTION].name
-                ))
-            };
-            stepper
-                .set_stiction(scene::real(stiction))
-                .map_err(refused)?;
+        let changed = |place: &usize| next[*place] != self.values[*place];
+        let changed: Vec<usize> = (STICTION..STICTION + CONTACTS).filter(changed).collect();
+        if let Some(stepper) = self.stepper.as_mut() {
+            for place in changed {
+                let stiction = next[place];
+                let refused = |error| {
+                    Refusal::discard(format!(
+                        "{error}; {} is {stiction:?}",
+                        scene::VARIABLES[place].name
+                    ))
+                };
+                scene::set_stiction(stepper, place - STICTION, stiction).map_err(refused)?;
+            }
         }
         self.values = next;
         Ok(())

@@ -3,7 +3,7 @@
 use crate::args::FileArgument;
 use crate::failure::{Failure, reason};
 use frictiongen::System;
-use frictiongen::study::scene::FrictionLaw;
+use frictiongen::study::scene::{FrictionLaw, Provide};
 use frictiongen_codegen::{Description, Diagnostics, SizeLimits, parse_text};
 
 use std::fs::File;
@@ -116,10 +116,17 @@ impl FileArgument {
     }
 
     /// Reads and parses a scene description, and returns it with its text. Fails for a scene with several contacts or
-    /// dashpots.
+    /// dashpots that provides more than a stepper.
     pub fn exported(&self, limits: &SizeLimits) -> Result<(Description, String), Failure> {
         let text = self.text()?;
-        let description = self.single(self.parsed(&text, limits)?)?;
+        let description = self.parsed(&text, limits)?;
+        let scene = &description.scene;
+        if scene.is_joined() && scene.provide != [Provide::Stepper] {
+            return Err(Failure::new(format_args!(
+                "{}: an export of several contacts, dashpots or a free mass has only a stepper; write `provide: [stepper]`",
+                self.name()
+            )));
+        }
         Ok((description, text))
     }
 

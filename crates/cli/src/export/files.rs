@@ -123,18 +123,32 @@ fn steps(scene: &Scene, prefix: &str, suffix: &str) -> String {
             format!("        input.force = (k & 64) == 0 ? 3.0{suffix} : -3.0{suffix};\n")
         }
     };
-    let zeros = usize::from(shape.on_base) * 2 + shape.forces.len() + 1;
-    let zeros = vec![format!("0.0{suffix}"); zeros].join(", ");
+    let inputs = super::stepping::inputs(scene, &shape);
+    let zeros = vec![format!("0.0{suffix}"); inputs.len()].join(", ");
+    let frictions = inputs.iter().map(|(field, _)| &field.name);
+    let frictions = frictions.filter(|name| name.starts_with("friction"));
+    let frictions = frictions.map(|name| format!("    input.{name} = 1.0{suffix}; /* N */\n"));
+    let frictions: String = frictions.collect();
     let first = super::names::field(scene, 0, "mass");
+    let told = if shape.contacts.len() == 1 {
+        format!(
+            "\"step %d: force %.9g, displacement %.9g, %s\\n\", k + 1, (double)stepped.force,\n                   \
+             (double)masses.{first}.displacement, stepped.sliding == 0 ? \"stuck\" : \"sliding\""
+        )
+    } else {
+        format!(
+            "\"step %d: displacement %.9g, %u events\\n\", k + 1, (double)masses.{first}.displacement,\n                   \
+             (unsigned)stepped.events"
+        )
+    };
     format!(
         "    static struct {prefix}_stepper stepper;\n    struct {prefix}_input input = {{{zeros}}};\n    \
          struct {prefix}_stepped stepped;\n    struct {prefix}_masses masses;\n    int k;\n    \
-         status = {prefix}_stepper_start(&stepper, {dt});\n    if (status != 0) {{\n        return told(status);\n    }}\n    \
-         input.friction = 1.0{suffix}; /* N */\n    for (k = 0; k < 256; k++) {{\n{load}        \
+         status = {prefix}_stepper_start(&stepper, {dt});\n    if (status != 0) {{\n        return told(status);\n    }}\n{frictions}    \
+         for (k = 0; k < 256; k++) {{\n{load}        \
          status = {prefix}_stepper_advance(&stepper, &input, &stepped);\n        \
          if (status == 0) {{\n            status = {prefix}_stepper_masses(&stepper, &masses);\n        }}\n        \
          if (status != 0) {{\n            return told(status);\n        }}\n        \
-         if (k % 32 == 31) {{\n            printf(\"step %d: force %.9g, displacement %.9g, %s\\n\", k + 1, (double)stepped.force,\n                   \
-         (double)masses.{first}.displacement, stepped.sliding == 0 ? \"stuck\" : \"sliding\");\n        }}\n    }}\n"
+         if (k % 32 == 31) {{\n            printf({told});\n        }}\n    }}\n"
     )
 }

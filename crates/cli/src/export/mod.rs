@@ -137,7 +137,7 @@ fn files(asked: &ExportRequest<'_>, face: &ExportedItems) -> Vec<(PathBuf, Strin
         ),
         (
             folder.join("src").join("lib.rs"),
-            rust::library(face, &head, (prefix, &name, scalar)),
+            rust::library(face, &head, (prefix, &name, scalar), scene.is_joined()),
         ),
         (
             folder.join("Cargo.toml"),

@@ -43,9 +43,15 @@ pub fn check_header(name: &str) -> Result<(), Failure> {
 /// Returns the name of a struct field for a mass. It is `start` and the name of the mass. If the name has letters
 /// outside ASCII, the number of the mass replaces the name.
 pub fn field(scene: &Scene, index: usize, start: &str) -> String {
-    match scene.masses.get(index) {
-        Some(mass) if mass.name.is_ascii() => format!("{start}_{}", mass.name),
-        _ => format!("{start}_{}", index + 1),
+    format!("{start}_{}", ascii(mass(scene, index), index))
+}
+
+/// Returns a name in the scene description, or its number if it has letters outside ASCII.
+pub fn ascii(name: &str, index: usize) -> String {
+    if name.is_ascii() {
+        name.to_owned()
+    } else {
+        (index + 1).to_string()
     }
 }
 

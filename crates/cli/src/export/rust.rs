@@ -6,11 +6,12 @@ use super::face::{
 use super::status;
 
 /// Returns the text of `src/lib.rs` of an exported crate. `name` is the scene's type in Rust, and `prefix` begins the
-/// names in C.
+/// names in C. `is_joined` is true for a scene with several contacts or dashpots.
 pub fn library(
     face: &ExportedItems,
     head: &str,
     (prefix, name, scalar): (&str, &str, &str),
+    is_joined: bool,
 ) -> String {
     let records: String = face
         .records
@@ -30,16 +31,15 @@ pub fn library(
          #[panic_handler]\nfn panic(_: &core::panic::PanicInfo<'_>) -> ! {{\n    \
          unsafe extern \"C\" {{\n        safe fn abort() -> !;\n    }}\n    abort()\n}}\n\n\
          mod exported {{\n    use super::{name} as Scene;\n    use core::ffi::{{CStr, c_char}};\n    use core::mem::MaybeUninit;\n    \
-         use frictiongen::kernel::stepper::{{FixedStore, MassNow as Moved, Saved}};\n    \
          use frictiongen::{{Complex as Number, NoOrbit, NotContinuous, OutOfDomain, Regime}};\n\n\
          {statuses}\n{helpers}\n{records}{opaque}{functions}}}\n",
         statuses = status::conversions(),
-        helpers = helpers(face, prefix, scalar),
+        helpers = helpers(face, (prefix, scalar), is_joined),
     )
 }
 
 /// Returns the Rust functions that several exported functions call.
-fn helpers(face: &ExportedItems, prefix: &str, scalar: &str) -> String {
+fn helpers(face: &ExportedItems, (prefix, scalar): (&str, &str), is_joined: bool) -> String {
     let has = |name: &str| face.records.iter().any(|record| record.name == name);
     let mut text = format!(
         "    fn status(answer: impl FnOnce() -> Result<(), i32>) -> i32 {{\n        \
@@ -52,18 +52,30 @@ fn helpers(face: &ExportedItems, prefix: &str, scalar: &str) -> String {
             "    fn complex(number: Number<{scalar}>) -> Complex {{\n        Complex {{ re: number.re, im: number.im }}\n    }}\n\n"
         ));
     }
-    if has("mass_now") {
-        text.push_str(&format!(
-            "    fn mass_now(mass: &Moved<{scalar}>) -> MassNow {{\n        \
-             MassNow {{ displacement: mass.displacement(), velocity: mass.velocity() }}\n    }}\n\n"
-        ));
-    }
-    if has("mass_now") || has("segment") {
+    if has("segment") || has("stepped") && !is_joined {
         text.push_str(
             "    fn sliding(contact: frictiongen::answer::Contact) -> i32 {\n        use frictiongen::answer::Contact;\n        \
              match contact {\n            Contact::Stuck => 0,\n            Contact::Forward => 1,\n            \
              Contact::Backward => -1,\n        }\n    }\n\n",
         );
+    }
+    if has("mass_now") {
+        let of_mass = if is_joined {
+            "joints::MassState"
+        } else {
+            "stepper::MassNow"
+        };
+        text.push_str(&format!(
+            "    fn mass_now(mass: &frictiongen::kernel::{of_mass}<{scalar}>) -> MassNow {{\n        \
+             MassNow {{ displacement: mass.displacement(), velocity: mass.velocity() }}\n    }}\n\n"
+        ));
+    }
+    if is_joined {
+        text.push_str(&format!(
+            "    fn direction(contact: &frictiongen::kernel::joints::ContactState<{scalar}>) -> i32 {{\n        \
+             let velocity = contact.velocity();\n        \
+             if contact.is_sticking() || velocity == 0.0 {{\n            0\n        }} else if velocity > 0.0 {{\n            1\n        }} else {{\n            -1\n        }}\n    }}\n\n"
+        ));
     }
     text
 }

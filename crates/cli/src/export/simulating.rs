@@ -6,7 +6,7 @@ use super::face::{
 use super::names::{mass_fields, of_masses};
 use super::room;
 use frictiongen::study::scene::{FrictionLaw, Scene};
-use frictiongen_codegen::standalone::StepperShape;
+use frictiongen_codegen::standalone::{StepperShape, StepperSizes};
 
 const STATE: &str = "simulation";
 const CHANGED: (&str, Passed) = ("simulation", Passed::Changed(STATE));
@@ -15,14 +15,21 @@ const READ: (&str, Passed) = ("simulation", Passed::Read(STATE));
 /// Adds the functions of the simulation, and the structs of these functions. `name` is the Rust type of the scene, and
 /// `unit` the unit of displacements.
 pub fn add(face: &mut ExportedItems, scene: &Scene, (name, unit): (&str, &str)) {
-    let shape = StepperShape::of(scene);
-    let parts = shape.modes + shape.held;
+    let (parts, elastic) = match StepperShape::of(scene).sizes {
+        StepperSizes::Modes {
+            modes,
+            held,
+            elastic,
+            ..
+        } => (modes + held, elastic),
+        StepperSizes::Joints { .. } => return,
+    };
     let has_law = scene.friction != FrictionLaw::Coulomb;
     face.opaque.push(Opaque {
         name: STATE,
         about: "A motion in time under a harmonic load. A static variable or any other memory of this type will do. An assignment copies it.",
         contents: format!("super::{name}Simulation"),
-        words: room::simulation_words(parts, (has_law, shape.elastic), scene.precision),
+        words: room::simulation_words(parts, (has_law, elastic), scene.precision),
     });
     records(face, scene, unit);
     starts(face, scene, has_law);

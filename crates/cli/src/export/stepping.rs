@@ -3,11 +3,11 @@
 use super::face::{
     ExportedFunction, ExportedItems, ExportedStruct, FieldType, Opaque, Passed, StructField,
 };
-use super::names::{field, mass, mass_fields, of_masses};
+use super::names::{ascii, field, mass, mass_fields, of_masses};
 use super::room;
-use frictiongen::kernel::stepper::image_bytes;
+use frictiongen::kernel::{joints, stepper};
 use frictiongen::study::scene::{Precision, Scene};
-use frictiongen_codegen::standalone::StepperShape;
+use frictiongen_codegen::standalone::{StepperShape, StepperSizes};
 
 const STATE: &str = "stepper";
 const SAVED: &str = "stepper_saved";
@@ -17,7 +17,7 @@ const READ: (&str, Passed) = ("stepper", Passed::Read(STATE));
 /// Adds the functions of the stepper, and the structs of these functions. `name` is the Rust type of the scene.
 pub fn add(face: &mut ExportedItems, scene: &Scene, name: &str) {
     let shape = StepperShape::of(scene);
-    let [words, saved] = room::words(&shape, scene.precision);
+    let [words, saved] = room::words(&shape.sizes, scene.precision);
     let scalar = match scene.precision {
         Precision::F64 => "f64",
         Precision::F32 => "f32",
@@ -28,17 +28,16 @@ pub fn add(face: &mut ExportedItems, scene: &Scene, name: &str) {
         contents: format!("super::{name}Stepper"),
         words,
     });
-    let sizes = shape.arguments();
     face.opaque.push(Opaque {
         name: SAVED,
         about: "State of a stepper without its tables, for stepper_save and stepper_restore.",
-        contents: format!("Saved<{scalar}, FixedStore<{scalar}, {sizes}>>"),
+        contents: shape.sizes.saved_type(scalar),
         words: saved,
     });
     records(face, scene, &shape);
     control(face, scene, &shape, name);
-    read_outs(face, scene);
-    storage(face, &shape, scene.precision);
+    read_outs(face, scene, &shape);
+    storage(face, scene, &shape);
 }
 
 /// Returns the fields of the stepper's input in C, each with the corresponding field of the Rust type.
@@ -70,12 +69,49 @@ pub fn inputs(scene: &Scene, shape: &StepperShape) -> Vec<(StructField, String)>
             add(field(scene, *index, "force"), mass(scene, *index), about);
         }
     }
-    add(
-        "friction".to_owned(),
-        "friction",
-        "kinetic friction force F, N, not negative".to_owned(),
-    );
+    if let [_] = shape.contacts.as_slice() {
+        let about = "kinetic friction force F, N, not negative".to_owned();
+        add("friction".to_owned(), "friction", about);
+        return fields;
+    }
+    for (index, contact) in shape.contacts.iter().enumerate() {
+        let about = format!("kinetic friction force of contact {contact}, N, not negative");
+        let name = format!("friction_{}", ascii(contact, index));
+        add(name, contact, about);
+    }
     fields
+}
+
+/// Returns the Rust expression of a stepper's input. `value` returns the expression of the field with a given index and
+/// its name in C. `path` is the module of the scene's types, and `name` the type of the scene.
+pub fn input_expression(
+    scene: &Scene,
+    shape: &StepperShape,
+    name: &str,
+    value: impl Fn(usize, &str) -> String,
+) -> String {
+    let fields = inputs(scene, shape);
+    let fields = fields.iter().enumerate();
+    let mut fields: Vec<String> = fields
+        .map(|(index, (field, inner))| format!("{inner}: {}", value(index, &field.name)))
+        .collect();
+    if shape.contacts.len() > 1 {
+        let frictions = fields.split_off(fields.len() - shape.contacts.len());
+        fields.push(format!(
+            "friction: super::{name}Friction {{ {} }}",
+            frictions.join(", ")
+        ));
+    }
+    format!("super::{name}Input {{ {} }}", fields.join(", "))
+}
+
+/// Returns the method of a stepper that returns the state of a contact.
+pub fn contact_method<'s>(scene: &Scene, contact: &'s str) -> &'s str {
+    if scene.is_joined() {
+        contact
+    } else {
+        "contact"
+    }
 }
 
 fn records(face: &mut ExportedItems, scene: &Scene, shape: &StepperShape) {
@@ -93,27 +129,32 @@ fn records(face: &mut ExportedItems, scene: &Scene, shape: &StepperShape) {
             "0 while the contact sticks, otherwise the sign of its velocity",
         )
     };
+    let of_step = [
+        StructField::new(
+            "events",
+            FieldType::Count,
+            "number of stops, break-aways and reversals",
+        ),
+        StructField::new(
+            "exceeded",
+            FieldType::Int,
+            "1 if the step reached the bound on events",
+        ),
+    ];
+    let of_contact = [
+        StructField::new(
+            "force",
+            FieldType::Real,
+            "force in the contact at the end of the step, N",
+        ),
+        sliding(),
+    ];
+    let is_single = shape.contacts.len() == 1;
+    let of_contact = of_contact.into_iter().filter(|_| is_single);
     face.records.push(ExportedStruct {
         name: "stepped",
         about: "Result of a step.".to_owned(),
-        fields: vec![
-            StructField::new(
-                "force",
-                FieldType::Real,
-                "force in the contact at the end of the step, N",
-            ),
-            sliding(),
-            StructField::new(
-                "events",
-                FieldType::Count,
-                "number of stops, break-aways and reversals",
-            ),
-            StructField::new(
-                "exceeded",
-                FieldType::Int,
-                "1 if the step reached the bound on events",
-            ),
-        ],
+        fields: of_contact.chain(of_step).collect(),
     });
     face.records.push(ExportedStruct {
         name: "mass_now",
@@ -130,7 +171,7 @@ fn records(face: &mut ExportedItems, scene: &Scene, shape: &StepperShape) {
     });
     face.records.push(ExportedStruct {
         name: "contact",
-        about: "The contact at the end of the last step.".to_owned(),
+        about: "A contact at the end of the last step.".to_owned(),
         fields: vec![
             StructField::new("displacement", FieldType::Real, "relative displacement, m"),
             StructField::new("velocity", FieldType::Real, "relative velocity, m/s"),
@@ -142,6 +183,21 @@ fn records(face: &mut ExportedItems, scene: &Scene, shape: &StepperShape) {
             sliding(),
         ],
     });
+    if !is_single {
+        let contacts = shape.contacts.iter().enumerate();
+        let contacts = contacts.map(|(index, contact)| {
+            StructField::new(
+                format!("contact_{}", ascii(contact, index)),
+                FieldType::Record("contact"),
+                format!("contact {contact}"),
+            )
+        });
+        face.records.push(ExportedStruct {
+            name: "contacts",
+            about: "All contacts at the end of the last step.".to_owned(),
+            fields: contacts.collect(),
+        });
+    }
     face.records.push(ExportedStruct {
         name: "work",
         about: "Energy balance since the start, J.".to_owned(),
@@ -161,24 +217,27 @@ fn records(face: &mut ExportedItems, scene: &Scene, shape: &StepperShape) {
             })
             .collect(),
     });
+    let mut progress = vec![
+        StructField::new("steps", FieldType::Long, "number of steps"),
+        StructField::new(
+            "exceeded",
+            FieldType::Long,
+            "number of steps that reached the bound on events",
+        ),
+        StructField::new("time", FieldType::Real, "time since the start, s"),
+        StructField::new("dt", FieldType::Real, "length of a step, s"),
+    ];
+    if is_single {
+        progress.push(StructField::new(
+            "stiction",
+            FieldType::Real,
+            "mu, static over kinetic friction force",
+        ));
+    }
     face.records.push(ExportedStruct {
         name: "progress",
         about: "Steps and time since the start.".to_owned(),
-        fields: vec![
-            StructField::new("steps", FieldType::Long, "number of steps"),
-            StructField::new(
-                "exceeded",
-                FieldType::Long,
-                "number of steps that reached the bound on events",
-            ),
-            StructField::new("time", FieldType::Real, "time since the start, s"),
-            StructField::new("dt", FieldType::Real, "length of a step, s"),
-            StructField::new(
-                "stiction",
-                FieldType::Real,
-                "mu, static over kinetic friction force",
-            ),
-        ],
+        fields: progress,
     });
 }
 
@@ -206,11 +265,8 @@ fn control(face: &mut ExportedItems, scene: &Scene, shape: &StepperShape, name: 
             list("velocity")
         ),
     ));
-    let fields = inputs(scene, shape).into_iter();
-    let fields: String = fields
-        .map(|(field, inner)| format!("{inner}: input.{}, ", field.name))
-        .collect();
-    let input = format!("let input = super::{name}Input {{ {fields}}};\n");
+    let input = input_expression(scene, shape, name, |_, field| format!("input.{field}"));
+    let input = format!("let input = {input};\n");
     face.functions.push(ExportedFunction::new(
         "stepper_begin",
         "Sets the input at the start of the first step.  Without this call that input is 0.",
@@ -220,20 +276,58 @@ fn control(face: &mut ExportedItems, scene: &Scene, shape: &StepperShape, name: 
     face.functions.push(ExportedFunction::new(
         "stepper_advance",
         "Takes a step.  After an error the stepper keeps its state.",
-        vec![CHANGED, ("input", Passed::Input("input")), ("stepped", Passed::Output(FieldType::Record("stepped")))],
-        format!(
-            "{input}let found = stepper.change()?.advance(input).map_err(domain)?;\nstepped.write(Stepped {{\n    force: found.force,\n    sliding: sliding(found.contact),\n    events: found.events,\n    exceeded: i32::from(found.exceeded),\n}});\nOk(())"
-        ),
+        vec![
+            CHANGED,
+            ("input", Passed::Input("input")),
+            ("stepped", Passed::Output(FieldType::Record("stepped"))),
+        ],
+        advance(scene, shape, &input),
     ));
+    let (contact, set) = match (shape.contacts.as_slice(), scene.is_joined()) {
+        ([_], false) => (None, "set_stiction(mu)"),
+        ([_], true) => (None, "set_stiction(0, mu)"),
+        _ => (
+            Some(("contact", Passed::Value(FieldType::Count))),
+            "set_stiction(contact as usize, mu)",
+        ),
+    };
+    let about = match contact {
+        None => "Sets mu, the ratio of static to kinetic friction force, from the next step on.",
+        Some(_) => {
+            "Sets mu of a contact, the ratio of static to kinetic friction force, from the next step on.  Contacts are counted from 0."
+        }
+    };
+    let parameters = [CHANGED].into_iter().chain(contact);
     face.functions.push(ExportedFunction::new(
         "stepper_set_stiction",
-        "Sets mu, the ratio of static to kinetic friction force, from the next step on.",
-        vec![CHANGED, ("mu", Passed::Value(FieldType::Real))],
-        "stepper.change()?.set_stiction(mu).map_err(domain)".to_owned(),
+        about,
+        parameters
+            .chain([("mu", Passed::Value(FieldType::Real))])
+            .collect(),
+        format!("stepper.change()?.{set}.map_err(domain)"),
     ));
 }
 
-fn read_outs(face: &mut ExportedItems, scene: &Scene) {
+/// Returns the body of the function that takes a step.
+fn advance(scene: &Scene, shape: &StepperShape, input: &str) -> String {
+    let of_contact = match shape.contacts.as_slice() {
+        [contact] if scene.is_joined() => format!(
+            "let now = stepper.{contact}();\nlet (force, sliding) = (now.force(), direction(&now));\n"
+        ),
+        [_] => "let (force, sliding) = (found.force, sliding(found.contact));\n".to_owned(),
+        _ => String::new(),
+    };
+    let written = if of_contact.is_empty() {
+        ""
+    } else {
+        "    force,\n    sliding,\n"
+    };
+    format!(
+        "{input}let stepper = stepper.change()?;\nlet found = stepper.advance(input).map_err(domain)?;\n{of_contact}stepped.write(Stepped {{\n{written}    events: found.events,\n    exceeded: i32::from(found.exceeded),\n}});\nOk(())"
+    )
+}
+
+fn read_outs(face: &mut ExportedItems, scene: &Scene, shape: &StepperShape) {
     let masses = of_masses(scene, |field, name| {
         format!("{field}: mass_now(&found.{name}()), ")
     });
@@ -246,14 +340,41 @@ fn read_outs(face: &mut ExportedItems, scene: &Scene) {
         vec![READ, output("masses", "masses")],
         format!("{found}masses.write(Masses {{ {masses}}});\nOk(())"),
     ));
-    face.functions.push(ExportedFunction::new(
-        "stepper_contact",
-        "Returns motion, force and state of the contact.",
-        vec![READ, output("contact", "contact")],
+    let contact_of = |contact: &str| {
+        let sliding = if scene.is_joined() {
+            "direction(&now)"
+        } else {
+            "sliding(now.contact())"
+        };
         format!(
-            "{found}let now = found.contact();\ncontact.write(Contact {{\n    displacement: now.displacement(),\n    velocity: now.velocity(),\n    force: now.force(),\n    sliding: sliding(now.contact()),\n}});\nOk(())"
-        ),
-    ));
+            "{{\n    let now = found.{}();\n    Contact {{ displacement: now.displacement(), velocity: now.velocity(), force: now.force(), sliding: {sliding} }}\n}}",
+            contact_method(scene, contact)
+        )
+    };
+    if let [contact] = shape.contacts.as_slice() {
+        face.functions.push(ExportedFunction::new(
+            "stepper_contact",
+            "Returns motion, force and state of the contact.",
+            vec![READ, output("contact", "contact")],
+            format!("{found}contact.write({});\nOk(())", contact_of(contact)),
+        ));
+    } else {
+        let contacts = shape.contacts.iter().enumerate();
+        let contacts = contacts.map(|(index, contact)| {
+            format!(
+                "contact_{}: {},\n",
+                ascii(contact, index),
+                contact_of(contact)
+            )
+        });
+        let contacts: String = contacts.collect();
+        face.functions.push(ExportedFunction::new(
+            "stepper_contacts",
+            "Returns motion, force and state of all contacts.",
+            vec![READ, output("contacts", "contacts")],
+            format!("{found}contacts.write(Contacts {{\n{contacts}}});\nOk(())"),
+        ));
+    }
     face.functions.push(ExportedFunction::new(
         "stepper_work",
         "Returns the energy balance.",
@@ -262,22 +383,38 @@ fn read_outs(face: &mut ExportedItems, scene: &Scene) {
             "{found}let now = found.work();\nwork.write(Work {{ load: now.load, friction: now.friction, damping: now.damping, stored: now.stored }});\nOk(())"
         ),
     ));
+    let stiction = match (shape.contacts.as_slice(), scene.is_joined()) {
+        ([_], false) => "    stiction: found.stiction(),\n",
+        ([_], true) => "    stiction: found.stiction(0).unwrap_or_default(),\n",
+        _ => "",
+    };
     face.functions.push(ExportedFunction::new(
         "stepper_progress",
         "Returns the numbers of steps, and the time.",
         vec![READ, output("progress", "progress")],
         format!(
-            "{found}progress.write(Progress {{\n    steps: found.steps(),\n    exceeded: found.exceeded(),\n    time: found.time(),\n    dt: found.dt(),\n    stiction: found.stiction(),\n}});\nOk(())"
+            "{found}progress.write(Progress {{\n    steps: found.steps(),\n    exceeded: found.exceeded(),\n    time: found.time(),\n    dt: found.dt(),\n{stiction}}});\nOk(())"
         ),
     ));
 }
 
-fn storage(face: &mut ExportedItems, shape: &StepperShape, precision: Precision) {
-    let scalar = match precision {
+fn storage(face: &mut ExportedItems, scene: &Scene, shape: &StepperShape) {
+    let scalar = match scene.precision {
         Precision::F64 => 8,
         Precision::F32 => 4,
     };
-    let length = image_bytes(scalar, shape.modes, shape.held, shape.inputs);
+    let length = match &shape.sizes {
+        StepperSizes::Modes {
+            modes,
+            held,
+            inputs,
+            ..
+        } => stepper::image_bytes(scalar, *modes, *held, *inputs),
+        StepperSizes::Joints { .. } => {
+            let (masses, loads) = (scene.masses.len(), shape.forces.len());
+            joints::image_bytes(scalar, masses, shape.contacts.len(), loads)
+        }
+    };
     face.records.push(ExportedStruct {
         name: "stepper_image",
         about: "State of a stepper for a file or for flash memory.".to_owned(),

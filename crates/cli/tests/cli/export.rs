@@ -204,6 +204,40 @@ fn odd_names_and_other_scenes() {
     }
 }
 
+/// Two contacts, of which C cannot write one name, and one contact with a dashpot.
+const TWO: &str = "struct Two {
+    masses: { a: 1, b: 2 }, springs: { base - a: 1, a - b: 1 },
+    contacts: { push: a - wall, größe: a - base { stiffness: 1 } },
+    excitation: base, force: { b }, scalar: f32, input: hold, provide: [stepper],
+}";
+const DASHPOT: &str = "struct Damped {
+    masses: { a: 1 }, springs: { base - a: 1 }, contacts: { pads: a - wall }, dampers: { base - a: 0.1 },
+    excitation: a, provide: [stepper],
+}";
+
+#[test]
+fn several_contacts_and_dashpots() {
+    let folder = Folder::new("two");
+    folder.export(TWO, &[]);
+    let header = folder.text("two.h");
+    for field in [
+        "float friction_push;",
+        "float friction_2;",
+        "struct two_contact contact_2;",
+        "uint32_t contact, float mu);",
+    ] {
+        assert!(header.contains(field), "{field}: {header}");
+    }
+    compiles(&folder.0, "two.h");
+    let folder = Folder::new("damped");
+    folder.export(DASHPOT, &[]);
+    let header = folder.text("damped.h");
+    for field in ["double friction;", "double stiction;", "int32_t sliding;"] {
+        assert!(header.contains(field), "{field}: {header}");
+    }
+    compiles(&folder.0, "damped.h");
+}
+
 #[test]
 fn keeps_a_changed_example_and_its_own_description() {
     let folder = Folder::new("again");
@@ -251,12 +285,9 @@ fn refuses_what_has_no_library() {
         assert!(!folder.0.exists(), "{lines:?}");
         lines.join("\n")
     };
-    let several = "struct Two { masses: { a: 1 }, springs: { base - a: 1 }, contacts: { p: a - wall, q: a - base { stiffness: 1 } }, excitation: a, provide: [stepper] }";
-    let told = with(several, &[]);
-    assert!(
-        told.contains("this command needs a single `contact` without dashpots"),
-        "{told}"
-    );
+    let more = TWO.replace("provide: [stepper]", "provide: [stepper, orbit]");
+    let told = "frictiongen: standard input: an export of several contacts, dashpots or a free mass has only a stepper; write `provide: [stepper]`";
+    assert_eq!(with(&more, &[]), told);
     let renamed = BLOCK.replace("excitation", "crate: ::other, excitation");
     let facade = "frictiongen: the field `crate` names the library `::other`, but an exported crate names it `::frictiongen`; leave `crate` out";
     assert_eq!(with(&renamed, &[]), facade);
@@ -300,12 +331,7 @@ fn refuses_what_has_no_fmu() {
     );
     let name = "frictiongen: cannot write the FMU block.zip: its name must end in .fmu, for example -o frame.fmu";
     assert_eq!(with(&stepped(), &["-o", "block.zip"]), name);
-    let several = "struct Two { masses: { a: 1 }, springs: { base - a: 1 }, contacts: { p: a - wall, q: a - base { stiffness: 1 } }, excitation: a, provide: [stepper], step: 1e-3 }";
-    let told = with(several, &["-o", path]);
-    assert!(
-        told.contains("this command needs a single `contact` without dashpots"),
-        "{told}"
-    );
+    assert_eq!(with(TWO, &["-o", path]), step);
 }
 
 /// Runs the export with another program in place of cargo.

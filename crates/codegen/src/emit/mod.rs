@@ -12,7 +12,7 @@ mod fields;
 mod fingerprint;
 mod frequency;
 mod held;
-mod joints;
+pub(crate) mod joints;
 mod limits;
 mod missing;
 mod mode;

@@ -3,7 +3,7 @@
 use super::emission::{Checked, Emission, EmittedCode};
 use super::fingerprint::fingerprint;
 use crate::units::UnitConstants;
-use frictiongen_model::scene::{Excitation, Precision};
+use frictiongen_model::scene::{Excitation, Precision, Scene};
 use proc_macro2::{Literal, TokenStream};
 
 /// Returns the constants that convert between ratios and units, rounded to the scene's scalar type.
@@ -50,7 +50,7 @@ pub(super) fn emit(
     let numbers = if named { &numbers[..] } else { &numbers[..2] };
     let sum = (numbers, [hertz.as_slice(), frequencies, resonances]);
     let hash_value = fingerprint(emission.scene);
-    let (hash, k1, m1) = (hexadecimal(hash_value), of(k1), of(m1));
+    let (hash, k1, m1) = (scene_hash(emission.scene), of(k1), of(m1));
     let reference_number = named.then(|| code!(Self::REFERENCE));
     let references = code! {
         &(
@@ -75,9 +75,7 @@ pub(super) fn emit(
         }
     });
     let associated = code! {
-        /// Hash of all fields of the scene and of all names (FNV-1a, 64 bits).  Descriptions that differ only in layout, comments
-        /// or attributes have the same hash.  To verify it, emit the description again.
-        pub const SCENE_HASH: ::core::primitive::u64 = #hash;
+        #hash
         #[doc = #k1_about]
         pub const K1: #scalar = #k1;
         #[doc = #m1_about]
@@ -91,6 +89,16 @@ pub(super) fn emit(
         items: conversions(emission, named),
         constants,
         ..EmittedCode::default()
+    }
+}
+
+/// Emits the hash of a scene.
+pub(super) fn scene_hash(scene: &Scene) -> TokenStream {
+    let hash = hexadecimal(fingerprint(scene));
+    code! {
+        /// Hash of all fields of the scene and of all names (FNV-1a, 64 bits).  Descriptions that differ only in layout, comments
+        /// or attributes have the same hash.  To verify it, emit the description again.
+        pub const SCENE_HASH: ::core::primitive::u64 = #hash;
     }
 }
 

@@ -20,7 +20,7 @@ pub use c::{c_header, c_name, c_source, c_tables, c_tables_name};
 pub use known::known_answers;
 pub use origin::{NOTICE, Origin, c_text, scene_hash};
 pub use rust::rust_source;
-pub use stepping::StepperShape;
+pub use stepping::{StepperShape, StepperSizes};
 
 pub use crate::units::UnitConstants;
 

@@ -37,7 +37,7 @@ pub fn write(
     format!(
         "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n\
          <fmiModelDescription\n  fmiVersion=\"3.0\"\n  modelName=\"{name}\"\n  instantiationToken=\"{token}\"\n  \
-         description=\"Stepper of a chain with a friction contact\"\n  generationTool=\"frictiongen {version}\"\n  \
+         description=\"Stepper of a chain with friction contacts\"\n  generationTool=\"frictiongen {version}\"\n  \
          variableNamingConvention=\"{convention}\">\n  \
          <CoSimulation\n    modelIdentifier=\"{identifier}\"\n    fixedInternalStepSize=\"{step:?}\"\n    \
          canHandleVariableCommunicationStepSize=\"false\"\n    mightReturnEarlyFromDoStep=\"true\"\n    canGetAndSetFMUState=\"true\"\n    \
@@ -94,36 +94,56 @@ fn listed(variables: &Variables) -> (String, std::ops::Range<usize>) {
         ));
     }
     let rest = first + variables.outputs.len();
-    let discrete = [
-        ("Boolean", "contact.sticks", "true while the contact sticks"),
-        (
-            "Int32",
-            "contact.direction",
-            "0 while the contact sticks, otherwise the sign of its velocity",
-        ),
-        (
-            "UInt64",
-            "contact.events",
-            "number of stops, break-aways and reversals in the last communication step",
-        ),
-        (
-            "UInt64",
-            "contact.exceeded",
-            "number of steps since the start that reached the bound on events",
-        ),
-        (
-            "Float64",
-            "contact.last_event_time",
-            "instant of the last stop, break-away or reversal; the start time before the first of them",
-        ),
-    ];
-    for (index, (kind, name, about)) in discrete.into_iter().enumerate() {
-        let unit = if kind == "Float64" { " unit=\"s\"" } else { "" };
+    let discrete = discrete(variables);
+    for (index, (kind, name, about)) in discrete.iter().enumerate() {
+        let unit = if *kind == "Float64" {
+            " unit=\"s\""
+        } else {
+            ""
+        };
         let more =
             format!("causality=\"output\" variability=\"discrete\" initial=\"calculated\"{unit}");
         text.push_str(&variable(kind, (rest + index, name, about), &more));
     }
     (text, first..rest + discrete.len())
+}
+
+/// Returns type, name and meaning of the outputs that change at events: a flag and a direction of each contact, and three
+/// numbers of all events.
+fn discrete(variables: &Variables) -> Vec<(&'static str, String, String)> {
+    let names = || variables.contacts.iter().map(|[name, _]| name);
+    let sticks = names().map(|name| {
+        let about = "true while the contact sticks";
+        ("Boolean", format!("{name}.sticks"), about.to_owned())
+    });
+    let directions = names().map(|name| {
+        let about = "0 while the contact sticks, otherwise the sign of its velocity";
+        ("Int32", format!("{name}.direction"), about.to_owned())
+    });
+    let all = match variables.contacts.as_slice() {
+        [[name, _]] => name,
+        _ => "contacts",
+    };
+    let events = [
+        (
+            "UInt64",
+            "events",
+            "number of stops, break-aways and reversals in the last communication step",
+        ),
+        (
+            "UInt64",
+            "exceeded",
+            "number of steps since the start that reached the bound on events",
+        ),
+        (
+            "Float64",
+            "last_event_time",
+            "instant of the last stop, break-away or reversal; the start time before the first of them",
+        ),
+    ];
+    let events =
+        events.map(|(kind, name, about)| (kind, format!("{all}.{name}"), about.to_owned()));
+    sticks.chain(directions).chain(events).collect()
 }
 
 fn variable(kind: &str, (reference, name, about): (usize, &str, &str), more: &str) -> String {

@@ -29,7 +29,8 @@ pub fn scene(scene: &Scene, variables: &Variables, (name, token): (&str, &str)) 
         Precision::F64 => "f64",
         Precision::F32 => "f32",
     };
-    let inputs = variables.fields.len();
+    let inputs = variables.inputs;
+    let contacts = variables.contacts.len();
     let settable = variables.settable.iter().map(|of| {
         let kind = match of.kind {
             Variability::Input => "Input",
@@ -44,8 +45,14 @@ pub fn scene(scene: &Scene, variables: &Variables, (name, token): (&str, &str)) 
             of.name, of.unit, of.start
         )
     });
-    let fields = variables.fields.iter().enumerate();
-    let fields = fields.map(|(index, field)| format!("        {field}: real(values[{index}]),\n"));
+    let methods = variables.contacts.iter().map(|[_, method]| method);
+    let directions = methods.map(|method| format!("        direction(&stepper.{method}()),\n"));
+    // The stepper of one contact without dashpots holds the friction force during a step.
+    let linear = if scene.is_joined() {
+        inputs
+    } else {
+        inputs - 1
+    };
     let names = variables
         .outputs
         .iter()
@@ -56,39 +63,63 @@ pub fn scene(scene: &Scene, variables: &Variables, (name, token): (&str, &str)) 
         .map(|of| format!("        f64::from({}),\n", of.value));
     format!(
         "//! The variables of the scene.\n\n\
-         use super::{{{name} as Scene, {name}Input as Input}};\nuse frictiongen::OutOfDomain;\n\
-         use frictiongen::answer::Contact;\n\n\
+         use super::{{{name} as Scene, {name}Input as Input}};\nuse frictiongen::OutOfDomain;\n\n\
          pub(crate) type Stepper = super::{name}Stepper;\n\n\
          /// The token of modelDescription.xml.\npub const TOKEN: &str = {token:?};\n\
          pub const HASH: u64 = Scene::SCENE_HASH;\n/// Length of a step, s.\npub const DT: f64 = Scene::STEP as f64;\n\
          /// True if the inputs act during a step, false if they act at its end.\npub const HOLD: bool = {hold};\n\
          /// True if the first two inputs are displacement and velocity of the base.\npub const ON_BASE: bool = {on_base};\n\
-         pub const MASSES: usize = {masses};\npub const INPUTS: usize = {inputs};\n\
-         /// Place of stiction among the variables.\npub const STICTION: usize = INPUTS;\n\
-         pub const SETTABLE: usize = INPUTS + 1 + 2 * MASSES;\n\n\
+         pub const MASSES: usize = {masses};\npub const CONTACTS: usize = {contacts};\npub const INPUTS: usize = {inputs};\n\
+         /// Number of inputs that change linearly between two samples.\npub const LINEAR: usize = {linear};\n\
+         /// Place of the first stiction among the variables.\npub const STICTION: usize = INPUTS;\n\
+         pub const SETTABLE: usize = INPUTS + CONTACTS + 2 * MASSES;\n\n\
          #[derive(Clone, Copy, Debug, PartialEq, Eq)]\npub enum Kind {{\n    Input,\n    Tunable,\n    Initial,\n}}\n\n\
          pub struct Variable {{\n    pub name: &'static str,\n    pub unit: &'static str,\n    pub kind: Kind,\n    \
          pub start: f64,\n    pub least: f64,\n}}\n\n\
          pub const VARIABLES: [Variable; SETTABLE] = [\n{settable}];\n\n\
          pub const OUTPUTS: [&str; {outputs}] = [\n{names}];\n\n\
          /// Returns a number in the scene's scalar.\npub fn real(value: f64) -> {scalar} {{\n    value as {scalar}\n}}\n\n\
-         pub(crate) fn input(values: &[f64; INPUTS]) -> Input {{\n    Input {{\n{fields}    }}\n}}\n\n\
+         pub(crate) fn input(values: &[f64; INPUTS]) -> Input {{\n    {input}\n}}\n\n\
          pub(crate) fn start(displacements: [f64; MASSES], velocities: [f64; MASSES]) -> Result<Stepper, OutOfDomain> {{\n    \
          let (displacements, velocities) = (displacements.map(real), velocities.map(real));\n    \
          Scene::stepper_from(Scene::STEP, (&displacements, &velocities))\n}}\n\n\
          pub(crate) fn restored(image: &[u8; Stepper::IMAGE]) -> Result<Stepper, OutOfDomain> {{\n    \
          Scene::stepper_from_image(image)\n}}\n\n\
          pub(crate) fn outputs(stepper: &Stepper) -> [f64; OUTPUTS.len()] {{\n    \
-         let (contact, work) = (stepper.contact(), stepper.work());\n    [\n{values}    ]\n}}\n\n\
-         pub(crate) fn direction(stepper: &Stepper) -> i32 {{\n    match stepper.contact().contact() {{\n        \
-         Contact::Stuck => 0,\n        Contact::Forward => 1,\n        Contact::Backward => -1,\n    }}\n}}\n",
+         let work = stepper.work();\n    [\n{values}    ]\n}}\n\n\
+         /// Returns 0 for each contact that sticks, and otherwise the sign of its velocity.\n\
+         pub(crate) fn directions(stepper: &Stepper) -> [i32; CONTACTS] {{\n    [\n{directions}    ]\n}}\n\n\
+         {helpers}",
+        helpers = helpers(scene, scalar),
+        input = variables.input,
+        directions = directions.collect::<String>(),
         hold = scene.stepping.input == StepInput::Hold,
         on_base = scene.excitation == Excitation::Base,
         masses = scene.masses.len(),
         outputs = variables.outputs.len(),
         settable = settable.collect::<String>(),
         names = names.collect::<String>(),
-        fields = fields.collect::<String>(),
         values = values.collect::<String>(),
     )
+}
+
+/// Returns the functions of a stepper that depend on the kind of its scene.
+fn helpers(scene: &Scene, scalar: &str) -> String {
+    if scene.is_joined() {
+        format!(
+            "fn direction(contact: &frictiongen::kernel::joints::ContactState<{scalar}>) -> i32 {{\n    \
+             let velocity = contact.velocity();\n    \
+             if contact.is_sticking() || velocity == 0.0 {{\n        0\n    }} else if velocity > 0.0 {{\n        1\n    }} else {{\n        -1\n    }}\n}}\n\n\
+             pub(crate) fn set_stiction(stepper: &mut Stepper, contact: usize, mu: f64) -> Result<(), OutOfDomain> {{\n    \
+             stepper.set_stiction(contact, real(mu))\n}}\n"
+        )
+    } else {
+        format!(
+            "fn direction(contact: &frictiongen::kernel::stepper::ContactNow<{scalar}>) -> i32 {{\n    \
+             use frictiongen::answer::Contact;\n    match contact.contact() {{\n        \
+             Contact::Stuck => 0,\n        Contact::Forward => 1,\n        Contact::Backward => -1,\n    }}\n}}\n\n\
+             pub(crate) fn set_stiction(stepper: &mut Stepper, _: usize, mu: f64) -> Result<(), OutOfDomain> {{\n    \
+             stepper.set_stiction(real(mu))\n}}\n"
+        )
+    }
 }

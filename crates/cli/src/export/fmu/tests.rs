@@ -76,7 +76,7 @@ fn both_files_number_the_variables_alike() {
         let reals = names.len() - 5;
         assert_eq!(quoted, names[1..reals]);
         // A scene with 3 masses has 3 or 4 inputs, stiction, 6 initial values, and 6 + 3 + 4 + 5 outputs.
-        let inputs = variables.fields.len();
+        let inputs = variables.inputs;
         assert_eq!(names.len(), 1 + inputs + 1 + 6 + 18);
         // The description lists each output twice: as an output, and as an initial unknown.
         let outputs = attributes(structure, "valueReference");

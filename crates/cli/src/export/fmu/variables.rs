@@ -1,7 +1,7 @@
 //! The variables of an FMU. From this list, the command writes the description of the FMU and its Rust file.
 
 use crate::export::names::mass;
-use crate::export::stepping::inputs;
+use crate::export::stepping::{contact_method, input_expression, inputs};
 use frictiongen::study::scene::Scene;
 use frictiongen_codegen::standalone::StepperShape;
 
@@ -49,8 +49,12 @@ pub struct Output {
 /// All real variables of an FMU, in the order of their value references.
 #[derive(Clone, Debug)]
 pub struct Variables {
-    /// Fields of the stepper's input in Rust. They correspond to the first variables, in the same order.
-    pub fields: Vec<String>,
+    /// Number of inputs, which are the first variables.
+    pub inputs: usize,
+    /// Rust expression of the stepper's input from the array `values`.
+    pub input: String,
+    /// Contacts, each with its name in the FMU and the method of the stepper that returns it.
+    pub contacts: Vec<[String; 2]>,
     /// Variables that the importer may set: inputs, stiction, and initial displacements and velocities.
     pub settable: Vec<Settable>,
     /// All variables that the FMU computes.
@@ -61,14 +65,30 @@ impl Variables {
     /// Returns the variables of a scene's FMU.
     pub fn of(scene: &Scene) -> Self {
         let shape = StepperShape::of(scene);
-        let fields = inputs(scene, &shape).into_iter();
-        let (abouts, fields): (Vec<String>, Vec<String>) =
-            fields.map(|(field, inner)| (field.about, inner)).unzip();
+        let abouts = inputs(scene, &shape).into_iter();
+        let abouts = abouts.map(|(field, _)| field.about);
+        let contacts = shape.contacts.iter();
+        let contacts: Vec<[String; 2]> = contacts
+            .map(|name| {
+                let method = contact_method(scene, name);
+                [if scene.is_joined() { name } else { method }, method].map(str::to_owned)
+            })
+            .collect();
+        // With one contact, its friction and its stiction need no name.
+        let of_contacts = |what: &str| -> Vec<String> {
+            match contacts.as_slice() {
+                [_] => vec![what.to_owned()],
+                contacts => contacts
+                    .iter()
+                    .map(|[name, _]| format!("{name}.{what}"))
+                    .collect(),
+            }
+        };
         let base = ["base.displacement", "base.velocity"].map(str::to_owned);
         let base = base.into_iter().filter(|_| shape.on_base);
         let forces = shape.forces.iter();
         let forces = forces.map(|index| format!("{}.force", mass(scene, *index)));
-        let names = base.chain(forces).chain(["friction".to_owned()]);
+        let names = base.chain(forces).chain(of_contacts("friction"));
         let input = |(name, about): (String, String)| {
             // The C comment of this field ends with the unit, for example `displacement of the base, m`.
             let unit = match name.as_str() {
@@ -76,7 +96,7 @@ impl Variables {
                 "base.velocity" => "m/s",
                 _ => "N",
             };
-            let least = (name == "friction").then_some(0.0);
+            let least = name.ends_with("friction").then_some(0.0);
             let about = about.split(',').next().unwrap_or_default().to_owned();
             Settable {
                 name,
@@ -88,19 +108,27 @@ impl Variables {
             }
         };
         let mut settable: Vec<Settable> = names.zip(abouts).map(input).collect();
-        settable.push(Settable {
-            name: "stiction".to_owned(),
+        let count = settable.len();
+        let stictions = of_contacts("stiction").into_iter();
+        let laws = scene.named_contacts().into_iter();
+        settable.extend(stictions.zip(laws).map(|(name, contact)| Settable {
+            name,
             unit: "",
             about: "mu, static over kinetic friction force".to_owned(),
             kind: Variability::Tunable,
-            start: scene.stiction,
+            start: contact.law.stiction,
             least: Some(1.0),
-        });
+        }));
         settable.extend((0..scene.masses.len()).flat_map(|index| initial(mass(scene, index))));
+        let input = input_expression(scene, &shape, &scene.name, |index, _| {
+            format!("real(values[{index}])")
+        });
         Self {
-            fields,
+            inputs: count,
+            input,
             settable,
-            outputs: outputs(scene),
+            outputs: outputs(scene, &contacts),
+            contacts,
         }
     }
 }
@@ -116,7 +144,7 @@ fn initial(mass: &str) -> [Settable; 2] {
     })
 }
 
-fn outputs(scene: &Scene) -> Vec<Output> {
+fn outputs(scene: &Scene, contacts: &[[String; 2]]) -> Vec<Output> {
     let output =
         |of: &str, (what, unit): (&str, &'static str), about: String, value: String| Output {
             name: format!("{of}.{what}"),
@@ -139,16 +167,27 @@ fn outputs(scene: &Scene) -> Vec<Output> {
             })
         })
         .collect();
-    all.extend(motion.map(|(what, unit)| {
-        let about = format!("relative {what} of the contact");
-        output("contact", (what, unit), about, format!("contact.{what}()"))
-    }));
-    all.push(output(
-        "contact",
-        ("force", "N"),
-        "friction force, or the force that holds a stuck contact".to_owned(),
-        "contact.force()".to_owned(),
-    ));
+    for [name, method] in contacts {
+        let of = match contacts {
+            [_] => "the contact".to_owned(),
+            _ => format!("contact {name}"),
+        };
+        all.extend(motion.map(|(what, unit)| {
+            let about = format!("relative {what} of {of}");
+            output(
+                name,
+                (what, unit),
+                about,
+                format!("stepper.{method}().{what}()"),
+            )
+        }));
+        all.push(output(
+            name,
+            ("force", "N"),
+            "friction force, or the force that holds a stuck contact".to_owned(),
+            format!("stepper.{method}().force()"),
+        ));
+    }
     let work = [
         ("load", "work of the forces and of the base since the start"),
         ("friction", "energy dissipated by friction since the start"),

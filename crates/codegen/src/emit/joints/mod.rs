@@ -9,13 +9,16 @@ mod stepper;
 use super::about::{origin, scene_struct};
 use super::emission::rounded;
 use super::names::TypeNames;
+use super::units::scene_hash;
 use crate::Description;
 use crate::graph::literal::{literal, scalar};
 use frictiongen_kernel::joints::Layout;
 use frictiongen_kernel::number::dd::Dd;
 use frictiongen_model::joined::{at_rest, damping_matrix, numbered};
 use frictiongen_model::modal::Modal;
-use frictiongen_model::scene::{Excitation, NamedContact, Node, Precision, Provide};
+use frictiongen_model::scene::{
+    Damping, Excitation, NamedContact, Node, Precision, Provide, Scene,
+};
 use proc_macro2::{Ident, Literal, TokenStream};
 use quote::format_ident;
 
@@ -60,35 +63,8 @@ impl<'a> JointsEmission<'a> {
             Some((*mass, name.clone()))
         }));
         let engine = code!(#facade::kernel::joints);
-        let masses = scene.masses.len();
-        let mut sizes = vec![masses, masses + 2, contacts.len(), loads.len()];
-        let unknowns = if scene.provide.contains(&Provide::Orbit) {
-            2 * masses + contacts.len()
-        } else if scene.provide.contains(&Provide::Stuck) {
-            2 * masses
-        } else {
-            0
-        };
-        let points = scene.friction.points().len();
-        let steps = (scene.provide.contains(&Provide::Stepper) && points == 0).then(|| Layout {
-            masses,
-            contacts: contacts.len(),
-            elastic: contacts
-                .iter()
-                .filter(|contact| contact.law.stiffness.is_some())
-                .count(),
-            loads: loads.len(),
-            input: scene.stepping.input.into(),
-            on_base: scene.excitation == Excitation::Base,
-            shears: scene.precision == Precision::F32,
-        });
-        let steps = steps.filter(|layout| layout.entries() > 0);
-        let row = steps.map_or(0, |layout| layout.coordinates());
-        let mut others = vec![unknowns, unknowns * unknowns, points, row];
-        while others.last() == Some(&0) {
-            others.pop();
-        }
-        sizes.extend(others);
+        let steps = step_layout(scene, loads.len());
+        let sizes = sizes(scene, loads.len());
         let sizes = sizes.into_iter().map(Literal::usize_unsuffixed);
         let precision = scalar(scene.precision);
         let mut friction = format_ident!("{}Friction", name);
@@ -306,6 +282,45 @@ impl<'a> JointsEmission<'a> {
     }
 }
 
+/// Returns the numbers of coordinates and rows in the tables of a stepper on whose masses `loads` forces act. Returns
+/// `None` for a stepper without tables.
+pub(crate) fn step_layout(scene: &Scene, loads: usize) -> Option<Layout> {
+    let layout = Layout {
+        masses: scene.masses.len(),
+        contacts: scene.named_contacts().len(),
+        loads,
+        input: scene.stepping.input.into(),
+        on_base: scene.excitation == Excitation::Base,
+        shears: scene.precision == Precision::F32,
+        damped: !matches!(scene.damping, Damping::None) || !scene.joints.dampers.is_empty(),
+    };
+    let has_tables = scene.provides(&Provide::Stepper)
+        && scene.friction.points().is_empty()
+        && layout.entries() > 0;
+    has_tables.then_some(layout)
+}
+
+/// Returns the arguments of the kernel's type that fixes the lengths of all arrays.
+pub(crate) fn sizes(scene: &Scene, loads: usize) -> Vec<usize> {
+    let (masses, contacts) = (scene.masses.len(), scene.named_contacts().len());
+    let unknowns = if scene.provides(&Provide::Orbit) {
+        2 * masses + contacts
+    } else if scene.provides(&Provide::Stuck) {
+        2 * masses
+    } else {
+        0
+    };
+    let points = scene.friction.points().len();
+    let row = step_layout(scene, loads).map_or(0, |layout| layout.coordinates());
+    let mut sizes = vec![masses, masses + 2, contacts, loads];
+    sizes.extend([unknowns, unknowns * unknowns, points, row]);
+    // The last arguments are 0 by default.
+    while sizes.len() > 4 && sizes.last() == Some(&0) {
+        sizes.pop();
+    }
+    sizes
+}
+
 /// Emits the code of a scene with several contacts or dashpots. Returns the types for the user's module, and the
 /// hidden items.
 pub(super) fn emit(description: &Description) -> (TokenStream, TokenStream) {
@@ -315,7 +330,8 @@ pub(super) fn emit(description: &Description) -> (TokenStream, TokenStream) {
     let name = &emission.names.name;
     let chain = emission.chain(&modal);
     let mut types = scene_type(&emission);
-    let mut items = code!(impl #name { #chain });
+    let hash = scene_hash(scene);
+    let mut items = code!(impl #name { #hash #chain });
     if emission.provides(&Provide::Stepper) {
         let (own, more) = stepper::emit(&emission, &modal);
         types.extend(own);
