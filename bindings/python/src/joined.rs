@@ -8,27 +8,31 @@ use crate::columns::NamedArrays;
 use crate::errors::domain;
 use crate::system::NativeSystem;
 use crate::work::without_lock;
-use frictiongen::study::columns::{JoinedRow, JoinedTable};
+use frictiongen::study::columns::{JoinedRow, JoinedTable, MovingPart};
 use frictiongen::study::joined::JoinedError;
 use frictiongen::{Of, System};
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
 use rayon::prelude::*;
 
-/// Returns the indices of the masses with the given names. Without names, returns the indices of all masses.
-pub fn masses(system: &System, given: Option<&Bound<'_, PyAny>>) -> PyResult<Vec<usize>> {
-    let asked = names("of", given)?;
+/// Returns the motions with the given names. Without names, returns all masses.
+pub fn motions(system: &System, given: Option<&Bound<'_, PyAny>>) -> PyResult<Vec<MovingPart>> {
+    let mut asked = names("of", given)?;
     if asked.is_empty() {
-        return Ok((0..system.scene().masses.len()).collect());
+        let masses = system.scene().masses.iter();
+        asked = masses.map(|mass| mass.name.clone()).collect();
     }
-    let indices = asked.iter().map(|name| match system.motion_named(name) {
-        Ok(Of::Mass(index)) => Ok(index),
-        Ok(_) => Err(domain(format_args!(
-            "of: `{name}` is no mass; the answer has every contact by its name"
-        ))),
-        Err(error) => Err(domain(format_args!("of: {error}"))),
+    let parts = asked.iter().map(|name| {
+        let part = MovingPart::named(system, name);
+        let part = part.map_err(|error| domain(format_args!("of: {error}")))?;
+        match part.of {
+            Of::Contact => Err(domain(format_args!(
+                "of: `{name}` is no motion of masses; the answer has every contact by its name"
+            ))),
+            _ => Ok(part),
+        }
     });
-    indices.collect()
+    parts.collect()
 }
 
 /// Computes the steady state that motion from rest or from another state reaches, for a scene with several contacts,
@@ -47,10 +51,10 @@ pub fn by_contact<'py>(
     let joined = system.joined().map_err(domain)?;
     let frequencies = FrequencyValues::of(system, &frequency, true)?;
     let frictions = FrictionValues::of(&friction, &measure)?;
+    let parts = motions(system, of.as_ref())?;
     let table = JoinedTable {
-        setting: setting(system, measure, frequencies.unit(&measure), &[]),
+        setting: setting(system, measure, frequencies.unit(&measure), &parts),
         joined: &joined,
-        masses: &masses(system, of.as_ref())?,
     };
     let columns = table.columns();
     let (along, up) = (frequencies.all(system), frictions.all());

@@ -6,7 +6,7 @@ use crate::asked::{
 };
 use crate::columns::NamedArrays;
 use crate::errors::domain;
-use crate::joined::masses;
+use crate::joined::motions;
 use crate::system::NativeSystem;
 use crate::work::left_at_interrupt;
 use frictiongen::System;
@@ -64,10 +64,17 @@ fn free<'py>(
             run?.until(until, samples, false)
         })?
         .map_err(|error: JoinedError| domain(error))?;
+        let parts = motions(system, of.as_ref())?;
+        let zeros = vec![0.0; system.scene().masses.len()];
+        if let Some(part) = parts.iter().find(|part| part.among(&zeros).is_none()) {
+            return Err(domain(format_args!(
+                "of: `{}` is no mass and no difference of two masses, which alone a motion in time of several contacts has",
+                part.name
+            )));
+        }
         let table = JoinedTable {
-            setting: setting(system, measure, FrequencyUnit::Hertz, &[]),
+            setting: setting(system, measure, FrequencyUnit::Hertz, &parts),
             joined: &joined,
-            masses: &masses(system, of.as_ref())?,
         };
         let (history, omega) = (&history, at.omega);
         let rows = (0..history.taus.len()).map(|index| JoinedSample {

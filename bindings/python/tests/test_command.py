@@ -246,10 +246,12 @@ def test_one_contact_has_the_same_answer_by_contact(frame):
     assert several.regime.tolist() == one.regime.tolist()
 
 
-def test_masses_of_several_contacts_are_masses(frame):
+def test_motions_of_several_contacts_are_those_of_masses(frame):
+    drift = frame.by_contact(r=0.9, beta=0.3, of="upper-lower")["upper-lower"].amplitude
+    assert drift == pytest.approx(frame.response(r=0.9, beta=0.3, of="upper-lower")["upper-lower"].amplitude)
     with pytest.raises(frictiongen.DomainError, match="of: there is no mass `roof`"):
         frame.by_contact(hz=1.0, beta=0.1, of="roof")
-    with pytest.raises(frictiongen.DomainError, match="of: `contact` is no mass"):
+    with pytest.raises(frictiongen.DomainError, match="of: `contact` is no motion of masses"):
         frame.by_contact(hz=1.0, beta=0.1, of="contact")
 
 

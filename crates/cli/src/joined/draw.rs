@@ -2,6 +2,7 @@
 
 use super::Question;
 use crate::args::ShadeArgument;
+use crate::asked::MovingPart;
 use crate::destination::OutputFormat;
 use crate::failure::Failure;
 use crate::interrupt;
@@ -10,6 +11,7 @@ use crate::progress::Progress;
 use frictiongen::Regime;
 use frictiongen::study::columns::{Frequency, FrictionSetting, JoinedRow};
 use frictiongen::study::joined::JoinedHistory;
+use frictiongen::study::response::MotionQuantity;
 use frictiongen_plot::desk::{
     ContactTrack, JoinedCells, JoinedClasses, JoinedCurve, JoinedMotion, Scales,
     joined_curve_figure, joined_map_figure, joined_motion_figure,
@@ -69,11 +71,10 @@ pub fn motion_figure(
             sticks: states().map(|now| now.is_sticking).collect(),
         }
     });
-    let masses = question.masses.iter().filter_map(|index| {
-        let name = question.system.scene().masses.get(*index)?.name.clone();
+    let masses = question.parts.iter().filter_map(|part| {
         let states = history.states.iter();
-        let x = states.filter_map(|(x, _)| Some(scales.length(*x.get(*index)?)));
-        Some((name, x.collect()))
+        let x = states.map(|(x, _)| Some(scales.length(part.among(x)?)));
+        Some((part.name.clone(), x.collect::<Option<_>>()?))
     });
     let motion = JoinedMotion {
         times: taus.map(|tau| scales.time(*tau)).collect(),
@@ -172,30 +173,28 @@ pub fn steady_figure(
     Ok(picture::under_load(figure, &question.measure, ""))
 }
 
-/// Returns the panels of a picture and the curves in the panels. The curves show the amplitude of each mass, and the
+/// Returns the panels of a picture and the curves in the panels. The curves show the amplitude of each motion, and the
 /// fraction of the period during which each contact sticks.
 fn curves(
     question: &Question<'_>,
     rows: &[CurveRows],
     scales: &Scales,
 ) -> (Vec<(Label, Label)>, Vec<JoinedCurve>) {
-    let names = question.table().parts();
-    let contacts = question.joined.contact_names().len();
-    let (held, masses) = names.split_at(contacts.min(names.len()));
-    let titles = masses
-        .iter()
-        .map(|name| (Label::verbatim(name), scales.length_label()));
+    let held = question.joined.contact_names();
+    let contacts = held.len();
+    let titles = question.parts.iter().map(|part| {
+        let label = scales.showing(part.of).size_label(part.size);
+        (Label::verbatim(&part.name), label)
+    });
     let held = held.iter().map(|name| {
         let label = "stuck fraction of the period".into();
         (Label::verbatim(&format!("contact {name}")), label)
     });
     let titles: Vec<(Label, Label)> = titles.chain(held).collect();
     let curves = rows.iter().map(|(friction, line)| {
-        let masses = (contacts..names.len()).map(|index| {
-            let sizes = line.iter().map(move |row| {
-                let size = row.amplitude(index);
-                size.map_or(f64::NAN, |size| scales.length_at(row.frequency.r, size))
-            });
+        let motions = question.parts.iter().enumerate().map(|(index, part)| {
+            let sizes = line.iter();
+            let sizes = sizes.map(|row| scaled(row, (contacts + index, part), scales));
             sizes.collect()
         });
         let held = (0..contacts).map(|index| {
@@ -209,10 +208,25 @@ fn curves(
             points: points
                 .map(|row| (scales.frequency(row.frequency.r), row.kind()))
                 .collect(),
-            values: masses.chain(held).collect(),
+            values: motions.chain(held).collect(),
         }
     });
     (titles, curves.collect())
+}
+
+/// Returns the amplitude of the motion with this index in a row, in the unit of its axis.
+fn scaled(row: &JoinedRow, (index, part): (usize, &MovingPart), scales: &Scales) -> f64 {
+    let size = row.amplitude(index).unwrap_or(f64::NAN);
+    in_unit(size, part, (row.frequency.r, scales))
+}
+
+/// Converts the amplitude of a motion at the frequency ratio r to the unit of its axis.
+pub(super) fn in_unit(size: f64, part: &MovingPart, (r, scales): (f64, &Scales)) -> f64 {
+    let scales = scales.showing(part.of);
+    match part.size {
+        MotionQuantity::Displacement => scales.length_at(r, size),
+        rate => scales.rate_at(rate, r, size),
+    }
 }
 
 /// Returns the contents of a map's cells, row by row from the lowest friction to the highest.
@@ -225,16 +239,12 @@ fn cells(
     let all = rows.iter().flat_map(|(_, line)| line);
     if shade == ShadeArgument::Amplitude {
         let contacts = question.joined.contact_names().len();
-        let name = question.table().parts().get(contacts).cloned();
-        let sizes = all.map(|row| {
-            let size = row.amplitude(contacts);
-            size.map_or(f64::NAN, |size| scales.length_at(row.frequency.r, size))
-        });
-        let unit = if scales.in_newtons() { "mm" } else { "ratio" };
-        let label = Label::verbatim(&format!(
-            "amplitude of {} ({unit})",
-            name.unwrap_or_default()
-        ));
+        let Some(part) = question.parts.first() else {
+            return JoinedCells::Values(Label::verbatim(""), Vec::new());
+        };
+        let sizes = all.map(|row| scaled(row, (contacts, part), scales));
+        let label = scales.showing(part.of).size_label(part.size);
+        let label = Label::verbatim(&format!("{}: ", part.name)).then(&label);
         return JoinedCells::Values(label, sizes.collect());
     }
     let classes = all.map(|row| match row.kind() {

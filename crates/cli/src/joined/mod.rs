@@ -10,7 +10,7 @@ mod sensitivity;
 mod time;
 
 use crate::args::PointArguments;
-use crate::asked;
+use crate::asked::{self, MovingPart};
 use crate::destination::OutputFormat;
 use crate::failure::Failure;
 use crate::frequency::Frequencies;
@@ -60,7 +60,7 @@ struct Question<'s> {
     frequencies: Frequencies,
     frictions: Frictions,
     measure: Measure,
-    masses: Vec<usize>,
+    parts: Vec<MovingPart>,
 }
 
 impl Question<'_> {
@@ -73,19 +73,16 @@ impl Question<'_> {
                 frequencies: self.frequencies.given(),
                 frictions: self.frictions.given(),
                 forces: self.frictions.are_forces(),
-                parts: &[],
+                parts: &self.parts,
             },
             joined: self.joined,
-            masses: &self.masses,
         }
     }
 
-    /// Returns the names of the masses that the user requests.
+    /// Returns the names of the motions that the user requests.
     #[cfg(feature = "report")]
     fn names(&self) -> Vec<String> {
-        let names = self.masses.iter();
-        let names = names.filter_map(|index| self.system.scene().masses.get(*index));
-        names.map(|mass| mass.name.clone()).collect()
+        self.parts.iter().map(|part| part.name.clone()).collect()
     }
 
     fn summary(&self) -> Summary {
@@ -101,14 +98,13 @@ pub fn free(
     (form, out): (OutputFormat, &mut dyn Write),
 ) -> Result<(), Failure> {
     let joined = system.joined().map_err(Failure::new)?;
-    let masses = asked::masses(system, "--of", of)?;
     let question = Question {
         system,
         joined: &joined,
         frequencies: Frequencies::none(),
         frictions,
         measure: Measure::si(system),
-        masses: masses.into_iter().map(|mass| mass.index).collect(),
+        parts: asked::motions(system, of)?,
     };
     time::write(&question, time, form, out)
 }
@@ -146,14 +142,14 @@ impl<'a> Asked<'a> {
         let measure = measure::of(&self.point.load, &system)?;
         let system = from::started(self.from, system, &measure)?;
         let joined = system.joined().map_err(Failure::new)?;
-        let masses = asked::masses(&system, "--of", self.of)?;
+        let parts = asked::motions(&system, self.of)?;
         let question = Question {
             system: &system,
             joined: &joined,
             frequencies: self.frequencies.under(&measure),
             frictions: self.frictions.under(&measure)?,
             measure,
-            masses: masses.into_iter().map(|mass| mass.index).collect(),
+            parts,
         };
         // A scene without springs requires physical units. This call reports the error before the command prints any
         // output.

@@ -36,14 +36,14 @@ struct SteadyNumbers {
     parts: Vec<ContactNumbers>,
 }
 
-/// Numbers of the motion of a contact or a mass over a period.
+/// Numbers of the motion of a contact, or of another motion, over a period.
 #[derive(Clone, Debug)]
 struct ContactNumbers {
     amplitude: f64,
     contact: Option<ContactPart>,
 }
 
-/// Numbers over a period that a contact has and a mass does not have.
+/// Numbers over a period that a contact has and another motion does not have.
 #[derive(Clone, Copy, Debug)]
 struct ContactPart {
     regime: &'static str,
@@ -93,8 +93,8 @@ impl JoinedRow {
         self.steady.as_ref().map_or("", |steady| &steady.marginal)
     }
 
-    /// Returns the amplitude of a contact or a mass in non-dimensional groups. `index` counts all contacts first, and
-    /// then the masses of the table.
+    /// Returns the amplitude of a contact or of another motion in non-dimensional groups. `index` counts all contacts
+    /// first, and then the motions of the table.
     #[must_use]
     pub fn amplitude(&self, index: usize) -> Option<f64> {
         Some(self.part(index)?.amplitude)
@@ -118,13 +118,11 @@ impl JoinedRow {
 /// The tables of the steady states of a scene with several contacts.
 #[derive(Clone, Copy)]
 pub struct JoinedTable<'a> {
-    /// System and units, and the frequencies and frictions as the user gave them. The tables do not use the list of
-    /// motions in this setting.
+    /// System and units, the frequencies and frictions as the user gave them, and the motions in the tables. The tables
+    /// contain all contacts.
     pub setting: Setting<'a>,
     /// The scene's contacts and masses.
     pub joined: &'a Joined<'a>,
-    /// Indices of the masses in the tables.
-    pub masses: &'a [usize],
 }
 
 impl<'a> JoinedTable<'a> {
@@ -226,11 +224,12 @@ impl<'a> JoinedTable<'a> {
                 energy: contact.energy(),
             }),
         });
-        let amplitudes = orbit.amplitudes();
-        let masses = self.masses.iter().map(|mass| ContactNumbers {
-            amplitude: amplitudes.get(*mass).copied().unwrap_or(f64::NAN),
-            contact: None,
+        let motions = self.setting.parts.iter().map(|part| {
+            let amplitude = orbit.largest(part.of, part.size)?;
+            let contact = None;
+            Ok(ContactNumbers { amplitude, contact })
         });
+        let motions = motions.collect::<Result<Vec<_>, JoinedError>>()?;
         let multipliers = orbit.multipliers().iter().map(|value| value.norm());
         Ok(JoinedRow {
             frequency,
@@ -247,22 +246,28 @@ impl<'a> JoinedTable<'a> {
                 period: orbit.period(),
                 multiplier: multipliers.reduce(f64::max),
                 marginal: orbit.marginal_contacts().join(" "),
-                parts: contacts.chain(masses).collect(),
+                parts: contacts.chain(motions).collect(),
             }),
         })
     }
 
-    /// Returns the names of the contacts and masses in the table. The contacts come first.
+    /// Returns the names of the contacts and motions in the table. The contacts come first.
     #[must_use]
     pub fn parts(&self) -> Vec<String> {
-        let masses = self.joined.scene().masses.iter().enumerate();
-        let masses = masses.filter(|(index, _)| self.masses.contains(index));
-        let masses = masses.map(|(_, mass)| mass.name.clone());
+        let motions = self.setting.parts.iter().map(|part| part.name.clone());
         self.joined
             .contact_names()
             .into_iter()
-            .chain(masses)
+            .chain(motions)
             .collect()
+    }
+
+    /// Returns the dimension of the amplitude of a contact or a motion. The contacts come first.
+    fn dimension(&self, index: usize) -> PhysicalQuantity {
+        let contacts = self.joined.contact_names().len();
+        let part = index.checked_sub(contacts);
+        let part = part.and_then(|index| self.setting.parts.get(index));
+        part.map_or(PhysicalQuantity::Length, |part| part.dimension())
     }
 
     /// Returns the columns of the table of steady states.
@@ -295,11 +300,10 @@ impl<'a> JoinedTable<'a> {
             } else {
                 columns.begin_part(name);
             }
-            columns.number(
-                Head::of("amplitude", PhysicalQuantity::Length),
-                move |row| Some(row.part(index)?.amplitude),
-            );
-            // The contacts come before the masses. A mass has only an amplitude.
+            columns.number(Head::of("amplitude", self.dimension(index)), move |row| {
+                Some(row.part(index)?.amplitude)
+            });
+            // The contacts come before the motions. A motion has only an amplitude.
             if contacts <= index {
                 continue;
             }

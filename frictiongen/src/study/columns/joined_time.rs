@@ -93,21 +93,20 @@ impl<'a> JoinedTable<'a> {
             });
             columns.flag("sticks", move |row| Some(now(row)?.is_sticking));
         }
-        let masses = self.joined.scene().masses.iter().enumerate();
-        for (index, mass) in masses.filter(|(index, _)| self.masses.contains(index)) {
-            columns.begin_part(&mass.name);
+        for part in self.setting.parts {
+            columns.begin_part(&part.name);
             columns.number(
                 Head::of("displacement", PhysicalQuantity::Length),
                 move |row| {
                     let (x, _) = row.history.states.get(row.index)?;
-                    x.get(index).copied()
+                    part.among(x)
                 },
             );
             columns.number(
                 Head::of("velocity", PhysicalQuantity::Velocity),
                 move |row| {
                     let (_, v) = row.history.states.get(row.index)?;
-                    v.get(index).copied()
+                    part.among(v)
                 },
             );
         }
@@ -142,13 +141,12 @@ impl<'a> JoinedTable<'a> {
                 Event::Reversal => "reversal",
             })
         });
-        let masses = self.joined.scene().masses.iter().enumerate();
-        for (index, mass) in masses.filter(|(index, _)| self.masses.contains(index)) {
-            columns.begin_part(&mass.name);
+        for part in self.setting.parts {
+            columns.begin_part(&part.name);
             let head = Head::of("displacement", PhysicalQuantity::Length);
             columns.number(head, move |row| {
                 let event = row.history.events.get(row.index)?;
-                event.displacements.get(index).copied()
+                part.among(&event.displacements)
             });
         }
         columns.done()

@@ -48,6 +48,20 @@ impl MovingPart {
         }
     }
 
+    /// Returns the motion from the displacements or the velocities of all masses. Returns `None` unless it is that of a
+    /// mass, or of one mass relative to another.
+    #[must_use]
+    pub fn among(&self, masses: &[f64]) -> Option<f64> {
+        let mass = |index: usize| masses.get(index).copied();
+        match (self.of, self.size) {
+            (Of::Mass(index), MotionQuantity::Displacement) => mass(index),
+            (Of::Relative(index, other), MotionQuantity::Displacement) => {
+                Some(mass(index)? - mass(other)?)
+            }
+            _ => None,
+        }
+    }
+
     /// Returns true if the requested quantity is not a displacement. It is then a velocity, an acceleration, or the
     /// force, the energy or the equivalent damping of the contact.
     #[must_use]

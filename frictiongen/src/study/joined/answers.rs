@@ -1,12 +1,14 @@
 //! Linear responses of a chain to its load, in closed form: the response without friction, and the response while all
 //! contacts stick.
 
+use super::combination::Combination;
 use super::error::UnknownContact;
 use super::scene::Joined;
 use super::units::AnswerUnits;
-use crate::Complex;
 use crate::study::error::UnknownMass;
 use crate::study::joints::StuckResponse;
+use crate::study::response::MotionQuantity;
+use crate::{Complex, Of};
 
 /// Linear response of a chain to its load: the complex amplitude of each mass.
 #[derive(Clone, Debug)]
@@ -43,6 +45,14 @@ impl<'a> LinearResponse<'a> {
     pub(in crate::study) fn displacement(&self, mass: usize) -> Complex<f64> {
         let found = self.displacements.get(mass).copied();
         found.unwrap_or_default() / self.units.length
+    }
+
+    /// Returns the amplitude of a motion, of its derivative with respect to τ, or of the force of a spring. Returns `None`
+    /// for a quantity that only a single contact has.
+    #[must_use]
+    pub fn amplitude(&self, of: Of, size: MotionQuantity) -> Option<f64> {
+        let combination = Combination::of(self.joined.scene(), of, size)?;
+        Some(combination.of_linear(|mass| self.displacement(mass), self.units))
     }
 
     /// Returns displacement and velocity of every mass at a maximum of the load. `omega` is the angular frequency of
@@ -105,6 +115,13 @@ impl<'a> StuckState<'a> {
     /// Returns the complex amplitude of the displacement of the mass with this index, while no contact slides.
     pub(in crate::study) fn displacement(&self, mass: usize) -> Complex<f64> {
         self.linear.displacement(mass)
+    }
+
+    /// Returns the amplitude of a motion, of its derivative with respect to τ, or of the force of a spring, while no contact
+    /// slides. Returns `None` for a quantity that only a single contact has.
+    #[must_use]
+    pub fn amplitude(&self, of: Of, size: MotionQuantity) -> Option<f64> {
+        self.linear.amplitude(of, size)
     }
 
     /// Returns the amplitude of the force in the contact called `name`, while no contact slides.

@@ -50,6 +50,8 @@ pub enum JoinedError {
     NoAmplitude,
     /// The frequency is an undamped resonance of the linear chain, whose response is then unbounded.
     Resonance,
+    /// The quantity is one that only a single contact has, or one that no motion has.
+    Quantity,
     /// The interval of a contact's share does not begin above 0, does not end above its start, or is not finite. Also
     /// if the interval is for a contact that does not exist.
     Shares,
@@ -102,6 +104,10 @@ impl fmt::Display for JoinedError {
             Self::Shares => write!(
                 f,
                 "the interval of a share must begin above 0, and must end above its begin"
+            ),
+            Self::Quantity => write!(
+                f,
+                "of several contacts, a quantity is a displacement, a velocity, an acceleration or the force of a spring"
             ),
             Self::Stopped => write!(f, "the search stopped before it had compared two frictions"),
             Self::UnknownContact(error) => error.fmt(f),

@@ -34,6 +34,7 @@
 
 mod answers;
 mod at;
+mod combination;
 mod error;
 mod history;
 mod orbit;
@@ -52,6 +53,7 @@ mod tests;
 
 pub use answers::{LinearResponse, StuckState};
 pub use at::JoinedAt;
+pub(in crate::study) use combination::Combination;
 pub use error::{JoinedError, UnknownContact};
 pub use history::JoinedHistory;
 pub use orbit::{ContactOrbit, JoinedOrbit};

@@ -2,13 +2,13 @@
 //! not depend on the number of contacts.
 
 use super::objective::Objective;
-use crate::study::joined::{Joined, JoinedError};
+use crate::study::joined::{Combination, Joined, JoinedError};
 use crate::study::joints::JointError;
-use crate::study::response::{MotionQuantity, SystemResponse};
+use crate::study::response::SystemResponse;
 use crate::study::system::System;
 use crate::study::units::LoadScale;
 use crate::study::work::{of_contacts, work};
-use crate::{Complex, Error, NoOrbit, NotContinuous, Of, Regime};
+use crate::{Complex, Error, NoOrbit, NotContinuous, Regime};
 
 /// Smallest relative distance from a pole at which the code evaluates a function to detect the pole. At a pole, the
 /// value at this distance is ten times the value at ten times the distance.
@@ -348,8 +348,10 @@ impl<'s> SeveralContacts<'s> {
             None => &self.joined,
         };
         let at = joined.at_any(r)?;
+        let (scene, units) = (self.system.scene(), at.units());
+        let combination = |of: &Objective| Combination::of(scene, of.of, of.size);
         let linear = |masses: &dyn Fn(usize) -> Complex<f64>, regime: Regime| {
-            let value = |objective: &Objective| Some(masses(mass(objective)?).norm());
+            let value = |of: &Objective| Some(combination(of)?.of_linear(masses, units));
             self.goal.answer(r, value, (regime, true))
         };
         let beta = match friction {
@@ -376,34 +378,27 @@ impl<'s> SeveralContacts<'s> {
         {
             return Ok(stuck(&state));
         }
-        let (amplitudes, regime, multiplier) = match at.orbit_soon(beta)? {
+        match at.orbit_soon(beta)? {
             Ok(orbit) if orbit.regime() == Regime::Stuck && self.system.start.is_none() => {
                 return Ok(stuck(&at.stuck()?));
             }
             Ok(orbit) => {
                 let multiplier = orbit.multipliers().first();
                 let multiplier = multiplier.map_or(0.0, |value| value.norm());
-                (orbit.amplitudes(), orbit.regime(), Some(multiplier))
+                let value = |of: &Objective| orbit.largest(of.of, of.size).ok();
+                let answer = self.goal.answer(r, value, (orbit.regime(), true));
+                let work = of_contacts(scene.masses.len(), Some(multiplier));
+                Ok(Answer { work, ..answer })
             }
             // The common friction may be just below the limit of the stuck state. The contacts then move less and less
             // in each cycle, but never come to rest.
-            Err(largest) => (largest, Regime::StickSlip, None),
-        };
-        let value = |objective: &Objective| amplitudes.get(mass(objective)?).copied();
-        let state = (regime, multiplier.is_some());
-        let answer = self.goal.answer(r, value, state);
-        Ok(Answer {
-            work: of_contacts(amplitudes.len(), multiplier),
-            ..answer
-        })
-    }
-}
-
-/// Returns the mass whose displacement a quantity is.
-fn mass(objective: &Objective) -> Option<usize> {
-    match (objective.of, objective.size) {
-        (Of::Mass(mass), MotionQuantity::Displacement) => Some(mass),
-        _ => None,
+            Err(largest) => {
+                let value = |of: &Objective| Some(combination(of)?.at_most(&largest, units));
+                let answer = self.goal.answer(r, value, (Regime::StickSlip, false));
+                let work = of_contacts(scene.masses.len(), None);
+                Ok(Answer { work, ..answer })
+            }
+        }
     }
 }
 

@@ -7,7 +7,7 @@ use super::objective::Objective;
 use super::request::{FrequencyBand, OptimumError, OptimumRequest};
 use super::search::{Least, NEARLY_EQUAL, Range, SearchEnd, insert};
 use crate::Regime;
-use crate::study::joined::Joined;
+use crate::study::joined::{Combination, Joined};
 use crate::study::parameter::{OperatingPoint, Parameter};
 use crate::study::physical::ResponseSensitivities;
 use crate::study::response::MotionQuantity;
@@ -378,9 +378,8 @@ fn checked<'s>(
     load: Option<Load>,
     r: f64,
 ) -> Result<Joined<'s>, OptimumError> {
-    let is_mass = matches!(objective.of, crate::Of::Mass(_));
-    if !is_mass || objective.size != MotionQuantity::Displacement {
-        return Err(OptimumError::OnlyMasses);
+    if Combination::of(system.scene(), objective.of, objective.size).is_none() {
+        return Err(OptimumError::OnlyMotions);
     }
     let joined = system.joined()?;
     match load.map(|load| system.load_scale(load)).transpose()? {

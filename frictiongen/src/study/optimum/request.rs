@@ -68,7 +68,7 @@ pub enum OptimumError {
     /// missing, 0, negative, infinite or NaN.
     Weight,
     /// The scene has several contacts or dashpots, and the quantity is not the displacement of a mass.
-    OnlyMasses,
+    OnlyMotions,
     /// The solver for several contacts does not support the scene or the request.
     Joined(JoinedError),
     /// No friction satisfies this bound together with all earlier bounds in the request. If the request varies a number
@@ -111,7 +111,7 @@ impl std::fmt::Display for OptimumError {
             Self::Stopped => "the search was stopped before it found a valid friction",
             Self::Interval => "both bounds of an interval must be finite, the second above the first",
             Self::Scene(error) => return error.fmt(f),
-            Self::OnlyMasses => "with `contacts` or `dampers`, the search minimises displacements of masses only",
+            Self::OnlyMotions => "with `contacts` or `dampers`, the search minimises motions and forces of springs, and no quantity of a contact",
             Self::Joined(error) => return error.fmt(f),
             Self::Weight => "each of several quantities needs a value above 0 to divide it by",
             Self::Unreachable {

@@ -54,7 +54,7 @@ pub struct Loops<'a> {
 
 /// Contents of the report page for a scene with several contacts.
 pub(super) struct Contents<'a> {
-    /// The system, its contacts, the units of the results, and the masses that the page shows.
+    /// The system, its contacts, the units of the results, and the motions that the page shows.
     pub question: &'a Question<'a>,
     /// Range of frequencies that the page shows.
     pub band: &'a Band,
@@ -137,8 +137,7 @@ pub(super) fn contents(
     let measure = measure::constant(&arguments.load, &system)?;
     let mut chosen = Vec::new();
     let band = band(arguments, &system, &measure, &mut chosen)?;
-    let masses = asked::masses(&system, "--of", &arguments.of)?;
-    let masses: Vec<usize> = masses.into_iter().map(|mass| mass.index).collect();
+    let parts = asked::motions(&system, &arguments.of)?;
     let over = |count| Frequencies::evenly(&system, &band, count).under(&measure);
     let base = Question {
         system: &system,
@@ -146,7 +145,7 @@ pub(super) fn contents(
         frequencies: over(PLACES),
         frictions: levels(&[1.0], &measure)?,
         measure,
-        masses,
+        parts,
     };
     let stuck = stuck(&base)?;
     let (middle, high) = middle(&stuck);
@@ -164,7 +163,7 @@ pub(super) fn contents(
     let asked = |frequencies, frictions| Question {
         frequencies,
         frictions,
-        masses: base.masses.clone(),
+        parts: base.parts.clone(),
         ..base
     };
     let curve = asked(over(CURVE), frictions);
@@ -285,7 +284,7 @@ fn loops<'q>(
         return Ok(None);
     };
     let size = |row: &JoinedRow| {
-        let sizes = (0..question.masses.len()).filter_map(|index| row.amplitude(contacts + index));
+        let sizes = (0..question.parts.len()).filter_map(|index| row.amplitude(contacts + index));
         sizes.fold(0.0, f64::max)
     };
     let known = line.iter().filter(|row| row.is_known());

@@ -11,20 +11,23 @@ use frictiongen_plot::{Axis, Colour, Figure, Label, Line, Panel, Stroke};
 pub(super) fn closed(question: &Question<'_>) -> Result<Figure, Failure> {
     let physical = question.frequencies.are_physical();
     let scales = picture::scales(question.system, physical, &question.measure);
-    let names = question.names();
-    let mut lines = vec![[Vec::new(), Vec::new()]; names.len()];
+    let parts = &question.parts;
+    let mut lines = vec![[Vec::new(), Vec::new()]; parts.len()];
     for frequency in question.frequencies.all(question.system) {
         let at = question.table().at(frequency).map_err(Failure::new)?;
         let (free, stuck) = (at.linear().ok(), at.stuck().ok());
-        for (name, [without, locked]) in names.iter().zip(&mut lines) {
+        for (part, [without, locked]) in parts.iter().zip(&mut lines) {
             let sizes = [
-                free.as_ref().and_then(|free| free.mass(name).ok()),
-                stuck.as_ref().and_then(|stuck| stuck.mass(name).ok()),
+                free.as_ref()
+                    .and_then(|free| free.amplitude(part.of, part.size)),
+                stuck
+                    .as_ref()
+                    .and_then(|stuck| stuck.amplitude(part.of, part.size)),
             ];
             for (size, line) in sizes.into_iter().zip([without, locked]) {
-                let size = size.map_or(f64::NAN, |size| size.norm());
-                let x = scales.frequency(frequency.r);
-                line.push((x, scales.length_at(frequency.r, size)));
+                let size = size.unwrap_or(f64::NAN);
+                let size = draw::in_unit(size, part, (frequency.r, &scales));
+                line.push((scales.frequency(frequency.r), size));
             }
         }
     }
@@ -32,14 +35,15 @@ pub(super) fn closed(question: &Question<'_>) -> Result<Figure, Failure> {
     let (low, high) = range.fold((f64::INFINITY, 0.0_f64), |(low, high), r| {
         (low.min(scales.frequency(r)), high.max(scales.frequency(r)))
     });
-    let panels = names.iter().zip(lines).map(|(name, [without, locked])| {
+    let panels = parts.iter().zip(lines).map(|(part, [without, locked])| {
         let sizes = without.iter().chain(&locked).map(|point| point.1);
         let sizes: Vec<f64> = sizes
             .filter(|size| 0.0 < *size && size.is_finite())
             .collect();
-        let axis = Axis::fitted_log(scales.length_label(), sizes);
+        let label = scales.showing(part.of).size_label(part.size);
+        let axis = Axis::fitted_log(label, sizes);
         Panel::new(
-            Label::verbatim(name),
+            Label::verbatim(&part.name),
             scales.frequency_axis(low, high),
             axis,
         )

@@ -216,3 +216,56 @@ fn a_dashpot_beside_one_contact_is_modal_damping_of_one_mass() {
         }
     }
 }
+
+/// Compares relative displacements, velocities, accelerations, spring forces and the base shear with those of the solver
+/// for a single contact.
+#[test]
+fn other_motions_are_those_of_a_single_contact() {
+    let one = system(SINGLE);
+    let joined = one.joined().expect("answers");
+    let names = [
+        "upper-lower",
+        "upper-base",
+        "vel(lower)",
+        "accel(lower)",
+        "accel(upper-base)",
+        "spring(lower-upper)",
+        "shear",
+    ];
+    let mut compared = 0;
+    for (r, beta) in [(0.9, 0.3), (0.9, 0.6), (0.3, 0.4), (0.05, 0.1), (2.0, 0.8)] {
+        let response = one.at(r).expect("r").response(beta).expect("a response");
+        let orbit = joined.at(r).expect("r").orbit(beta).expect("an orbit");
+        for name in names {
+            let (of, size) = one.quantity_named(name).expect("a quantity");
+            let expected = response.largest(of, size).expect("a size");
+            let got = orbit.largest(of, size).expect("a size");
+            let differs = apart(got, expected);
+            assert!(
+                differs < 1e-8,
+                "r {r}, beta {beta}, {name}: {got} {expected}"
+            );
+            compared += 1;
+        }
+    }
+    assert_eq!(compared, 35);
+}
+
+/// Compares amplitudes of linear responses with those of the closed form at β = 0.
+#[test]
+fn other_motions_of_a_linear_response() {
+    let one = system(SINGLE);
+    let joined = one.joined().expect("answers");
+    for (r, name) in [
+        (0.4, "upper-lower"),
+        (1.3, "accel(upper-base)"),
+        (0.7, "shear"),
+    ] {
+        let (of, size) = one.quantity_named(name).expect("a quantity");
+        let expected = one.at(r).expect("r").response(0.0).expect("a response");
+        let expected = expected.largest(of, size).expect("a size");
+        let linear = joined.at(r).expect("r").linear().expect("a response");
+        let got = linear.amplitude(of, size).expect("an amplitude");
+        assert!(apart(got, expected) < 1e-10, "{name}: {got} {expected}");
+    }
+}

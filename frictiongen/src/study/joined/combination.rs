@@ -1,0 +1,208 @@
+//! Motions and forces of springs in steady states of scenes with several contacts: relative displacements, velocities,
+//! accelerations, and the base shear.
+
+use super::error::JoinedError;
+use super::orbit::JoinedOrbit;
+use super::units::AnswerUnits;
+use crate::study::joints::Series;
+use crate::study::response::MotionQuantity;
+use crate::{Complex, Of};
+use frictiongen_kernel::joints::{Poly, TERMS, value};
+use frictiongen_model::joined::numbered;
+use frictiongen_model::scene::{Excitation, Node, Scene};
+use std::f64::consts::TAU;
+
+/// Number of equal parts of a stretch in which the code searches for a largest value. In a part the fastest oscillation
+/// advances by less than 0.2 rad, so that a derivative changes its sign at most once.
+const PARTS: usize = 8;
+/// Number of bisections in a search.
+const BISECTIONS: usize = 50;
+
+/// A sum of relative displacements, each times a factor, or a derivative of this sum.
+#[derive(Clone, Debug)]
+pub(in crate::study) struct Combination {
+    /// Factor, and the numbers of the nodes with a positive and a negative sign.
+    terms: Vec<(f64, usize, usize)>,
+    /// Order of the derivative with respect to the phase τ.
+    order: usize,
+    is_force: bool,
+    /// Number of the node of the base.
+    base: usize,
+    is_base_driven: bool,
+}
+
+impl Combination {
+    /// Returns the quantity of a motion. Returns `None` for a quantity that only a single contact has.
+    pub fn of(scene: &Scene, of: Of, size: MotionQuantity) -> Option<Self> {
+        let masses = scene.masses.len();
+        let (wall, base) = (masses, masses + 1);
+        let spring = |from: Node, to: Node, stiffness: f64| {
+            let (plus, minus) = numbered(masses, from, to)?;
+            Some((stiffness, plus, minus))
+        };
+        let terms = match of {
+            Of::Contact => return None,
+            Of::Mass(mass) => vec![(1.0, mass, wall)],
+            Of::Relative(mass, other) => vec![(1.0, mass, other)],
+            Of::FromBase(mass) => vec![(1.0, mass, base)],
+            Of::Spring(index) => {
+                let of = scene.springs.get(index)?;
+                vec![spring(of.from, of.to, of.stiffness)?]
+            }
+            Of::Shear => {
+                let springs = scene.springs.iter();
+                let on_base =
+                    springs.filter(|spring| [spring.from, spring.to].contains(&Node::Base));
+                let terms = on_base.filter_map(|of| spring(of.from, of.to, of.stiffness));
+                terms.collect()
+            }
+        };
+        let order = match size {
+            MotionQuantity::Displacement => 0,
+            MotionQuantity::Velocity => 1,
+            MotionQuantity::Acceleration => 2,
+            MotionQuantity::Force | MotionQuantity::Energy | MotionQuantity::Damping => {
+                return None;
+            }
+        };
+        Some(Self {
+            terms,
+            order,
+            is_force: of.is_force(),
+            base,
+            is_base_driven: scene.excitation == Excitation::Base,
+        })
+    }
+
+    /// Returns the amplitude in a linear response. `displacement` returns the complex amplitude of a mass over the unit of
+    /// displacement.
+    pub fn of_linear(
+        &self,
+        displacement: impl Fn(usize) -> Complex<f64>,
+        units: AnswerUnits,
+    ) -> f64 {
+        let base = if self.is_base_driven { 1.0 } else { 0.0 };
+        let node = |node: usize| match node {
+            node if node == self.base => Complex::new(base, 0.0),
+            node if node + 1 == self.base => Complex::new(0.0, 0.0),
+            mass => displacement(mass),
+        };
+        let terms = self.terms.iter();
+        let sum = terms.fold(
+            Complex::new(0.0, 0.0),
+            |sum: Complex<f64>, (factor, plus, minus)| sum + (node(*plus) - node(*minus)) * *factor,
+        );
+        self.in_force(sum.norm(), units)
+    }
+
+    /// Returns an upper bound on the largest absolute value of a motion in which each mass has its largest displacement
+    /// in `largest`. Rates count as those of a harmonic motion.
+    pub fn at_most(&self, largest: &[f64], units: AnswerUnits) -> f64 {
+        let base = if self.is_base_driven { 1.0 } else { 0.0 };
+        let node = |node: usize| match largest.get(node) {
+            Some(size) => *size,
+            None if node == self.base => base,
+            None => 0.0,
+        };
+        let terms = self.terms.iter();
+        let sum = terms.map(|(factor, plus, minus)| factor * (node(*plus) + node(*minus)));
+        self.in_force(sum.sum(), units)
+    }
+
+    /// Converts a displacement over its unit to a force over its unit, if the quantity is a force.
+    fn in_force(&self, value: f64, units: AnswerUnits) -> f64 {
+        if self.is_force {
+            value * units.length / units.force
+        } else {
+            value
+        }
+    }
+
+    /// Returns the largest absolute value in a period of a steady state.
+    fn largest_in(&self, orbit: &JoinedOrbit<'_>) -> Result<f64, JoinedError> {
+        let (_, omega, units) = orbit.setting();
+        let mut largest = 0.0_f64;
+        let period = TAU / omega * orbit.period() as f64;
+        orbit.motion()?.run(period, &mut |series, end, _| {
+            largest = largest.max(largest_of(&self.terms_of(series), end));
+        })?;
+        let rates = omega.powi(i32::try_from(self.order).unwrap_or(0));
+        let unit = if self.is_force {
+            units.force
+        } else {
+            units.length
+        };
+        Ok(largest / (rates * unit))
+    }
+
+    /// Returns the power series of the quantity in a stretch.
+    fn terms_of(&self, series: &Series) -> Poly<f64> {
+        let mut sum = [0.0; TERMS];
+        for (factor, plus, minus) in &self.terms {
+            let terms = match self.order {
+                0 => series.place_terms(*plus, *minus),
+                1 => series.speed_terms(*plus, *minus),
+                _ => {
+                    derivative(&series.speed_terms(*plus, *minus)).map(|term| term / series.length)
+                }
+            };
+            for (sum, term) in sum.iter_mut().zip(terms) {
+                *sum += factor * term;
+            }
+        }
+        sum
+    }
+}
+
+/// Returns the coefficients of the derivative of a polynomial.
+fn derivative(terms: &Poly<f64>) -> Poly<f64> {
+    let mut slope = [0.0; TERMS];
+    for (order, (slope, term)) in slope.iter_mut().zip(terms.iter().skip(1)).enumerate() {
+        *slope = (order + 1) as f64 * term;
+    }
+    slope
+}
+
+/// Returns the largest absolute value of a polynomial between 0 and `end`.
+fn largest_of(terms: &Poly<f64>, end: f64) -> f64 {
+    let slope = derivative(terms);
+    let at = |part: usize| end * part as f64 / PARTS as f64;
+    let ends = (0..=PARTS).map(at);
+    let turns = (0..PARTS).filter_map(|part| turn(&slope, (at(part), at(part + 1))));
+    let sizes = ends.chain(turns).map(|at| value(terms, at).abs());
+    sizes.fold(0.0, f64::max)
+}
+
+/// Returns the point between `low` and `high` at which a polynomial changes its sign.
+fn turn(terms: &Poly<f64>, (mut low, mut high): (f64, f64)) -> Option<f64> {
+    let rises = value(terms, low) < 0.0;
+    if rises == (value(terms, high) < 0.0) {
+        return None;
+    }
+    for _ in 0..BISECTIONS {
+        let middle = 0.5 * (low + high);
+        if (value(terms, middle) < 0.0) == rises {
+            low = middle;
+        } else {
+            high = middle;
+        }
+    }
+    Some(0.5 * (low + high))
+}
+
+impl JoinedOrbit<'_> {
+    /// Returns the largest absolute value of a quantity in a period: of a displacement, of its derivative with respect to
+    /// τ, or of the force in a spring. For the displacement of a mass this is its [`amplitude`](Self::amplitude).
+    ///
+    /// # Errors
+    /// [`JoinedError::Quantity`] for a quantity that only a single contact has, and [`JoinedError::Engine`] if the solver
+    /// does not support the chain.
+    pub fn largest(&self, of: Of, size: MotionQuantity) -> Result<f64, JoinedError> {
+        if let (Of::Mass(mass), MotionQuantity::Displacement) = (of, size) {
+            return Ok(self.amplitudes().get(mass).copied().unwrap_or_default());
+        }
+        let (joined, ..) = self.setting();
+        let combination = Combination::of(joined.scene(), of, size);
+        combination.ok_or(JoinedError::Quantity)?.largest_in(self)
+    }
+}
