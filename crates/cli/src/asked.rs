@@ -179,10 +179,14 @@ fn known(system: &System) -> impl Iterator<Item = RequestedMass> + '_ {
 /// Returns the mass called `name`, which the option `option` gives.
 fn mass(system: &System, option: &str, name: &str) -> Result<RequestedMass, Failure> {
     known(system).find(|mass| mass.name == name).ok_or_else(|| {
-        if MovingPart::named(system, name).is_ok() {
-            return Failure::new(format_args!(
-                "{option}: `{name}` is no mass, and this answer has masses only; write the name of a mass"
-            ));
+        match MovingPart::named(system, name) {
+            Ok(_) => {
+                return Failure::new(format_args!(
+                    "{option}: `{name}` is no mass, and this answer has masses only; write the name of a mass"
+                ));
+            }
+            Err(error) if name.contains('-') => return Failure::new(format_args!("{option}: {error}")),
+            Err(_) => {}
         }
         let (name, known) = (name.to_owned(), known(system).map(|mass| mass.name));
         let known = known.collect();

@@ -1,8 +1,8 @@
 //! Advice for the user about a text that is not a number. The text may have a decimal comma, or a unit after the
 //! number.
 
-/// Units that users write after numbers, each with its power of ten in m, N, Hz or kg.
-const UNITS: [(&str, i32); 13] = [
+/// Units that users write after numbers, each with its power of ten in m, N, s, Hz or kg.
+const UNITS: [(&str, i32); 15] = [
     ("m", 0),
     ("mm", -3),
     ("cm", -2),
@@ -12,6 +12,8 @@ const UNITS: [(&str, i32); 13] = [
     ("N", 0),
     ("mN", -3),
     ("kN", 3),
+    ("s", 0),
+    ("ms", -3),
     ("Hz", 0),
     ("kHz", 3),
     ("rad/s", 0),
@@ -51,7 +53,7 @@ pub fn of(text: &str) -> String {
         let scaled = format!("{number}e{power}").parse::<f64>();
         let scaled = scaled.map_or_else(|_| number.to_owned(), |scaled| scaled.to_string());
         return format!(
-            "; write `{scaled}`, because numbers here are in N, m, Hz or rad/s, without a unit"
+            "; write `{scaled}`, because numbers here are in N, m, s, Hz or rad/s, without a unit"
         );
     }
     String::new()

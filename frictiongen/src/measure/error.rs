@@ -187,8 +187,16 @@ impl std::fmt::Display for MeasureError {
             }
             Self::NoUnit(channel) => {
                 let unit = unit_of(channel);
-                // A word after the last `_` may be meant as a unit, as in `force_lbf`.
+                // A word after the last `_` may be meant as a unit, as in `force_lbf` and `base_ft/s2`.
                 match channel.rsplit_once('_') {
+                    Some((name, word)) if word.contains('/') => {
+                        let unit = if word.contains(['2', '²']) { "m/s2" } else { "m/s" };
+                        write!(
+                            f,
+                            "the channel `{channel}` has no known unit; convert the numbers from {word} to {unit} and write `{name}_{unit}`; the units are {}",
+                            super::Unit::known()
+                        )
+                    }
                     Some((name, word)) if word.chars().all(char::is_alphabetic) => write!(
                         f,
                         "the channel `{channel}` has no known unit; if `{word}` is its unit, convert the numbers to {unit} and write `{name}_{unit}`, otherwise write `{channel}_{unit}`; the units are {}",

@@ -126,8 +126,8 @@ impl<S> SystemOrbit<'_, S> {
     /// settle. Returns `None` if the motion settles.
     ///
     /// If the result is a number and [`is_settled`](Orbit::is_settled) is true, this state is a stable steady state
-    /// that Newton's method found from the states that the motion visited. [`is_from_rest`](Self::is_from_rest) is then
-    /// false. If `is_settled` is false, this state contains the last 64 cycles of the motion.
+    /// that Newton's method found from the states that the motion visited, or the stuck state.
+    /// [`is_from_rest`](Self::is_from_rest) is then false. If `is_settled` is false, this state contains the last 64 cycles of the motion.
     #[must_use]
     pub fn cycles_followed(&self) -> Option<u32> {
         self.unsettled

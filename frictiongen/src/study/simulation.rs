@@ -183,6 +183,7 @@ impl<S: Plain> System<S> {
     /// Starts a free vibration at the unit of time √(m₁/k₁). Displacements have a unit of length, β that of F/k₁, and the
     /// velocities of `state` are derivatives with respect to the time in this unit. `speed` is the unit of velocity, in
     /// the scene's units.
+    #[cfg(feature = "desk")]
     pub(super) fn simulation_without_load(
         &self,
         beta: S,

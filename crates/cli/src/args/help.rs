@@ -108,8 +108,8 @@ States:
   With a stiction above 1, motion from rest may take long to settle, or wander for ever. After 1024 cycles
   the search follows it further, for up to 4096 cycles. Newton's method then starts from the states that
   the motion visits. If the motion still has not settled, the answer is the stable state that Newton's
-  method found, if any. In CSV and JSON, from_rest is then false, and cycles_followed is the number of
-  followed cycles. A note below a printed table has this number.
+  method found, otherwise the stuck state, if the contact can stick. In CSV and JSON, from_rest is then
+  false, and cycles_followed is the number of followed cycles. A note below a printed table has this number.
 
 Quantities:
   period      number of cycles of the excitation after which the motion repeats: 1, or more for a

@@ -8,7 +8,9 @@ use crate::number::computed;
 use crate::output::{ResultTable, Visitor};
 use frictiongen::study::columns::{Column, OrbitRow, OrbitTable};
 
-/// Explains a steady state in which motion from rest does not end.
+/// Explains a stuck state in which motion from rest does not end.
+const COULD_STICK: &str = "The line belongs to the stuck state, in which this motion does not end.";
+/// Explains another steady state in which motion from rest does not end.
 const VISITED: &str = "The line belongs to a stable state that Newton's method found from the states that this motion visited.";
 
 /// Steady states over frequency and friction, with the options for the output.
@@ -78,7 +80,12 @@ impl ResultTable for OrbitReport {
         }
         if row.is_settled() {
             followed?;
-            said.push(VISITED.to_owned());
+            let state = if row.regime == "stuck" {
+                COULD_STICK
+            } else {
+                VISITED
+            };
+            said.push(state.to_owned());
         } else if self.states {
             let starts = if self.grids.system.scene().stiction > 1.0 {
                 "from rest, from the stuck contact, from the closed form and from motions at neighbouring frictions"

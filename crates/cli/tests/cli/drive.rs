@@ -128,6 +128,22 @@ fn help_asks_for_no_driving_frequency() {
     );
 }
 
+/// A unit in the header of a column may be written as in a name or as in a text.
+#[test]
+fn units_as_in_a_text() {
+    let driven = |unit: &str| {
+        let record = shaken().replacen("m_s2", unit, 1);
+        let path = file("unit.csv", &record);
+        let text = output("", &["drive", FRAME, &path, "--friction", "0.8", "--csv"]);
+        fs::remove_file(path).unwrap();
+        text
+    };
+    let expected = driven("m_s2");
+    for unit in ["m/s2", "m/s^2", "m/s²"] {
+        assert_eq!(driven(unit), expected, "{unit}");
+    }
+}
+
 #[test]
 fn says_what_is_wrong_with_a_recording() {
     for (name, text, friction, told) in [

@@ -38,7 +38,7 @@ fn a_decimal_comma_and_a_unit() {
     assert_eq!(
         failure("", &arguments),
         [
-            "frictiongen: --hz `2Hz`: `2Hz` is not a number; write `2`, because numbers here are in N, m, Hz or rad/s, without a unit"
+            "frictiongen: --hz `2Hz`: `2Hz` is not a number; write `2`, because numbers here are in N, m, s, Hz or rad/s, without a unit"
         ]
     );
 }

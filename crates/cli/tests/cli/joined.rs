@@ -207,6 +207,29 @@ fn the_rest_is_refused_by_name() {
     }
 }
 
+/// An answer with masses only refuses a difference of two masses, and names the mass that the scene does not have.
+#[test]
+fn a_difference_is_no_mass() {
+    for (name, told) in [
+        (
+            "upper-lower",
+            "`upper-lower` is no mass, and this answer has masses only; write the name of a mass",
+        ),
+        (
+            "roof-lower",
+            "there is no mass `roof`; the masses are lower, upper",
+        ),
+        (
+            "roof",
+            "there is no mass `roof`; the masses are lower, upper",
+        ),
+    ] {
+        let line = format!("orbit --r 0.5 --beta 0.3 --of {name}");
+        let expected = format!("frictiongen: --of: {told}");
+        assert_eq!(failure(FRAME, &words(&line)), expected);
+    }
+}
+
 /// `sensitivity` has one line for each parameter, and its derivatives are differences of `orbit`.
 #[test]
 fn derivatives_are_differences_of_orbits() {

@@ -158,6 +158,14 @@ fn of_columns() -> Vec<Mistake> {
             ],
         ),
         in_record(
+            drive,
+            b"time_s,base_ft/s2\n0,0\n0.01,1\n",
+            &[
+                "convert the numbers from ft/s2 to m/s2 and write `base_m/s2`",
+                "the units are m, cm",
+            ],
+        ),
+        in_record(
             "drive FORCED RECORD --friction 1",
             b"time_s,force_N,lower_mm\n0,0,0\n0.01,1,1\n",
             &[

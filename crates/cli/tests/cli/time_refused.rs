@@ -50,6 +50,10 @@ fn what_cannot_be_asked() {
             "--until `0`: a time in s above 0 is needed",
         ),
         (
+            "--from 1,2;1,2 --until 10s --friction 1",
+            "--until `10s`: a time in s above 0 is needed; write `10`, because numbers here are in N, m, s, Hz or rad/s, without a unit",
+        ),
+        (
             "--hz 1 --friction 1 --base 0 --from 1,2;1,2",
             "--base `0`: the amplitude of a load must be above 0 and finite; for a motion without a load, give --from and --until in place of the load and its frequency",
         ),

@@ -86,7 +86,7 @@ where
     /// motion visits. A cycle may have more than [`MAX_SEGMENTS`] segments.
     ///
     /// If the motion still does not settle, `unsettled` receives the number of cycles that the search has followed. The
-    /// result is then a stable steady state that Newton's method found.
+    /// result is then a stable steady state that Newton's method found, or the stuck state if it exists.
     ///
     /// # Errors
     /// The errors of [`answer`](Self::answer).
@@ -154,7 +154,7 @@ where
             (settled, _) => settled,
         };
         let (settled, mut left_at) = match settled {
-            Settled::Stuck(offset) if start == Start::Rest => (
+            Settled::Stuck(offset) if start == Start::Rest && unsettled.is_none() => (
                 Settled::Stuck(S::constant(0.0)),
                 Some(setting.mean_at(offset)),
             ),

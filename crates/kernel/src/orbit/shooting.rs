@@ -113,6 +113,12 @@ impl<S: Float> FollowedMotion<S> {
         Ok(None)
     }
 
+    /// Returns the events of the last cycle.
+    pub(super) fn last_cycle(&self) -> EventPattern {
+        let [last, before, ..] = self.halves;
+        last.and(before)
+    }
+
     /// Returns the candidate for a steady state that repeats after one cycle. The search starts at the present state of
     /// the motion, which the function saves in `workspace.state`.
     pub(super) fn candidate<K: ContactChain<S>>(
@@ -261,36 +267,11 @@ pub(super) fn several<S: Float, K: ContactChain<S>>(
             break;
         };
         for symmetric in [true, false] {
-            let Some(wanted) = wanted(total, symmetric, period) else {
+            let map = PeriodMap { period, symmetric };
+            let tried = try_period(cycle_map, workspace, map, total, *cycles)?;
+            let Some((candidate, verdict)) = tried else {
                 continue;
             };
-            cycle_map.save(workspace.state);
-            let mut candidate = Candidate {
-                map: PeriodMap { period, symmetric },
-                wanted,
-                recent: total,
-                alike: 0,
-                monotone: false,
-                cycles: *cycles,
-                here: cycle_map.contact_state,
-            };
-            let mut verdict = candidate.try_from(cycle_map, workspace);
-            if matches!(verdict, Ok(CandidateVerdict::Found(_)))
-                && let Some(sooner) = repeats_sooner(cycle_map, workspace, period)?
-            {
-                // The search tries the same state again. The period is now the smaller number of cycles.
-                candidate.map.period = sooner;
-                verdict = match candidate
-                    .wanted
-                    .divided(period.checked_div(sooner).unwrap_or(1))
-                {
-                    Some(wanted) => {
-                        candidate.wanted = wanted;
-                        candidate.try_from(cycle_map, workspace)
-                    }
-                    None => Ok(CandidateVerdict::No),
-                };
-            }
             *cycles = candidate.cycles;
             match verdict {
                 Ok(CandidateVerdict::Found(found)) => return Ok(Settled::Found(found)),
@@ -302,6 +283,52 @@ pub(super) fn several<S: Float, K: ContactChain<S>>(
         after = period;
     }
     Ok(Settled::Not(failure))
+}
+
+/// Candidate for a steady state, and the result of its test.
+type Tried<S> = (Candidate<S>, Result<CandidateVerdict<S>, NoOrbit>);
+
+/// Tests whether the motion is near a steady state with the period of `map`. The function saves the state of the motion
+/// in `workspace.state`. `total` contains the events of the motion during the period, and `cycles` the number of its
+/// cycles. Returns `None` if a symmetric map cannot have these events.
+pub(super) fn try_period<S: Float, K: ContactChain<S>>(
+    cycle_map: &mut CycleMap<'_, '_, S, K>,
+    workspace: &mut Workspace<'_, S>,
+    map: PeriodMap,
+    total: EventPattern,
+    cycles: u32,
+) -> Result<Option<Tried<S>>, NoOrbit> {
+    let Some(wanted) = wanted(total, map.symmetric, map.period) else {
+        return Ok(None);
+    };
+    cycle_map.save(workspace.state);
+    let mut candidate = Candidate {
+        map,
+        wanted,
+        recent: total,
+        alike: 0,
+        monotone: false,
+        cycles,
+        here: cycle_map.contact_state,
+    };
+    let mut verdict = candidate.try_from(cycle_map, workspace);
+    if matches!(verdict, Ok(CandidateVerdict::Found(_)))
+        && let Some(sooner) = repeats_sooner(cycle_map, workspace, map.period)?
+    {
+        // The search tries the same state again. The period is now the smaller number of cycles.
+        candidate.map.period = sooner;
+        verdict = match candidate
+            .wanted
+            .divided(map.period.checked_div(sooner).unwrap_or(1))
+        {
+            Some(wanted) => {
+                candidate.wanted = wanted;
+                candidate.try_from(cycle_map, workspace)
+            }
+            None => Ok(CandidateVerdict::No),
+        };
+    }
+    Ok(Some((candidate, verdict)))
 }
 
 /// Returns the smallest number of cycles below `period` after which the motion of the fixed point repeats. Returns

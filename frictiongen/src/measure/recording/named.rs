@@ -5,7 +5,7 @@ use crate::measure::MeasureError;
 
 impl Unit {
     /// Splits the header of a column into name and unit. If several endings of the header are units, the function
-    /// takes the longest ending.
+    /// takes the longest ending. The unit may also stand as in a text, for example `base_m/s^2`.
     pub(super) fn split(header: &str) -> (&str, Option<Self>) {
         if let Some((name, unit)) = bracketed(header) {
             return (name, unit.parse().ok());
@@ -18,7 +18,12 @@ impl Unit {
             .iter()
             .filter_map(|unit| Some((ends(unit.1)?, Self::of(*unit))));
         let longest = fitting.min_by_key(|(rest, _)| rest.len());
-        longest.map_or((header, None), |(rest, unit)| (rest, Some(unit)))
+        if let Some((rest, unit)) = longest {
+            return (rest, Some(unit));
+        }
+        let written = header.rsplit_once('_').filter(|(rest, _)| !rest.is_empty());
+        let parsed = written.and_then(|(rest, unit)| Some((rest, Some(unit.parse().ok()?))));
+        parsed.unwrap_or((header, None))
     }
 }
 

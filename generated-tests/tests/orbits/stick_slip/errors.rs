@@ -111,12 +111,13 @@ refused!(
         contact: block - base, excitation: base, stiction: 3.0,
     }
 );
-// This motion wanders for more than 30,000 cycles, and Newton's method finds no stable state on the way.
+// This motion wanders for more than 16,000 cycles, and Newton's method finds no stable state on the way. No stuck state
+// exists.
 refused!(
-    unsettled, NoOrbit::Unsettled, ((0.664_461_565_859_139_7, 5.972_180_792_002_823),),
+    unsettled, NoOrbit::Unsettled, ((0.490_800_340_619_510_83, 0.238_257_509_569_926_28),),
     struct Pair {
-        masses: { m1: 1.5174, m2: 1.6437 }, springs: { base - m1: 1.4191, m1 - m2: 1.1544 },
-        contact: m1 - m2, excitation: m2, damping: rayleigh(0.0055, 0.0145), stiction: 1.1780,
+        masses: { m1: 0.5357, m2: 0.6386 }, springs: { base - m1: 2.0350, m1 - m2: 0.6217 },
+        contact: m1 - base, excitation: m1, damping: rayleigh(0.01832, 0.00143), stiction: 2.5003,
     }
 );
 

@@ -304,6 +304,81 @@ const WANDERING: [(&str, f64, f64, [usize; 2]); 3] = [
     ),
 ];
 
+/// Motions that wander for hundreds to thousands of cycles before they settle: scene, r, β, and the period, stops and
+/// reversals of the state in which they end. Rounding decides when a motion settles.
+const WANDERING_FIRST: [(&str, f64, f64, [usize; 3]); 2] = [
+    (
+        "struct Stuck { masses: { m1: 0.4017, m2: 2.5901, m3: 1.7860 },
+            springs: { base - m1: 2.8542, m1 - m2: 1.8006, m2 - m3: 2.8881 }, contact: m2 - m1,
+            excitation: base, damping: modal(0.0247), stiction: 1.659 }",
+        0.130_048_033_467_854,
+        0.161_694_918_442_958_77,
+        [1, 0, 0],
+    ),
+    (
+        "struct Seven { masses: { m1: 1.0890, m2: 1.0547, m3: 0.5132 },
+            springs: { base - m1: 0.6098, m1 - m2: 1.7813, m2 - m3: 2.3646 }, contact: m3 - wall,
+            excitation: base, stiction: 2.127 }",
+        0.234_732_069_263_847_32,
+        0.253_637_776_405_939_6,
+        [7, 23, 0],
+    ),
+];
+
+/// A motion that wanders for more than 16,000 cycles although the contact can stick: scene, r and β.
+const STUCK_BESIDE: (&str, f64, f64) = (
+    "struct Pair { masses: { m1: 0.3584, m2: 1.7200 }, springs: { base - m1: 0.7824, m1 - m2: 1.5214 },
+        contact: m2 - wall, excitation: base, stiction: 1.9505 }",
+    0.412_569_016_535_721_94,
+    0.486_445_807_406_602_2,
+);
+
+/// Checks motions that wander before they end in a stuck or in a subharmonic state. Most of them settle while the search
+/// follows them. If a stuck state exists, every answer is a steady state.
+#[test]
+fn after_wandering() {
+    for (text, r, beta, [period, stops, reversals]) in WANDERING_FIRST {
+        let system: System = text.parse().expect("a scene");
+        let at = system.at(r).expect("in the domain");
+        let mut settled = 0;
+        for nudge in 0..8 {
+            let start = [1e-9 * f64::from(nudge), 0.0, 0.0];
+            let orbit = match nudge {
+                0 => at.orbit(beta),
+                _ => at.orbit_from(beta, (&start, &[0.0; 3])),
+            };
+            let Ok(orbit) = orbit else {
+                assert!(beta < at.sliding_limit(), "{text}: {nudge}");
+                continue;
+            };
+            let found = [orbit.period() as usize, orbit.stops(), orbit.reversals()];
+            assert_eq!(found, [period, stops, reversals], "{text}: {nudge}");
+            assert!(orbit.is_stable(), "{text}: {nudge}");
+            assert_eq!(
+                orbit.is_from_rest(),
+                orbit.cycles_followed().is_none(),
+                "{text}: {nudge}"
+            );
+            settled += usize::from(orbit.is_from_rest());
+        }
+        assert!(settled >= 5, "{text}: {settled} of 8");
+    }
+}
+
+/// Checks a stuck state beside a motion that wanders for ever. The answer is the stuck state in the middle of its
+/// interval, which the motion does not reach.
+#[test]
+fn stuck_beside_a_motion_that_wanders() {
+    let (text, r, beta) = STUCK_BESIDE;
+    let system: System = text.parse().expect("a scene");
+    let at = system.at(r).expect("in the domain");
+    let orbit = at.orbit(beta).expect("a state");
+    assert!(at.sliding_limit() <= beta && orbit.never_slides());
+    assert!(!orbit.is_from_rest() && orbit.is_stable());
+    assert!(orbit.cycles_followed().is_some_and(|cycles| cycles >= 4096));
+    assert!(orbit.offset().abs().max(orbit.middle().abs()) < 1e-12);
+}
+
 /// Checks motions from rest that settle only after more than 1024 cycles. A run in time ends in the same state.
 #[test]
 fn after_a_long_time() {
