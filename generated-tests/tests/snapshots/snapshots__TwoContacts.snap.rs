@@ -43,7 +43,7 @@ pub struct TwoContactsStepper(
     ::frictiongen::kernel::joints::Stepper<
         ::core::primitive::f64,
         ::frictiongen::kernel::joints::Fixed<2, 4, 2, 1, 6, 36, 0, 10>,
-        [::core::primitive::f64; 560],
+        [::core::primitive::f64; 680],
     >,
 );
 /// Loads on [`TwoContacts`] and friction forces, in the units of the scene: the input of a step.
@@ -162,6 +162,9 @@ pub struct TwoContactsOrbit(
 )]
 const _: () = {
     impl TwoContacts {
+        /// Hash of all fields of the scene and of all names (FNV-1a, 64 bits).  Descriptions that differ only in layout, comments
+        /// or attributes have the same hash.  To verify it, emit the description again.
+        pub const SCENE_HASH: ::core::primitive::u64 = 0x301e_e3df_b149_6c36;
         /// The chain. Node numbers are those of the masses, then the wall, then the base. The level of each contact
         /// is its share. The start of a motion sets the stretch.
         const CHAIN: ::frictiongen::kernel::joints::Model<
@@ -256,7 +259,7 @@ const _: () = {
             let started = ::frictiongen::kernel::joints::Stepper::from_state(
                 Self::CHAIN,
                 (dt, ::frictiongen::kernel::stepper::Input::Linear, false),
-                [0.0; 560],
+                [0.0; 680],
                 (x, v),
             );
             started.map(TwoContactsStepper)
@@ -359,7 +362,7 @@ const _: () = {
         type Target = ::frictiongen::kernel::joints::Stepper<
             ::core::primitive::f64,
             ::frictiongen::kernel::joints::Fixed<2, 4, 2, 1, 6, 36, 0, 10>,
-            [::core::primitive::f64; 560],
+            [::core::primitive::f64; 680],
         >;
         fn deref(&self) -> &Self::Target {
             &self.0

@@ -207,26 +207,60 @@ fn the_rest_is_refused_by_name() {
     }
 }
 
-/// An answer with masses only refuses a difference of two masses, and names the mass that the scene does not have.
+/// An unknown mass is named, and a quantity of a contact that every line has anyway.
 #[test]
-fn a_difference_is_no_mass() {
+fn unknown_masses_and_quantities_of_contacts() {
+    let contact =
+        "the answer has displacement, slip, force and energy of every contact; leave it out";
     for (name, told) in [
         (
-            "upper-lower",
-            "`upper-lower` is no mass, and this answer has masses only; write the name of a mass",
-        ),
-        (
             "roof-lower",
-            "there is no mass `roof`; the masses are lower, upper",
+            ": there is no mass `roof`; the masses are lower, upper".to_owned(),
         ),
         (
             "roof",
-            "there is no mass `roof`; the masses are lower, upper",
+            ": there is no mass `roof`; the masses are lower, upper".to_owned(),
         ),
+        ("pads", format!(" `pads`: {contact}")),
+        ("energy(brace)", format!(" `energy(brace)`: {contact}")),
     ] {
         let line = format!("orbit --r 0.5 --beta 0.3 --of {name}");
-        let expected = format!("frictiongen: --of: {told}");
+        let expected = format!("frictiongen: --of{told}");
         assert_eq!(failure(FRAME, &words(&line)), expected);
+    }
+    let told = failure(FRAME, &words("time --r 0.5 --beta 0.3 --of accel(lower)"));
+    let expected = "frictiongen: --of `accel(lower)`: a motion in time of several contacts has masses and differences of two masses, such as f2-f1";
+    assert_eq!(told, expected);
+}
+
+/// A relative motion is the displacement of the contact between its two masses, and the best friction lowers its peak.
+#[test]
+fn motions_are_those_of_contacts() {
+    let csv = output(
+        FRAME,
+        &words("orbit --r 0.5:0.3:1.4 --beta 0.3 --of upper-lower --of shear --csv"),
+    );
+    assert_eq!(column(&csv, "upper-lower.amplitude").len(), 4);
+    for (motion, contact) in [("upper-lower.amplitude", "pads.amplitude")] {
+        for (one, other) in column(&csv, motion).iter().zip(column(&csv, contact)) {
+            assert!((one - other).abs() < 1e-10 * other, "{one} {other}");
+        }
+    }
+    let best = output(FRAME, &words("optimum --r 0.4:1.2 --of shear --json"));
+    let best: serde_json::Value = serde_json::from_str(&best).expect("JSON");
+    let (beta, peak) = (value(&best, "beta"), value(&best, "amplitude"));
+    let at = |beta: f64| {
+        let csv = output(
+            FRAME,
+            &words(&format!(
+                "curve --r 0.4:0.02:1.2 --beta {beta} --of shear --csv"
+            )),
+        );
+        column(&csv, "shear.amplitude").into_iter().fold(0.0, f64::max)
+    };
+    assert!(at(beta) < peak * (1.0 + 1e-9), "{peak}");
+    for factor in [0.8, 1.25] {
+        assert!(at(factor * beta) > peak * (1.0 - 1e-3), "{factor}");
     }
 }
 
