@@ -131,7 +131,7 @@ impl FileArgument {
     }
 
     /// Fails unless the kinetic friction is independent of the sliding speed.
-    fn check_constant(&self, description: &Description) -> Result<(), Failure> {
+    pub fn check_constant(&self, description: &Description) -> Result<(), Failure> {
         if description.scene.friction == FrictionLaw::Coulomb {
             return Ok(());
         }

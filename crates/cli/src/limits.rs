@@ -3,6 +3,7 @@
 use crate::args::LimitsArguments;
 use crate::failure::Failure;
 use crate::frequency::Frequencies;
+use crate::joined;
 use crate::measure::{self, Measure};
 use crate::output::{self, ResultTable, Visitor};
 use crate::summary::Summary;
@@ -14,11 +15,16 @@ use std::io::Write;
 /// Runs `frictiongen limits`.
 pub fn run(arguments: &LimitsArguments, out: &mut dyn Write) -> Result<(), Failure> {
     let frequencies = Frequencies::parse(&arguments.frequency, false)?;
-    let description = arguments.file.constant_level(&SizeLimits::RUN_TIME)?;
+    let description = arguments.file.any(&SizeLimits::RUN_TIME)?;
+    arguments.file.check_constant(&description)?;
     let system = System::try_from(description.scene).map_err(Failure::new)?;
     frequencies.check(&system)?;
     let measure = measure::of(&arguments.load, &system)?;
     let frequencies = frequencies.under(&measure);
+    if system.scene().is_joined() {
+        let form = arguments.format.checked()?;
+        return joined::limits(&system, (frequencies, measure), form, out);
+    }
     let summary = Summary::of(&system, frequencies.are_physical(), measure);
     let report = LimitsReport {
         system,

@@ -49,6 +49,8 @@ Quantities:
   sliding limit     beta*_lim. At or above it a steady state exists in which the contact never slides
   With stiction 1 the contact slides all the time below beta_lim, and is stuck from beta*_lim on. With
   a larger stiction other states may exist as well. `orbit --states` searches for them.
+  With several contacts, the limits refer to the common friction. beta_lim comes from steady states at 16
+  frictions and a bisection. slides_first is the contact that slides first below beta*_lim.
 
 ";
 

@@ -5,6 +5,7 @@
 mod draw;
 #[cfg(feature = "report")]
 mod page;
+mod limits;
 mod report;
 mod sensitivity;
 mod time;
@@ -31,6 +32,7 @@ use std::io::Write;
 pub use draw::Picture;
 #[cfg(feature = "report")]
 pub use page::write as write_page;
+pub use limits::write as limits;
 pub use time::OfTime;
 
 /// Fails if the user gives one of these options, which are not available for a scene with several contacts.

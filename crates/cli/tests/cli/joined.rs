@@ -181,7 +181,6 @@ fn value(best: &serde_json::Value, key: &str) -> f64 {
 #[test]
 fn the_rest_is_refused_by_name() {
     for line in [
-        "limits --r 0.5",
         "features",
         "compile --accuracy 1e-4 --r 0.2:2.5",
         "expand",
@@ -261,6 +260,22 @@ fn motions_are_those_of_contacts() {
     assert!(at(beta) < peak * (1.0 + 1e-9), "{peak}");
     for factor in [0.8, 1.25] {
         assert!(at(factor * beta) > peak * (1.0 - 1e-3), "{factor}");
+    }
+}
+
+/// Below the continuous limit all contacts slide all the time, above the limit of sliding none does.
+#[test]
+fn limits_separate_regimes() {
+    let csv = output(FRAME, &words("limits --r 0.5,1,1.7 --csv"));
+    let first = texts(&csv, "slides_first");
+    assert!(first.iter().all(|name| ["brace", "pads"].contains(name)));
+    let limits = column(&csv, "continuous_limit");
+    for (r, (low, high)) in [0.5, 1.0, 1.7].iter().zip(limits.iter().zip(column(&csv, "sliding_limit"))) {
+        let frictions = format!("{},{},{}", 0.999 * low, 1.001 * low, 1.001 * high);
+        let csv = output(FRAME, &words(&format!("orbit --r {r} --beta {frictions} --csv")));
+        let regimes = texts(&csv, "regime");
+        assert_eq!((regimes[0], regimes[2]), ("continuous", "stuck"), "r {r}");
+        assert_ne!(regimes[1], "continuous", "r {r}");
     }
 }
 

@@ -47,6 +47,7 @@ mod features;
 #[cfg(feature = "desk")]
 mod history;
 mod joined;
+mod joined_limits;
 mod joined_sensitivity;
 mod joined_time;
 mod limits;
@@ -72,6 +73,7 @@ pub use features::{
 };
 #[cfg(feature = "desk")]
 pub use history::{EventRow, HarmonicRow, HistoryTable, SampleRow};
+pub use joined_limits::JoinedLimitsRow;
 pub use joined::{JoinedRow, JoinedTable};
 pub use joined_sensitivity::{JoinedNumber, JoinedSensitivityRow, JoinedSensitivityTable};
 pub use joined_time::{JoinedEventRow, JoinedSample};

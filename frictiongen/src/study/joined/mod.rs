@@ -37,6 +37,7 @@ mod at;
 mod combination;
 mod error;
 mod history;
+mod limit;
 mod orbit;
 mod parameter;
 mod resonances;

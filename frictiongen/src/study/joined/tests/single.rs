@@ -269,3 +269,33 @@ fn other_motions_of_a_linear_response() {
         assert!(apart(got, expected) < 1e-10, "{name}: {got} {expected}");
     }
 }
+
+/// Compares the limits with those of the closed form, for one contact that slides or sticks.
+#[test]
+fn limits_are_those_of_a_single_contact() {
+    let one = system(SINGLE);
+    let joined = one.joined().expect("answers");
+    for r in [0.4, 0.9, 1.5, 2.2] {
+        let expected = one.at(r).expect("r").limits();
+        let at = joined.at(r).expect("r");
+        let got = at.continuous_limit().expect("a limit");
+        assert!(apart(got, expected.continuous) < 1e-7, "r {r}: {got} {expected:?}");
+        let got = at.stuck().expect("a state").limit();
+        assert!(apart(got, expected.sliding) < 1e-10, "r {r}: {got} {expected:?}");
+    }
+}
+
+/// Above the limit a contact sticks at times, and below it none does.
+#[test]
+fn contacts_stick_above_the_continuous_limit_only() {
+    let frame = system(FRAME);
+    let joined = frame.joined().expect("answers");
+    for r in [0.5, 1.0, 1.7] {
+        let at = joined.at(r).expect("r");
+        let limit = at.continuous_limit().expect("a limit");
+        assert!(limit > 0.0, "r {r}");
+        let regime = |share: f64| at.orbit(share * limit).expect("an orbit").regime();
+        assert_eq!(regime(1.0 - 1e-6), Regime::Continuous, "r {r}");
+        assert_ne!(regime(1.0 + 1e-6), Regime::Continuous, "r {r}");
+    }
+}
