@@ -3,9 +3,9 @@
 
 #[cfg(feature = "pictures")]
 mod draw;
+mod limits;
 #[cfg(feature = "report")]
 mod page;
-mod limits;
 mod report;
 mod sensitivity;
 mod time;
@@ -30,9 +30,9 @@ use std::io::Write;
 
 #[cfg(feature = "pictures")]
 pub use draw::Picture;
+pub use limits::write as limits;
 #[cfg(feature = "report")]
 pub use page::write as write_page;
-pub use limits::write as limits;
 pub use time::OfTime;
 
 /// Fails if the user gives one of these options, which are not available for a scene with several contacts.

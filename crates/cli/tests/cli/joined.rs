@@ -180,11 +180,7 @@ fn value(best: &serde_json::Value, key: &str) -> f64 {
 /// Commands and options without an answer name the fields and another command, in one line.
 #[test]
 fn the_rest_is_refused_by_name() {
-    for line in [
-        "features",
-        "compile --accuracy 1e-4 --r 0.2:2.5",
-        "expand",
-    ] {
+    for line in ["features", "compile --accuracy 1e-4 --r 0.2:2.5", "expand"] {
         let told = failure(FRAME, &words(line));
         assert!(
             told.contains("`contacts`") && told.lines().count() == 1,
@@ -255,7 +251,9 @@ fn motions_are_those_of_contacts() {
                 "curve --r 0.4:0.02:1.2 --beta {beta} --of shear --csv"
             )),
         );
-        column(&csv, "shear.amplitude").into_iter().fold(0.0, f64::max)
+        column(&csv, "shear.amplitude")
+            .into_iter()
+            .fold(0.0, f64::max)
     };
     assert!(at(beta) < peak * (1.0 + 1e-9), "{peak}");
     for factor in [0.8, 1.25] {
@@ -270,9 +268,15 @@ fn limits_separate_regimes() {
     let first = texts(&csv, "slides_first");
     assert!(first.iter().all(|name| ["brace", "pads"].contains(name)));
     let limits = column(&csv, "continuous_limit");
-    for (r, (low, high)) in [0.5, 1.0, 1.7].iter().zip(limits.iter().zip(column(&csv, "sliding_limit"))) {
+    for (r, (low, high)) in [0.5, 1.0, 1.7]
+        .iter()
+        .zip(limits.iter().zip(column(&csv, "sliding_limit")))
+    {
         let frictions = format!("{},{},{}", 0.999 * low, 1.001 * low, 1.001 * high);
-        let csv = output(FRAME, &words(&format!("orbit --r {r} --beta {frictions} --csv")));
+        let csv = output(
+            FRAME,
+            &words(&format!("orbit --r {r} --beta {frictions} --csv")),
+        );
         let regimes = texts(&csv, "regime");
         assert_eq!((regimes[0], regimes[2]), ("continuous", "stuck"), "r {r}");
         assert_ne!(regimes[1], "continuous", "r {r}");

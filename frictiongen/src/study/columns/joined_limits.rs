@@ -33,11 +33,20 @@ impl AtFrequency for JoinedLimitsRow {
 }
 
 /// A limit: its name, its heading, the symbol of the ratio, and the function that reads it from a row.
-type Limit = (&'static str, &'static str, &'static str, fn(&JoinedLimitsRow) -> f64);
+type Limit = (
+    &'static str,
+    &'static str,
+    &'static str,
+    fn(&JoinedLimitsRow) -> f64,
+);
 
 const LIMITS: [Limit; 2] = [
-    ("continuous_limit", "continuous limit", "beta_lim", |row| row.continuous),
-    ("sliding_limit", "sliding limit", "beta*_lim", |row| row.sliding),
+    ("continuous_limit", "continuous limit", "beta_lim", |row| {
+        row.continuous
+    }),
+    ("sliding_limit", "sliding limit", "beta*_lim", |row| {
+        row.sliding
+    }),
 ];
 
 impl<'a> JoinedTable<'a> {

@@ -73,8 +73,8 @@ pub use features::{
 };
 #[cfg(feature = "desk")]
 pub use history::{EventRow, HarmonicRow, HistoryTable, SampleRow};
-pub use joined_limits::JoinedLimitsRow;
 pub use joined::{JoinedRow, JoinedTable};
+pub use joined_limits::JoinedLimitsRow;
 pub use joined_sensitivity::{JoinedNumber, JoinedSensitivityRow, JoinedSensitivityTable};
 pub use joined_time::{JoinedEventRow, JoinedSample};
 pub use limits::{LimitsAsked, LimitsRow, LimitsTable};

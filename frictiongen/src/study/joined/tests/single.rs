@@ -279,9 +279,15 @@ fn limits_are_those_of_a_single_contact() {
         let expected = one.at(r).expect("r").limits();
         let at = joined.at(r).expect("r");
         let got = at.continuous_limit().expect("a limit");
-        assert!(apart(got, expected.continuous) < 1e-7, "r {r}: {got} {expected:?}");
+        assert!(
+            apart(got, expected.continuous) < 1e-7,
+            "r {r}: {got} {expected:?}"
+        );
         let got = at.stuck().expect("a state").limit();
-        assert!(apart(got, expected.sliding) < 1e-10, "r {r}: {got} {expected:?}");
+        assert!(
+            apart(got, expected.sliding) < 1e-10,
+            "r {r}: {got} {expected:?}"
+        );
     }
 }
 
