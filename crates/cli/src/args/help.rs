@@ -50,7 +50,8 @@ Quantities:
   With stiction 1 the contact slides all the time below beta_lim, and is stuck from beta*_lim on. With
   a larger stiction other states may exist as well. `orbit --states` searches for them.
   With several contacts, the limits refer to the common friction. beta_lim comes from steady states at 16
-  frictions and a bisection. slides_first is the contact that slides first below beta*_lim.
+  frictions and a bisection. It is 0 with an elastic contact, which sticks after each reversal. slides_first
+  is the contact that slides first below beta*_lim.
 
 ";
 

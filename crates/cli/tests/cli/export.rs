@@ -286,7 +286,7 @@ fn refuses_what_has_no_library() {
         lines.join("\n")
     };
     let more = TWO.replace("provide: [stepper]", "provide: [stepper, orbit]");
-    let told = "frictiongen: standard input: an export of several contacts, dashpots or a free mass has only a stepper; write `provide: [stepper]`";
+    let told = "frictiongen: <stdin>: an export of several contacts, dashpots or a free mass has only a stepper; write `provide: [stepper]`";
     assert_eq!(with(&more, &[]), told);
     let renamed = BLOCK.replace("excitation", "crate: ::other, excitation");
     let facade = "frictiongen: the field `crate` names the library `::other`, but an exported crate names it `::frictiongen`; leave `crate` out";

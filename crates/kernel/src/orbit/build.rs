@@ -246,7 +246,14 @@ fn reach<const AT_LENGTH: bool, S: Float, K: ContactChain<S>>(
             let followed = (&mut motion, holding);
             let (found, reached) = wander(cycle_map, workspace, followed, failure, spare);
             *unsettled = (!reached).then_some(motion.cycles);
-            Ok(found)
+            Ok(match found {
+                // The stuck state is an answer to a motion from rest. A sweep, or another start, asks for the state that
+                // its own motion reaches.
+                Settled::Not(_) if start == Start::Rest && holding.is_some() => {
+                    Settled::Stuck(S::constant(0.0))
+                }
+                found => found,
+            })
         }
         settled => Ok(settled),
     }

@@ -65,8 +65,7 @@ impl<S: Float> Closest<'_, S> {
 
 /// Follows the motion, and starts Newton's method from the states that the motion visits. Afterwards the cycle map
 /// contains the steady state in which the motion ends. If the motion does not settle, the cycle map contains the stable
-/// steady state that is closest to a visited state. If there is none, the result is the stuck state, if it exists.
-/// Otherwise the cycle map contains a state of the motion.
+/// steady state that is closest to a visited state. If there is none, the cycle map contains a state of the motion.
 ///
 /// The second result is true if the motion ends in the steady state. `failure` is the reason why the motion has not
 /// settled yet. `holding` is that of [`FollowedMotion::new`]. `spare` is working memory for two states.
@@ -100,9 +99,6 @@ pub(super) fn wander<S: Float, K: ContactChain<S>>(
         if let Ok(found @ (Settled::Found(_) | Settled::Stuck(_))) = found {
             return (found, false);
         }
-    }
-    if holding.is_some() {
-        return (Settled::Stuck(S::constant(0.0)), false);
     }
     (Settled::Not(failure), false)
 }

@@ -14,7 +14,8 @@ const CLOSE: f64 = 1e-10;
 
 impl JoinedAt<'_> {
     /// Returns the limit of continuous motion: the largest common friction below which all contacts slide all the time in
-    /// the steady state of [`orbit`](Self::orbit). The search computes steady states at 16 frictions up to the limit of
+    /// the steady state of [`orbit`](Self::orbit). It is 0 if a contact is elastic, because such a contact sticks after each
+    /// reversal. The search computes steady states at 16 frictions up to the limit of
     /// sliding and then bisects; a motion with stops between two of these frictions can remain unseen. The result is NaN
     /// if the limit of sliding is infinite, on an undamped resonance of the stuck chain.
     ///
@@ -25,7 +26,9 @@ impl JoinedAt<'_> {
             return Ok(f64::NAN);
         };
         let most = stuck.limit();
-        if most.is_nan() || most <= 0.0 {
+        let contacts = self.chain(1.0)?.contacts;
+        let is_elastic = contacts.iter().any(|contact| contact.stiffness.is_some());
+        if is_elastic || most.is_nan() || most <= 0.0 {
             return Ok(0.0);
         }
         let (mut low, mut high) = (0.0, most);

@@ -295,6 +295,14 @@ fn limits_are_those_of_a_single_contact() {
 #[test]
 fn contacts_stick_above_the_continuous_limit_only() {
     let frame = system(FRAME);
+    let elastic = frame.joined().expect("answers");
+    let limit = elastic.at(0.5).expect("r").continuous_limit();
+    assert_eq!(
+        limit.expect("a limit"),
+        0.0,
+        "an elastic contact sticks after each reversal"
+    );
+    let frame = system(&FRAME.replace("{ stiffness: 4.0e3 }", ""));
     let joined = frame.joined().expect("answers");
     for r in [0.5, 1.0, 1.7] {
         let at = joined.at(r).expect("r");
