@@ -380,7 +380,7 @@ impl<'s> SeveralContacts<'s> {
         }
         match at.orbit_soon(beta)? {
             Ok(orbit) if orbit.regime() == Regime::Stuck && self.system.start.is_none() => {
-                return Ok(stuck(&at.stuck()?));
+                Ok(stuck(&at.stuck()?))
             }
             Ok(orbit) => {
                 let multiplier = orbit.multipliers().first();

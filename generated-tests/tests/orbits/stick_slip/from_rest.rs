@@ -329,7 +329,7 @@ const WANDERING_FIRST: [(&str, f64, f64, [usize; 3]); 2] = [
 const STUCK_BESIDE: (&str, f64, f64) = (
     "struct Pair { masses: { m1: 0.3584, m2: 1.7200 }, springs: { base - m1: 0.7824, m1 - m2: 1.5214 },
         contact: m2 - wall, excitation: base, stiction: 1.9505 }",
-    0.412_569_016_535_721_94,
+    0.412_569_016_535_721_9,
     0.486_445_807_406_602_2,
 );
 
