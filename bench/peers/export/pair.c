@@ -1,28 +1,11 @@
 /* Runs the exported stepper of two contacts as src/bin/paired.rs does, and prints the bits of its results.  Every 100 steps
  * the program also takes steps that a saved state and an image undo, and gives bad arguments. */
 #include "pair.h"
+#include "drive.h"
 #include <inttypes.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
-
-static uint64_t state = UINT64_C(88172645463325252);
-
-static double random_number(void)
-{
-    state ^= state << 13;
-    state ^= state >> 7;
-    state ^= state << 17;
-    return (double)(state >> 40) / 8388608.0 - 1.0;
-}
-
-static void expect(int is_right, const char *what)
-{
-    if (!is_right) {
-        fprintf(stderr, "wrong: %s\n", what);
-        exit(1);
-    }
-}
 
 static void print(double number, const char *end)
 {

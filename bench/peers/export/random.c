@@ -3,6 +3,7 @@
  * gives bad arguments, and restores the state: the hash does not change.
  *
  * Compile with -DSHAKEN or without. */
+#include "drive.h"
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -32,24 +33,6 @@ static void add(const void *data, size_t size)
     size_t k;
     for (k = 0; k < size; k++) {
         hash = (hash ^ bytes[k]) * UINT64_C(0x100000001b3);
-    }
-}
-
-static uint64_t state = UINT64_C(88172645463325252);
-
-static double random_number(void)
-{
-    state ^= state << 13;
-    state ^= state >> 7;
-    state ^= state << 17;
-    return (double)(state >> 40) / 8388608.0 - 1.0;
-}
-
-static void expect(int is_right, const char *what)
-{
-    if (!is_right) {
-        fprintf(stderr, "wrong: %s\n", what);
-        exit(1);
     }
 }
 

@@ -44,13 +44,8 @@ impl LimitsReport {
     fn table(&self) -> LimitsTable<'_> {
         LimitsTable {
             setting: Setting {
-                system: &self.system,
-                measure: self.measure,
-                frequency: self.frequencies.unit(),
                 frequencies: self.frequencies.given(),
-                frictions: &[],
-                forces: false,
-                parts: &[],
+                ..Setting::new(&self.system, self.measure, self.frequencies.unit())
             },
             asked: LimitsAsked::All,
         }

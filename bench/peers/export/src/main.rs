@@ -2,25 +2,10 @@
 //!
 //! Arguments: the scene (`shaken` or `pushed`), and the number of steps. `random.c` makes the same run in C.
 
+use export_peer::Random;
+
 frictiongen::friction_system!("shaken.friction");
 frictiongen::friction_system!("pushed.friction");
-
-/// Random numbers from a xorshift generator (Marsaglia 2003). The number in it is the state.
-struct Random(u64);
-
-impl Random {
-    fn next(&mut self) -> u64 {
-        self.0 ^= self.0 << 13;
-        self.0 ^= self.0 >> 7;
-        self.0 ^= self.0 << 17;
-        self.0
-    }
-
-    /// Returns a number between -1 and 1 with 24 bits, which both scalars represent exactly.
-    fn signed(&mut self) -> f64 {
-        (self.next() >> 40) as f64 / 8_388_608.0 - 1.0
-    }
-}
 
 /// FNV-1a hash with 64 bits.
 struct Hash(u64);
@@ -36,7 +21,7 @@ impl Hash {
 /// Runs the stepper of one scene. `input` makes an input from three random numbers, and `masses` names the masses.
 macro_rules! run {
     ($scene:ident, $dt:expr, $steps:expr, |$random:ident| $input:expr, [$($mass:ident),*]) => {{
-        let mut random = Random(88_172_645_463_325_252);
+        let mut random = Random::new();
         let mut hash = Hash(0xcbf2_9ce4_8422_2325);
         let (mut stepper, mut stuck, mut events) = ($scene::stepper($dt)?, 0_u64, 0_u64);
         for _ in 0..$steps {
@@ -68,19 +53,33 @@ macro_rules! run {
 
 fn main() -> Result<(), Box<dyn std::error::Error>> {
     let mut arguments = std::env::args().skip(1);
-    let scene = arguments.next().ok_or("give a scene and a number of steps")?;
+    let scene = arguments
+        .next()
+        .ok_or("give a scene and a number of steps")?;
     let steps: u64 = arguments.next().ok_or("give a number of steps")?.parse()?;
     match scene.as_str() {
-        "shaken" => run!(Shaken, 1e-3, steps, |random| ShakenInput {
-            displacement: random[0] * 2e-6,
-            velocity: random[1] * 2e-3,
-            friction: 4.0 + 4.0 * random[2],
-        }, [lower, upper]),
-        "pushed" => run!(Pushed, 1.0 / 512.0, steps, |random| PushedInput {
-            force: random[0] as f32 * 16.0,
-            double: random[1] as f32 * 16.0,
-            friction: 4.0 + 4.0 * random[2] as f32,
-        }, [first, double, third]),
+        "shaken" => run!(
+            Shaken,
+            1e-3,
+            steps,
+            |random| ShakenInput {
+                displacement: random[0] * 2e-6,
+                velocity: random[1] * 2e-3,
+                friction: 4.0 + 4.0 * random[2],
+            },
+            [lower, upper]
+        ),
+        "pushed" => run!(
+            Pushed,
+            1.0 / 512.0,
+            steps,
+            |random| PushedInput {
+                force: random[0] as f32 * 16.0,
+                double: random[1] as f32 * 16.0,
+                friction: 4.0 + 4.0 * random[2] as f32,
+            },
+            [first, double, third]
+        ),
         _ => return Err("the scene is `shaken` or `pushed`".into()),
     }
     Ok(())

@@ -48,13 +48,8 @@ pub fn setting<'a>(
     parts: &'a [MovingPart],
 ) -> Setting<'a> {
     Setting {
-        system,
-        measure,
-        frequency,
-        frequencies: &[],
-        frictions: &[],
-        forces: false,
         parts,
+        ..Setting::new(system, measure, frequency)
     }
 }
 

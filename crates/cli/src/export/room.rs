@@ -11,7 +11,8 @@ use frictiongen_codegen::standalone::StepperSizes;
 
 /// Number of bytes that padding may add to an extrapolated size.
 const PADDING: i64 = 16;
-/// The same for a scene with several contacts or dashpots, whose stepper consists of more structs.
+/// Number of bytes that padding may add to the extrapolated size of a stepper of several contacts, which consists of more
+/// structs.
 const JOINTS_PADDING: i64 = 64;
 
 /// Size of a stepper and size of its saved state, in bytes, for one combination of three counts. The stepper has one or

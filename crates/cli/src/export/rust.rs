@@ -52,7 +52,7 @@ fn helpers(face: &ExportedItems, (prefix, scalar): (&str, &str), is_joined: bool
             "    fn complex(number: Number<{scalar}>) -> Complex {{\n        Complex {{ re: number.re, im: number.im }}\n    }}\n\n"
         ));
     }
-    if has("segment") || has("stepped") && !is_joined {
+    if has("segment") || has("stepped") {
         text.push_str(
             "    fn sliding(contact: frictiongen::answer::Contact) -> i32 {\n        use frictiongen::answer::Contact;\n        \
              match contact {\n            Contact::Stuck => 0,\n            Contact::Forward => 1,\n            \
@@ -68,13 +68,6 @@ fn helpers(face: &ExportedItems, (prefix, scalar): (&str, &str), is_joined: bool
         text.push_str(&format!(
             "    fn mass_now(mass: &frictiongen::kernel::{of_mass}<{scalar}>) -> MassNow {{\n        \
              MassNow {{ displacement: mass.displacement(), velocity: mass.velocity() }}\n    }}\n\n"
-        ));
-    }
-    if is_joined {
-        text.push_str(&format!(
-            "    fn direction(contact: &frictiongen::kernel::joints::ContactState<{scalar}>) -> i32 {{\n        \
-             let velocity = contact.velocity();\n        \
-             if contact.is_sticking() || velocity == 0.0 {{\n            0\n        }} else if velocity > 0.0 {{\n            1\n        }} else {{\n            -1\n        }}\n    }}\n\n"
         ));
     }
     text

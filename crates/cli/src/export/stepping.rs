@@ -312,7 +312,7 @@ fn control(face: &mut ExportedItems, scene: &Scene, shape: &StepperShape, name: 
 fn advance(scene: &Scene, shape: &StepperShape, input: &str) -> String {
     let of_contact = match shape.contacts.as_slice() {
         [contact] if scene.is_joined() => format!(
-            "let now = stepper.{contact}();\nlet (force, sliding) = (now.force(), direction(&now));\n"
+            "let now = stepper.{contact}();\nlet (force, sliding) = (now.force(), sliding(now.contact()));\n"
         ),
         [_] => "let (force, sliding) = (found.force, sliding(found.contact));\n".to_owned(),
         _ => String::new(),
@@ -341,13 +341,8 @@ fn read_outs(face: &mut ExportedItems, scene: &Scene, shape: &StepperShape) {
         format!("{found}masses.write(Masses {{ {masses}}});\nOk(())"),
     ));
     let contact_of = |contact: &str| {
-        let sliding = if scene.is_joined() {
-            "direction(&now)"
-        } else {
-            "sliding(now.contact())"
-        };
         format!(
-            "{{\n    let now = found.{}();\n    Contact {{ displacement: now.displacement(), velocity: now.velocity(), force: now.force(), sliding: {sliding} }}\n}}",
+            "{{\n    let now = found.{}();\n    Contact {{ displacement: now.displacement(), velocity: now.velocity(), force: now.force(), sliding: sliding(now.contact()) }}\n}}",
             contact_method(scene, contact)
         )
     };

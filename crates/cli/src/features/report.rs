@@ -31,13 +31,8 @@ pub fn table<'a>(
 ) -> FeatureTable<'a> {
     FeatureTable {
         setting: Setting {
-            system,
-            measure,
-            frequency: band.unit(),
-            frequencies: &[],
-            frictions: &[],
-            forces: false,
             parts,
+            ..Setting::new(system, measure, band.unit())
         },
     }
 }

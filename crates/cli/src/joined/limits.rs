@@ -8,7 +8,6 @@ use crate::output::{self, ResultTable, Visitor};
 use crate::summary::Summary;
 use frictiongen::System;
 use frictiongen::study::columns::{Column, JoinedLimitsRow, JoinedTable, Setting};
-use frictiongen::study::joined::Joined;
 use std::io::Write;
 
 /// Writes the limits of continuous motion and of sliding over frequency.
@@ -19,38 +18,24 @@ pub fn write(
     out: &mut dyn Write,
 ) -> Result<(), Failure> {
     let joined = system.joined().map_err(Failure::new)?;
-    let summary = Summary::of(system, frequencies.are_physical(), measure);
-    let report = LimitsReport {
-        system,
-        joined: &joined,
-        frequencies,
-        measure,
+    let setting = Setting {
+        frequencies: frequencies.given(),
+        ..Setting::new(system, measure, frequencies.unit())
     };
+    let report = LimitsReport {
+        table: JoinedTable {
+            setting,
+            joined: &joined,
+        },
+        frequencies: &frequencies,
+    };
+    let summary = Summary::of(system, frequencies.are_physical(), measure);
     output::write(&report, &summary, form, out)
 }
 
 struct LimitsReport<'s> {
-    system: &'s System,
-    joined: &'s Joined<'s>,
-    frequencies: Frequencies,
-    measure: Measure,
-}
-
-impl LimitsReport<'_> {
-    fn table(&self) -> JoinedTable<'_> {
-        JoinedTable {
-            setting: Setting {
-                system: self.system,
-                measure: self.measure,
-                frequency: self.frequencies.unit(),
-                frequencies: self.frequencies.given(),
-                frictions: &[],
-                forces: false,
-                parts: &[],
-            },
-            joined: self.joined,
-        }
-    }
+    table: JoinedTable<'s>,
+    frequencies: &'s Frequencies,
 }
 
 impl ResultTable for LimitsReport<'_> {
@@ -61,14 +46,13 @@ impl ResultTable for LimitsReport<'_> {
     }
 
     fn each(&self, visit: Visitor<'_, JoinedLimitsRow>) -> Result<(), Failure> {
-        let table = self.table();
-        for frequency in self.frequencies.all(self.system) {
-            visit(&table.limits(frequency).map_err(Failure::new)?)?;
+        for frequency in self.frequencies.all(self.table.setting.system) {
+            visit(&self.table.limits(frequency).map_err(Failure::new)?)?;
         }
         Ok(())
     }
 
     fn columns(&self) -> Vec<Column<'_, JoinedLimitsRow>> {
-        self.table().limits_columns()
+        self.table.limits_columns()
     }
 }

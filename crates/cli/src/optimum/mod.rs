@@ -54,13 +54,8 @@ pub fn run(arguments: &OptimumArguments, out: &mut dyn Write) -> Result<(), Fail
     };
     let table_of = |part| OptimumTable {
         setting: Setting {
-            system: &system,
-            measure,
-            frequency: band.unit(),
-            frequencies: &[],
-            frictions: &[],
-            forces: false,
             parts: std::slice::from_ref(part),
+            ..Setting::new(&system, measure, band.unit())
         },
     };
     let table = table_of(&part);

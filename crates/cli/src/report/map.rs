@@ -317,15 +317,11 @@ impl Regimes {
 /// Returns the table of β_lim and β*_lim in the units of the page.
 fn table(asked: &ReportRequest) -> LimitsTable<'_> {
     LimitsTable {
-        setting: Setting {
-            system: &asked.system,
-            measure: asked.words.measure,
-            frequency: FrequencyUnit::Ratio.under(&asked.words.measure),
-            frequencies: &[],
-            frictions: &[],
-            forces: false,
-            parts: &[],
-        },
+        setting: Setting::new(
+            &asked.system,
+            asked.words.measure,
+            FrequencyUnit::Ratio.under(&asked.words.measure),
+        ),
         asked: LimitsAsked::Exact,
     }
 }

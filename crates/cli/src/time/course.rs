@@ -30,13 +30,8 @@ impl RunSettings<'_> {
     pub fn table(&self) -> HistoryTable<'_> {
         HistoryTable {
             setting: Setting {
-                system: self.system,
-                measure: self.measure,
-                frequency: self.unit,
-                frequencies: &[],
-                frictions: &[],
-                forces: false,
                 parts: &self.parts,
+                ..Setting::new(self.system, self.measure, self.unit)
             },
             at: self.frequency,
             in_seconds: self.in_seconds,

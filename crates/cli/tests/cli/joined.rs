@@ -236,10 +236,12 @@ fn motions_are_those_of_contacts() {
         &words("orbit --r 0.5:0.3:1.4 --beta 0.3 --of upper-lower --of shear --csv"),
     );
     assert_eq!(column(&csv, "upper-lower.amplitude").len(), 4);
-    for (motion, contact) in [("upper-lower.amplitude", "pads.amplitude")] {
-        for (one, other) in column(&csv, motion).iter().zip(column(&csv, contact)) {
-            assert!((one - other).abs() < 1e-10 * other, "{one} {other}");
-        }
+    let (motion, contact) = (
+        column(&csv, "upper-lower.amplitude"),
+        column(&csv, "pads.amplitude"),
+    );
+    for (one, other) in motion.iter().zip(contact) {
+        assert!((one - other).abs() < 1e-10 * other, "{one} {other}");
     }
     let best = output(FRAME, &words("optimum --r 0.4:1.2 --of shear --json"));
     let best: serde_json::Value = serde_json::from_str(&best).expect("JSON");

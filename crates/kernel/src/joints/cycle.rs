@@ -1,7 +1,7 @@
 //! Results of one period of a motion: amplitudes of the masses, and stops, slip, force and energy of the contacts.
 
 use super::model::Model;
-use super::poly::{Poly, TERMS, value};
+use super::poly::{Poly, TERMS, slope, value};
 use super::roots::first_negative;
 use super::run::Observe;
 use super::series::Series;
@@ -289,15 +289,6 @@ fn extremes<S: Float>(terms: &Poly<S>, slope: &Poly<S>, end: S) -> [S; 3] {
     let turn = first_negative(&slope.map(|term| if rises { term } else { -term }), 0);
     let turn = turn.map_or(end, |turn| Scalar::min(turn, end));
     [zero, end, turn].map(|at| value(terms, at))
-}
-
-/// Returns the coefficients of the derivative of the polynomial `terms`.
-fn slope<S: Float>(terms: &Poly<S>) -> Poly<S> {
-    let mut slope = [S::constant(0.0); TERMS];
-    for (order, (slope, term)) in slope.iter_mut().zip(terms.iter().skip(1)).enumerate() {
-        *slope = S::whole(order + 1) * *term;
-    }
-    slope
 }
 
 /// Returns the integral of the polynomial `terms` from 0 to `end`.

@@ -72,7 +72,7 @@ pub use heap::{Heap, KeptTables, Short, refine, settle, settle_from, settle_soon
 pub use model::{Contact, Link, Model};
 pub use now::{ContactState, MassState};
 pub use orbit::{At, ContactOrbit, MassOrbit, Orbit, StuckState};
-pub use poly::{Poly, TERMS, value};
+pub use poly::{Poly, TERMS, slope, value};
 pub use roots::first_negative;
 pub use run::{Bounds, Motion, Observe};
 pub use series::Series;

@@ -4,6 +4,7 @@ use super::run::Motion;
 use super::size::{Size, at};
 use super::state::STUCK;
 use crate::Float;
+use crate::motion::Contact;
 
 /// Displacement and velocity of a mass at one instant.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -64,6 +65,17 @@ impl<S: Float> ContactState<S> {
     #[must_use]
     pub fn is_sticking(&self) -> bool {
         self.is_sticking
+    }
+
+    /// Returns the direction in which the contact slides at this instant. The result is [`Contact::Stuck`] if the contact
+    /// sticks, or if its relative velocity is 0.
+    #[must_use]
+    pub fn contact(&self) -> Contact {
+        if self.is_sticking || self.velocity.is_zero() {
+            Contact::Stuck
+        } else {
+            Contact::along(self.velocity)
+        }
     }
 }
 

@@ -40,6 +40,16 @@ pub fn value<S: Float>(terms: &[S], at: S) -> S {
     even + at * odd
 }
 
+/// Returns the coefficients of the derivative of the polynomial `terms`.
+#[must_use]
+pub fn slope<S: Float>(terms: &Poly<S>) -> Poly<S> {
+    let mut slope = nothing();
+    for (order, (slope, term)) in slope.iter_mut().zip(terms.iter().skip(1)).enumerate() {
+        *slope = S::whole(order + 1) * *term;
+    }
+    slope
+}
+
 /// Returns the value and the derivative of the polynomial `terms` at the point `at`.
 pub(super) fn value_and_slope<S: Float>(terms: &[S], at: S) -> (S, S) {
     let (zero, square) = (S::constant(0.0), at * at);

@@ -86,7 +86,8 @@ where
     /// motion visits. A cycle may have more than [`MAX_SEGMENTS`] segments.
     ///
     /// If the motion still does not settle, `unsettled` receives the number of cycles that the search has followed. The
-    /// result is then a stable steady state that Newton's method found, or the stuck state if it exists.
+    /// result is then a stable steady state that Newton's method found, or for motion from rest the
+    /// stuck state, if it exists.
     ///
     /// # Errors
     /// The errors of [`answer`](Self::answer).

@@ -1,10 +1,10 @@
 //! Rows and columns of the table of curves over frequency.
 
 use super::builder::Columns;
-use super::column::{Column, Head, TableRow};
+use super::column::{Column, Head};
 use super::measure::PhysicalQuantity;
 use super::motion::{MotionColumns, MotionRow, PartMotion, motions};
-use super::setting::{AtFrequency, AtFriction, Frequency, FrictionSetting, Setting};
+use super::setting::{AtFriction, Frequency, FrictionSetting, Setting, at};
 use crate::Error;
 use crate::study::{
     curve::{Curve, CurvePoint, CurveStart},
@@ -45,17 +45,7 @@ impl CurveRow {
     }
 }
 
-impl TableRow for CurveRow {
-    fn omega(&self) -> f64 {
-        self.frequency.omega
-    }
-}
-
-impl AtFrequency for CurveRow {
-    fn frequency(&self) -> Frequency {
-        self.frequency
-    }
-}
+at!(CurveRow);
 
 impl AtFriction for CurveRow {
     fn friction(&self) -> FrictionSetting {

@@ -1,9 +1,9 @@
 //! Tables of the steady states of scenes with several contacts.
 
 use super::builder::Columns;
-use super::column::{Column, Head, Shown, TableRow};
+use super::column::{Column, Head, Shown};
 use super::measure::PhysicalQuantity;
-use super::setting::{AtFrequency, AtFriction, Frequency, FrictionSetting, Setting};
+use super::setting::{AtFriction, Frequency, FrictionSetting, Setting, at};
 use crate::Regime;
 use crate::study::joined::{Joined, JoinedAt, JoinedError, JoinedOrbit};
 use crate::study::joints::JointError;
@@ -55,17 +55,7 @@ struct ContactPart {
     energy: f64,
 }
 
-impl TableRow for JoinedRow {
-    fn omega(&self) -> f64 {
-        self.frequency.omega
-    }
-}
-
-impl AtFrequency for JoinedRow {
-    fn frequency(&self) -> Frequency {
-        self.frequency
-    }
-}
+at!(JoinedRow);
 
 impl AtFriction for JoinedRow {
     fn friction(&self) -> FrictionSetting {
@@ -224,12 +214,13 @@ impl<'a> JoinedTable<'a> {
                 energy: contact.energy(),
             }),
         });
-        let motions = self.setting.parts.iter().map(|part| {
-            let amplitude = orbit.largest(part.of, part.size)?;
-            let contact = None;
-            Ok(ContactNumbers { amplitude, contact })
+        let parts = self.setting.parts.iter();
+        let parts: Vec<_> = parts.map(|part| (part.of, part.size)).collect();
+        let motions = orbit.largest_of(&parts)?.into_iter();
+        let motions = motions.map(|amplitude| ContactNumbers {
+            amplitude,
+            contact: None,
         });
-        let motions = motions.collect::<Result<Vec<_>, JoinedError>>()?;
         let multipliers = orbit.multipliers().iter().map(|value| value.norm());
         Ok(JoinedRow {
             frequency,

@@ -1,10 +1,10 @@
 //! Rows and columns of the table of the limits of several contacts.
 
 use super::builder::Columns;
-use super::column::{Column, Head, TableRow};
+use super::column::Column;
 use super::joined::JoinedTable;
-use super::measure::PhysicalQuantity;
-use super::setting::{AtFrequency, Frequency};
+use super::limits::{Limit, add_limits};
+use super::setting::{Frequency, at};
 use crate::study::joined::JoinedError;
 
 /// Limits of several contacts at one frequency, as common friction ratios.
@@ -12,40 +12,23 @@ use crate::study::joined::JoinedError;
 pub struct JoinedLimitsRow {
     /// Frequency of the excitation, as ratio r, in Hz and in rad/s.
     pub frequency: Frequency,
-    /// Limit of continuous motion: below it, all contacts slide all the time. It is NaN if no steady state shows it.
-    pub continuous: f64,
+    /// Limit of continuous motion: below it, all contacts slide all the time. `None` on an undamped resonance of the
+    /// stuck chain.
+    pub continuous: Option<f64>,
     /// Limit of sliding: from it on, no contact slides. It is infinite on an undamped resonance of the stuck chain.
     pub sliding: f64,
     /// Name of the contact that slides first below the limit of sliding.
     pub slides_first: String,
 }
 
-impl TableRow for JoinedLimitsRow {
-    fn omega(&self) -> f64 {
-        self.frequency.omega
-    }
-}
+at!(JoinedLimitsRow);
 
-impl AtFrequency for JoinedLimitsRow {
-    fn frequency(&self) -> Frequency {
-        self.frequency
-    }
-}
-
-/// A limit: its name, its heading, the symbol of the ratio, and the function that reads it from a row.
-type Limit = (
-    &'static str,
-    &'static str,
-    &'static str,
-    fn(&JoinedLimitsRow) -> f64,
-);
-
-const LIMITS: [Limit; 2] = [
+const LIMITS: [Limit<JoinedLimitsRow>; 2] = [
     ("continuous_limit", "continuous limit", "beta_lim", |row| {
         row.continuous
     }),
     ("sliding_limit", "sliding limit", "beta*_lim", |row| {
-        row.sliding
+        Some(row.sliding)
     }),
 ];
 
@@ -59,7 +42,10 @@ impl<'a> JoinedTable<'a> {
         let stuck = at.stuck().ok();
         Ok(JoinedLimitsRow {
             frequency,
-            continuous: at.continuous_limit()?,
+            continuous: match at.continuous_limit() {
+                Err(JoinedError::Resonance) => None,
+                limit => Some(limit?),
+            },
             sliding: stuck.as_ref().map_or(f64::INFINITY, |stuck| stuck.limit()),
             slides_first: stuck.map_or(String::new(), |stuck| stuck.first().to_owned()),
         })
@@ -70,16 +56,7 @@ impl<'a> JoinedTable<'a> {
     pub fn limits_columns(&self) -> Vec<Column<'a, JoinedLimitsRow>> {
         let mut columns = Columns::new(&self.setting.measure);
         self.setting.frequency(&mut columns);
-        if self.setting.measure.scale().is_some() {
-            for (name, title, _, read) in LIMITS {
-                let head = Head::of(name, PhysicalQuantity::Force).titled(&[title, "(N)"]);
-                columns.number(head, move |row| Some(read(row)));
-            }
-        }
-        for (name, title, symbol, read) in LIMITS {
-            let head = Head::new(name).titled(&[title, symbol]);
-            columns.number(head, move |row| Some(read(row)));
-        }
+        add_limits(&mut columns, &self.setting.measure, &LIMITS);
         columns.word("slides_first", "slides_first", |row: &JoinedLimitsRow| {
             Some(row.slides_first.as_str())
         });

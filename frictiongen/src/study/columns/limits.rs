@@ -2,8 +2,8 @@
 
 use super::builder::Columns;
 use super::column::{Column, Head, TableRow};
-use super::measure::PhysicalQuantity;
-use super::setting::{AtFrequency, Frequency, Setting};
+use super::measure::{Measure, PhysicalQuantity};
+use super::setting::{Frequency, Setting, at};
 use crate::OutOfDomain;
 
 /// The limits of friction that the table contains.
@@ -46,24 +46,18 @@ pub struct LimitsTable<'a> {
     pub asked: LimitsAsked,
 }
 
-impl TableRow for LimitsRow {
-    fn omega(&self) -> f64 {
-        self.frequency.omega
-    }
-}
+at!(LimitsRow);
 
-impl AtFrequency for LimitsRow {
-    fn frequency(&self) -> Frequency {
-        self.frequency
-    }
-}
+/// A limit: its name, its heading, the symbol of the ratio, and the function that reads it from a row.
+pub(super) type Limit<R> = (
+    &'static str,
+    &'static str,
+    &'static str,
+    fn(&R) -> Option<f64>,
+);
 
-/// Function that reads a limit from a row.
-type ReadLimit = fn(&LimitsRow) -> Option<f64>;
-
-/// The limits in the order of their columns. Each limit has a name, a heading, the symbol of the ratio, and the
-/// function that reads the limit from a row.
-const LIMITS: [(&str, &str, &str, ReadLimit); 4] = [
+/// The limits in the order of their columns.
+const LIMITS: [Limit<LimitsRow>; 4] = [
     ("continuous_limit", "continuous limit", "beta_lim", |row| {
         row.continuous
     }),
@@ -127,19 +121,27 @@ impl<'a> LimitsTable<'a> {
         let measure = self.setting.measure;
         let mut columns = Columns::new(&measure);
         self.setting.frequency(&mut columns);
-        let asked = || {
-            let all = LIMITS.iter().enumerate();
-            all.filter(|(index, _)| self.asked.has(*index))
-        };
-        if measure.scale().is_some() {
-            for (_, (name, title, _, read)) in asked() {
-                let head = Head::of(*name, PhysicalQuantity::Force).titled(&[title, "(N)"]);
-                columns.number(head, *read);
-            }
-        }
-        for (_, (name, title, symbol, read)) in asked() {
-            columns.number(Head::new(*name).titled(&[title, symbol]), *read);
-        }
+        let asked = LIMITS.iter().enumerate();
+        let asked = asked.filter(|(index, _)| self.asked.has(*index));
+        let asked: Vec<_> = asked.map(|(_, limit)| *limit).collect();
+        add_limits(&mut columns, &measure, &asked);
         columns.done()
+    }
+}
+
+/// Adds a column for each limit: in N if the load is known, and as a ratio.
+pub(super) fn add_limits<'a, R: TableRow + 'a>(
+    columns: &mut Columns<'a, R>,
+    measure: &Measure,
+    limits: &[Limit<R>],
+) {
+    if measure.scale().is_some() {
+        for (name, title, _, read) in limits {
+            let head = Head::of(*name, PhysicalQuantity::Force).titled(&[title, "(N)"]);
+            columns.number(head, *read);
+        }
+    }
+    for (name, title, symbol, read) in limits {
+        columns.number(Head::new(*name).titled(&[title, symbol]), *read);
     }
 }

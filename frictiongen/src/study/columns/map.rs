@@ -1,9 +1,9 @@
 //! Rows and columns of maps over frequency and friction.
 
 use super::builder::Columns;
-use super::column::{Column, ColumnAxis, Head, TableRow};
+use super::column::{Column, ColumnAxis, Head};
 use super::measure::{Measure, PhysicalQuantity};
-use super::setting::{AtFrequency, AtFriction, Frequency, FrictionSetting, Setting};
+use super::setting::{AtFriction, Frequency, FrictionSetting, Setting, at};
 use crate::study::{
     map::{Boundary, Map, MapColumn, MapPoint},
     words,
@@ -53,22 +53,6 @@ pub struct BoundaryRow {
 pub struct MapTable<'a> {
     /// System, units, and the contact or masses whose motions the table contains.
     pub setting: Setting<'a>,
-}
-
-macro_rules! at {
-    ($($row:ty),*) => {$(
-        impl TableRow for $row {
-            fn omega(&self) -> f64 {
-                self.frequency.omega
-            }
-        }
-
-        impl AtFrequency for $row {
-            fn frequency(&self) -> Frequency {
-                self.frequency
-            }
-        }
-    )*};
 }
 
 at!(MapRow<'_>, MapLimitsRow, BoundaryRow);

@@ -260,6 +260,24 @@ pub trait AtFrequency: TableRow {
     fn frequency(&self) -> Frequency;
 }
 
+/// Implements the traits of a row for one frequency, which is its field `frequency`.
+macro_rules! at {
+    ($($row:ty),*) => {$(
+        impl $crate::study::columns::column::TableRow for $row {
+            fn omega(&self) -> f64 {
+                self.frequency.omega
+            }
+        }
+
+        impl $crate::study::columns::setting::AtFrequency for $row {
+            fn frequency(&self) -> $crate::study::columns::setting::Frequency {
+                self.frequency
+            }
+        }
+    )*};
+}
+pub(super) use at;
+
 /// A row of a table for one value of the friction.
 pub trait AtFriction: TableRow {
     /// Returns the friction of the row.
@@ -287,6 +305,20 @@ impl AtFriction for FrictionSetting {
 }
 
 impl<'a> Setting<'a> {
+    /// Returns the setting without given frequencies, frictions and motions.
+    #[must_use]
+    pub fn new(system: &'a System, measure: Measure, frequency: FrequencyUnit) -> Self {
+        Self {
+            system,
+            measure,
+            frequency,
+            frequencies: &[],
+            frictions: &[],
+            forces: false,
+            parts: &[],
+        }
+    }
+
     /// Returns the operating point at a frequency and a friction.
     #[must_use]
     pub fn point(&self, frequency: Frequency, friction: FrictionSetting) -> OperatingPoint {

@@ -7,7 +7,7 @@ use super::units::AnswerUnits;
 use crate::study::joints::Series;
 use crate::study::response::MotionQuantity;
 use crate::{Complex, Of};
-use frictiongen_kernel::joints::{Poly, TERMS, value};
+use frictiongen_kernel::joints::{Poly, TERMS, slope, value};
 use frictiongen_model::joined::numbered;
 use frictiongen_model::scene::{Excitation, Node, Scene};
 use std::f64::consts::TAU;
@@ -118,21 +118,15 @@ impl Combination {
         }
     }
 
-    /// Returns the largest absolute value in a period of a steady state.
-    fn largest_in(&self, orbit: &JoinedOrbit<'_>) -> Result<f64, JoinedError> {
-        let (_, omega, units) = orbit.setting();
-        let mut largest = 0.0_f64;
-        let period = TAU / omega * orbit.period() as f64;
-        orbit.motion()?.run(period, &mut |series, end, _| {
-            largest = largest.max(largest_of(&self.terms_of(series), end));
-        })?;
+    /// Converts the largest value of the quantity in the units of the description to the units of the results.
+    fn in_units(&self, largest: f64, (omega, units): (f64, AnswerUnits)) -> f64 {
         let rates = omega.powi(i32::try_from(self.order).unwrap_or(0));
         let unit = if self.is_force {
             units.force
         } else {
             units.length
         };
-        Ok(largest / (rates * unit))
+        largest / (rates * unit)
     }
 
     /// Returns the power series of the quantity in a stretch.
@@ -142,9 +136,7 @@ impl Combination {
             let terms = match self.order {
                 0 => series.place_terms(*plus, *minus),
                 1 => series.speed_terms(*plus, *minus),
-                _ => {
-                    derivative(&series.speed_terms(*plus, *minus)).map(|term| term / series.length)
-                }
+                _ => slope(&series.speed_terms(*plus, *minus)).map(|term| term / series.length),
             };
             for (sum, term) in sum.iter_mut().zip(terms) {
                 *sum += factor * term;
@@ -154,18 +146,9 @@ impl Combination {
     }
 }
 
-/// Returns the coefficients of the derivative of a polynomial.
-fn derivative(terms: &Poly<f64>) -> Poly<f64> {
-    let mut slope = [0.0; TERMS];
-    for (order, (slope, term)) in slope.iter_mut().zip(terms.iter().skip(1)).enumerate() {
-        *slope = (order + 1) as f64 * term;
-    }
-    slope
-}
-
 /// Returns the largest absolute value of a polynomial between 0 and `end`.
-fn largest_of(terms: &Poly<f64>, end: f64) -> f64 {
-    let slope = derivative(terms);
+fn largest_between(terms: &Poly<f64>, end: f64) -> f64 {
+    let slope = slope(terms);
     let at = |part: usize| end * part as f64 / PARTS as f64;
     let ends = (0..=PARTS).map(at);
     let turns = (0..PARTS).filter_map(|part| turn(&slope, (at(part), at(part + 1))));
@@ -191,18 +174,52 @@ fn turn(terms: &Poly<f64>, (mut low, mut high): (f64, f64)) -> Option<f64> {
 }
 
 impl JoinedOrbit<'_> {
-    /// Returns the largest absolute value of a quantity in a period: of a displacement, of its derivative with respect to
-    /// τ, or of the force in a spring. For the displacement of a mass this is its [`amplitude`](Self::amplitude).
+    /// Returns the largest absolute value of a quantity in a period, as [`largest_of`](Self::largest_of) does for several.
+    ///
+    /// # Errors
+    /// Same errors as [`largest_of`](Self::largest_of).
+    pub fn largest(&self, of: Of, size: MotionQuantity) -> Result<f64, JoinedError> {
+        let largest = self.largest_of(&[(of, size)])?;
+        largest.first().copied().ok_or(JoinedError::Quantity)
+    }
+
+    /// Returns the largest absolute value of each quantity in a period: of a displacement, of its derivative with respect
+    /// to τ, or of the force in a spring. For the displacement of a mass this is its [`amplitude`](Self::amplitude). For the
+    /// others the method follows the motion over one period.
     ///
     /// # Errors
     /// [`JoinedError::Quantity`] for a quantity that only a single contact has, and [`JoinedError::Engine`] if the solver
     /// does not support the chain.
-    pub fn largest(&self, of: Of, size: MotionQuantity) -> Result<f64, JoinedError> {
-        if let (Of::Mass(mass), MotionQuantity::Displacement) = (of, size) {
-            return Ok(self.amplitudes().get(mass).copied().unwrap_or_default());
+    pub fn largest_of(&self, quantities: &[(Of, MotionQuantity)]) -> Result<Vec<f64>, JoinedError> {
+        let (joined, omega, units) = self.setting();
+        let amplitudes = self.amplitudes();
+        let known = |quantity: &(Of, MotionQuantity)| match quantity {
+            (Of::Mass(mass), MotionQuantity::Displacement) => amplitudes.get(*mass).copied(),
+            _ => None,
+        };
+        let mut followed = Vec::new();
+        for quantity in quantities
+            .iter()
+            .filter(|quantity| known(quantity).is_none())
+        {
+            let combination = Combination::of(joined.scene(), quantity.0, quantity.1);
+            followed.push((combination.ok_or(JoinedError::Quantity)?, 0.0_f64));
         }
-        let (joined, ..) = self.setting();
-        let combination = Combination::of(joined.scene(), of, size);
-        combination.ok_or(JoinedError::Quantity)?.largest_in(self)
+        if !followed.is_empty() {
+            let period = TAU / omega * self.period() as f64;
+            self.motion()?.run(period, &mut |series, end, _| {
+                for (combination, largest) in &mut followed {
+                    *largest = largest.max(largest_between(&combination.terms_of(series), end));
+                }
+            })?;
+        }
+        let mut followed = followed.into_iter();
+        let values = quantities.iter().map(|quantity| {
+            known(quantity).or_else(|| {
+                let (combination, largest) = followed.next()?;
+                Some(combination.in_units(largest, (omega, units)))
+            })
+        });
+        values.collect::<Option<_>>().ok_or(JoinedError::Quantity)
     }
 }

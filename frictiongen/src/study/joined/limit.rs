@@ -15,17 +15,17 @@ const CLOSE: f64 = 1e-10;
 impl JoinedAt<'_> {
     /// Returns the limit of continuous motion: the largest common friction below which all contacts slide all the time in
     /// the steady state of [`orbit`](Self::orbit). It is 0 if a contact is elastic, because such a contact sticks after each
-    /// reversal. The search computes steady states at 16 frictions up to the limit of
-    /// sliding and then bisects; a motion with stops between two of these frictions can remain unseen. The result is NaN
-    /// if the limit of sliding is infinite, on an undamped resonance of the stuck chain.
+    /// reversal.
+    ///
+    /// The search computes steady states at 16 frictions up to the limit of sliding and then bisects. It misses stops that
+    /// occur only between two of these frictions.
     ///
     /// # Errors
-    /// Same errors as [`orbit`](Self::orbit), apart from a motion that does not settle, which counts as one with stops.
+    /// [`JoinedError::Resonance`] on an undamped resonance of the stuck chain, where the limit of sliding is infinite.
+    /// Otherwise the errors of [`orbit`](Self::orbit). A motion that does not settle is no error; it counts as one with
+    /// stops.
     pub fn continuous_limit(&self) -> Result<f64, JoinedError> {
-        let Ok(stuck) = self.stuck() else {
-            return Ok(f64::NAN);
-        };
-        let most = stuck.limit();
+        let most = self.stuck()?.limit();
         let contacts = self.chain(1.0)?.contacts;
         let is_elastic = contacts.iter().any(|contact| contact.stiffness.is_some());
         if is_elastic || most.is_nan() || most <= 0.0 {

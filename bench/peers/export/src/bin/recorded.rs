@@ -2,22 +2,11 @@
 //!
 //! Arguments: the scene (`shaken`, `pushed` or `held`), and the number of steps. `scripts/export` repeats the run.
 
+use export_peer::Random;
+
 frictiongen::friction_system!("shaken.friction");
 frictiongen::friction_system!("pushed.friction");
 frictiongen::friction_system!("held.friction");
-
-/// Random numbers from a xorshift generator (Marsaglia 2003). The number in it is the state.
-struct Random(u64);
-
-impl Random {
-    /// Returns a number between -1 and 1 with 24 bits, which both scalars represent exactly.
-    fn signed(&mut self) -> f64 {
-        self.0 ^= self.0 << 13;
-        self.0 ^= self.0 >> 7;
-        self.0 ^= self.0 << 17;
-        (self.0 >> 40) as f64 / 8_388_608.0 - 1.0
-    }
-}
 
 /// Runs the stepper of one scene from an initial state. Each input comes with its name in the FMU, its field in Rust
 /// and its scale.
@@ -32,7 +21,7 @@ macro_rules! run {
         names.extend(["load", "friction", "damping", "stored"].map(|what| format!("work.{what}")));
         names.extend(["sticks", "direction", "events", "exceeded", "last_event_time"].map(|what| format!("contact.{what}")));
         println!("{}", names.join(","));
-        let mut random = Random(88_172_645_463_325_252);
+        let mut random = Random::new();
         let mut input = || $input {
             $($field: (random.signed() * $scale) as $real,)*
             friction: (4.0 + 4.0 * random.signed()) as $real,

@@ -46,7 +46,8 @@ pub fn scene(scene: &Scene, variables: &Variables, (name, token): (&str, &str)) 
         )
     });
     let methods = variables.contacts.iter().map(|[_, method]| method);
-    let directions = methods.map(|method| format!("        direction(&stepper.{method}()),\n"));
+    let directions =
+        methods.map(|method| format!("        direction(stepper.{method}().contact()),\n"));
     // The stepper of one contact without dashpots holds the friction force during a step.
     let linear = if scene.is_joined() {
         inputs
@@ -61,9 +62,15 @@ pub fn scene(scene: &Scene, variables: &Variables, (name, token): (&str, &str)) 
         .outputs
         .iter()
         .map(|of| format!("        f64::from({}),\n", of.value));
+    let set_stiction = if scene.is_joined() {
+        "stepper.set_stiction(contact, real(mu))"
+    } else {
+        "let _ = contact;\n    stepper.set_stiction(real(mu))"
+    };
     format!(
         "//! The variables of the scene.\n\n\
-         use super::{{{name} as Scene, {name}Input as Input}};\nuse frictiongen::OutOfDomain;\n\n\
+         use super::{{{name} as Scene, {name}Input as Input}};\nuse frictiongen::OutOfDomain;\n\
+         use frictiongen::answer::Contact;\n\n\
          pub(crate) type Stepper = super::{name}Stepper;\n\n\
          /// The token of modelDescription.xml.\npub const TOKEN: &str = {token:?};\n\
          pub const HASH: u64 = Scene::SCENE_HASH;\n/// Length of a step, s.\npub const DT: f64 = Scene::STEP as f64;\n\
@@ -89,8 +96,10 @@ pub fn scene(scene: &Scene, variables: &Variables, (name, token): (&str, &str)) 
          let work = stepper.work();\n    [\n{values}    ]\n}}\n\n\
          /// Returns 0 for each contact that sticks, and otherwise the sign of its velocity.\n\
          pub(crate) fn directions(stepper: &Stepper) -> [i32; CONTACTS] {{\n    [\n{directions}    ]\n}}\n\n\
-         {helpers}",
-        helpers = helpers(scene, scalar),
+         fn direction(contact: Contact) -> i32 {{\n    match contact {{\n        \
+         Contact::Stuck => 0,\n        Contact::Forward => 1,\n        Contact::Backward => -1,\n    }}\n}}\n\n\
+         pub(crate) fn set_stiction(stepper: &mut Stepper, contact: usize, mu: f64) -> Result<(), OutOfDomain> {{\n    \
+         {set_stiction}\n}}\n",
         input = variables.input,
         directions = directions.collect::<String>(),
         hold = scene.stepping.input == StepInput::Hold,
@@ -101,25 +110,4 @@ pub fn scene(scene: &Scene, variables: &Variables, (name, token): (&str, &str)) 
         names = names.collect::<String>(),
         values = values.collect::<String>(),
     )
-}
-
-/// Returns the functions of a stepper that depend on the kind of its scene.
-fn helpers(scene: &Scene, scalar: &str) -> String {
-    if scene.is_joined() {
-        format!(
-            "fn direction(contact: &frictiongen::kernel::joints::ContactState<{scalar}>) -> i32 {{\n    \
-             let velocity = contact.velocity();\n    \
-             if contact.is_sticking() || velocity == 0.0 {{\n        0\n    }} else if velocity > 0.0 {{\n        1\n    }} else {{\n        -1\n    }}\n}}\n\n\
-             pub(crate) fn set_stiction(stepper: &mut Stepper, contact: usize, mu: f64) -> Result<(), OutOfDomain> {{\n    \
-             stepper.set_stiction(contact, real(mu))\n}}\n"
-        )
-    } else {
-        format!(
-            "fn direction(contact: &frictiongen::kernel::stepper::ContactNow<{scalar}>) -> i32 {{\n    \
-             use frictiongen::answer::Contact;\n    match contact.contact() {{\n        \
-             Contact::Stuck => 0,\n        Contact::Forward => 1,\n        Contact::Backward => -1,\n    }}\n}}\n\n\
-             pub(crate) fn set_stiction(stepper: &mut Stepper, _: usize, mu: f64) -> Result<(), OutOfDomain> {{\n    \
-             stepper.set_stiction(real(mu))\n}}\n"
-        )
-    }
 }

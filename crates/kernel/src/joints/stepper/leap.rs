@@ -34,7 +34,7 @@ impl<S: Float, Z: Size, T: AsRef<[S]>> Stepper<S, Z, T> {
             return false;
         }
         let times = [self.pace.start(part), self.pace.start(part + 1)];
-        let base = times.map(|time| place_and_speed(model, time));
+        let base = times.map(|time| place_and_speed(model, layout, time));
         let [before, after] = &mut self.ends;
         let (before, after) = (before.as_mut(), after.as_mut());
         write(motion, layout, times[0], before);
@@ -66,7 +66,10 @@ impl<S: Float, Z: Size, T: AsRef<[S]>> Stepper<S, Z, T> {
 }
 
 /// Returns displacement and velocity of the base at the instant `time`.
-fn place_and_speed<S: Float, Z: Size>(model: &Model<S, Z>, time: S) -> [S; 2] {
+fn place_and_speed<S: Float, Z: Size>(model: &Model<S, Z>, layout: &Layout, time: S) -> [S; 2] {
+    if !layout.on_base {
+        return [S::constant(0.0); 2];
+    }
     let [place, speed, ..] = model.base.about(time);
     [place, speed]
 }

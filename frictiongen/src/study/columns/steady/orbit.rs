@@ -2,12 +2,10 @@
 
 use super::MotionGroups;
 use crate::study::columns::builder::Columns;
-use crate::study::columns::column::{Column, ColumnKind, Head, Shown, TableRow};
+use crate::study::columns::column::{Column, ColumnKind, Head, Shown};
 use crate::study::columns::measure::PhysicalQuantity;
 use crate::study::columns::motion::{MotionColumns, MotionRow, PartMotion, motions};
-use crate::study::columns::setting::{
-    AtFrequency, AtFriction, Frequency, FrictionSetting, Setting,
-};
+use crate::study::columns::setting::{AtFriction, Frequency, FrictionSetting, Setting, at};
 use crate::study::response::{MotionQuantity, equivalent_damping};
 use crate::study::{SystemAt, orbit::SystemOrbit, words};
 use crate::{Complex, NoOrbit, OutOfDomain};
@@ -62,17 +60,7 @@ pub struct OrbitTable<'a> {
     pub orders: &'a [u32],
 }
 
-impl TableRow for OrbitRow {
-    fn omega(&self) -> f64 {
-        self.frequency.omega
-    }
-}
-
-impl AtFrequency for OrbitRow {
-    fn frequency(&self) -> Frequency {
-        self.frequency
-    }
-}
+at!(OrbitRow);
 
 impl AtFriction for OrbitRow {
     fn friction(&self) -> FrictionSetting {

@@ -2,12 +2,10 @@
 
 use super::{MotionGroups, is_stuck};
 use crate::study::columns::builder::Columns;
-use crate::study::columns::column::{Column, Head, Shown, TableRow};
+use crate::study::columns::column::{Column, Head, Shown};
 use crate::study::columns::measure::PhysicalQuantity;
 use crate::study::columns::motion::{MotionColumns, MotionRow, PartMotion, motions};
-use crate::study::columns::setting::{
-    AtFrequency, AtFriction, Frequency, FrictionSetting, Setting,
-};
+use crate::study::columns::setting::{AtFriction, Frequency, FrictionSetting, Setting, at};
 use crate::study::{SystemAt, words};
 use crate::{Limits, Of, OutOfDomain};
 
@@ -43,17 +41,7 @@ pub struct ResponseTable<'a> {
     pub stuck: bool,
 }
 
-impl TableRow for ResponseRow {
-    fn omega(&self) -> f64 {
-        self.frequency.omega
-    }
-}
-
-impl AtFrequency for ResponseRow {
-    fn frequency(&self) -> Frequency {
-        self.frequency
-    }
-}
+at!(ResponseRow);
 
 impl AtFriction for ResponseRow {
     fn friction(&self) -> FrictionSetting {
