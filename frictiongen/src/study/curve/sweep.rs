@@ -11,7 +11,7 @@ use super::request::CurveStart;
 use super::straight::alike;
 use crate::study::start::InitialState;
 use crate::study::work::work;
-use crate::{Error, OutOfDomain};
+use crate::{Error, OutOfDomain, Regime};
 
 /// Largest number of jumps between two neighbouring frequency ratios of the sweep's first grid. If more jumps occur,
 /// the code assumes that the amplitudes scatter from point to point.
@@ -158,10 +158,15 @@ impl Refine<'_> {
     }
 
     /// Returns the reason why the curve is cut between two neighbouring nodes (frequency ratios with their responses).
-    /// Returns `None` without a cut.
+    /// Returns `None` without a cut. `pole` is true at a pole of the motion from rest. A contact that sticks on both sides
+    /// of it does not follow that motion.
     fn cut(&self, last: &CurveNode, next: &CurveNode, pole: bool) -> Option<PieceEnd> {
+        let sticks = |node: &CurveNode| {
+            let answer = node.answer.as_ref();
+            answer.is_ok_and(|point| point.regime == Regime::Stuck)
+        };
         match (&last.answer, &next.answer) {
-            _ if pole => Some(PieceEnd::Pole),
+            _ if pole && !(sticks(last) && sticks(next)) => Some(PieceEnd::Pole),
             (Ok(a), Ok(b)) if !self.straight.touch(a, b) => Some(PieceEnd::Jump),
             _ => None,
         }

@@ -3,7 +3,7 @@
 //! Between events the motion is linear in its *coordinates*: the displacements and velocities of the masses, the forces
 //! of the contacts, and the coefficients of the inputs, which are polynomials over a sub-interval. A *pattern* is a set
 //! of sticking contacts. The table of a pattern contains a row of coordinates for each result: the increments of
-//! displacements and velocities, for each contact three rows from which `leap` proves that it has no event, and rows for
+//! displacements and velocities, for each contact five rows from which `leap` proves that it has no event, and rows for
 //! the work. One column of the table is the power series of the motion for one coordinate equal to 1 and all others equal
 //! to 0.
 
