@@ -60,6 +60,8 @@ pub fn unloaded<S: Float>(scene: &Scene, modal: &Modal, loaded: &[usize]) -> Mod
             level: Wave::zero(),
             stiction: S::constant(contact.law.stiction),
             stiffness: contact.law.stiffness.map(S::constant),
+            speed: S::constant(0.0),
+            stop: None,
         })
     });
     let mut model = Model {

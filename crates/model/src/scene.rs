@@ -2,7 +2,9 @@
 
 mod joints;
 
-pub use joints::{CONTACT, Damper, JointLaw, Joints, NamedContact};
+pub use joints::{
+    CONTACT, ConstantForce, Damper, Impact, JointLaw, Joints, NamedContact, NamedStop, StopLaw,
+};
 
 /// One end of a spring, or one side of a contact: a mass, the base or the wall.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]

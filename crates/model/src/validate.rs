@@ -16,6 +16,7 @@ mod scale;
 mod settings;
 mod springs;
 mod stepping;
+mod stops;
 
 pub use checks::{Checks, LARGEST, MOST_MASSES, SMALLEST};
 pub use error::SceneError;

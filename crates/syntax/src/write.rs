@@ -2,7 +2,8 @@
 
 use frictiongen_model::scene::{
     Accuracy, Beyond, CONTACT, ContactSides, Damping, DampingFrom, Declared, Excitation,
-    FrictionLaw, JointLaw, Node, Precision, Provide, Proving, Range, Scene, Side, StepInput,
+    FrictionLaw, Impact, JointLaw, Node, Precision, Provide, Proving, Range, Scene, Side,
+    StepInput, StopLaw,
 };
 use std::fmt::{self, Display, Formatter, Write as _};
 
@@ -76,6 +77,23 @@ fn fields(scene: &Scene) -> Vec<(&'static str, String)> {
         let dampers = dampers
             .map(|damper| format!("{}: {:?}", pair(damper.from, damper.to), damper.coefficient));
         fields.push(("dampers", braced(dampers)));
+    }
+    if !joints.stops.is_empty() {
+        let stops = joints.stops.iter();
+        let stops = stops.map(|stop| {
+            format!(
+                "{}: {} {}",
+                stop.name,
+                sides(stop.sides),
+                stop_text(stop.law)
+            )
+        });
+        fields.push(("stops", braced(stops)));
+    }
+    if !joints.constant.is_empty() {
+        let forces = joints.constant.iter();
+        let forces = forces.map(|own| format!("{}: {:?}", node(Node::Mass(own.mass)), own.force));
+        fields.push(("constant", braced(forces)));
     }
     let excited = match scene.excitation {
         Excitation::Force(mass) => Node::Mass(mass),
@@ -188,12 +206,14 @@ impl Display for LawText {
             stiffness,
             stiction,
             share,
+            speed,
         } = self.0;
         let differs = |value: f64| (value != 1.0).then_some(value);
         let fields = [
             ("stiffness", stiffness),
             ("stiction", differs(stiction)),
             ("share", differs(share)),
+            ("speed", (speed != 0.0).then_some(speed)),
         ];
         let fields = fields.into_iter();
         let fields = fields.filter_map(|(name, value)| Some(format!("{name}: {:?}", value?)));
@@ -203,6 +223,21 @@ impl Display for LawText {
         }
         write!(f, " {}", braced(fields.into_iter()))
     }
+}
+
+/// Returns the properties of a stop as the text between its braces, with the braces.
+fn stop_text(law: StopLaw) -> String {
+    let impact = match law.impact {
+        Impact::Spring { stiffness, damping } => {
+            let damping = (damping != 0.0).then_some(("damping", damping));
+            [Some(("stiffness", stiffness)), damping]
+        }
+        Impact::Restitution(restitution) => [Some(("restitution", restitution)), None],
+    };
+    let properties = [("gap", law.gap)]
+        .into_iter()
+        .chain(impact.into_iter().flatten());
+    braced(properties.map(|(name, value)| format!("{name}: {value:?}")))
 }
 
 fn list(entries: impl Iterator<Item = String>) -> String {

@@ -1,12 +1,12 @@
 //! Results of one period of a motion: amplitudes of the masses, and stops, slip, force and energy of the contacts.
 
-use super::model::Model;
+use super::model::{Model, Sides};
 use super::poly::{Poly, TERMS, slope, value};
 use super::roots::first_negative;
 use super::run::Observe;
 use super::series::Series;
 use super::size::{Size, add, at};
-use super::state::{STUCK, State};
+use super::state::{IMPACT, STUCK, State};
 use crate::errors::Regime;
 use crate::{Float, Scalar};
 
@@ -26,8 +26,11 @@ pub struct ContactCycle<S> {
     pub displacement: S,
     /// Largest absolute force of the contact in the period.
     pub force: S,
-    /// Energy that friction dissipates in the contact in the period.
+    /// Energy that friction dissipates in the contact in the period, or that the dashpot of a stop dissipates.
     pub energy: S,
+    /// True for a stop. `stops` is then the number of times that it shuts, and `stuck_fraction` the fraction of the
+    /// period during which it is shut.
+    pub is_stop: bool,
 }
 
 impl<S: Float> ContactCycle<S> {
@@ -42,6 +45,7 @@ impl<S: Float> ContactCycle<S> {
             displacement: zero,
             force: zero,
             energy: zero,
+            is_stop: false,
         }
     }
 
@@ -94,7 +98,8 @@ impl<S: Float, Z: Size> Cycle<S, Z> {
     /// the time. In every other case it is *stick-slip*.
     pub fn regime(&self) -> Regime {
         let same = |regime| {
-            let mut contacts = self.contacts.as_ref().iter();
+            let contacts = self.contacts.as_ref().iter();
+            let mut contacts = contacts.filter(|contact| !contact.is_stop);
             contacts.all(|contact| contact.regime() == regime)
         };
         if same(Regime::Continuous) {
@@ -111,7 +116,7 @@ impl<S: Float, Z: Size> Cycle<S, Z> {
 /// one power series.
 #[derive(Clone, Debug)]
 pub struct Watch<S: Float, Z: Size> {
-    ends: Z::Contacts<(usize, usize)>,
+    sides: Z::Contacts<Sides<S>>,
     cycle: Cycle<S, Z>,
     /// Smallest and largest displacement of each mass since the start of the period.
     spans: Z::Masses<Option<(S, S)>>,
@@ -127,13 +132,16 @@ impl<S: Float, Z: Size> Watch<S, Z> {
     pub fn new(model: &Model<S, Z>) -> Self {
         let zero = S::constant(0.0);
         let size = &model.size;
-        let nothing = ContactCycle::nothing();
+        let mut contacts = size.contacts(ContactCycle::nothing());
+        for (j, own) in contacts.as_mut().iter_mut().enumerate() {
+            own.is_stop = model.is_stop(j);
+        }
         Self {
-            ends: ends(model),
+            sides: sides(model),
             cycle: Cycle {
                 amplitudes: size.masses(zero),
                 centred: size.masses(zero),
-                contacts: size.contacts(nothing),
+                contacts,
                 events: 0,
             },
             spans: size.masses(None),
@@ -176,15 +184,23 @@ impl<S: Float, Z: Size> Watch<S, Z> {
     }
 
     fn see_contact(&mut self, series: &Series<S, Z>, end: S, j: usize, sticks: bool) {
-        let ends = self.ends.as_ref().get(j).copied();
+        let sides = self.sides.as_ref().get(j).copied();
         let contact = self.cycle.contacts.as_mut().get_mut(j);
-        let (Some((plus, minus)), Some(contact)) = (ends, contact) else {
+        let (Some(sides), Some(contact)) = (sides, contact) else {
             return;
         };
         let force = series.force_terms(j);
-        let speed = series.speed_terms(plus, minus);
+        if let Some(damping) = sides.damping {
+            see_stop(contact, series, end, (j, sides, damping, sticks));
+            return;
+        }
+        let speed = series.slip_terms(sides);
         contact.force = Scalar::max(contact.force, largest(&force, &slope(&force), end));
-        let most = largest(&series.place_terms(plus, minus), &speed, end);
+        let most = largest(
+            &series.place_terms(sides.plus, sides.minus),
+            &series.speed_terms(sides.plus, sides.minus),
+            end,
+        );
         contact.displacement = Scalar::max(contact.displacement, most);
         if sticks {
             contact.stuck_fraction = contact.stuck_fraction + end * series.length;
@@ -243,7 +259,8 @@ impl<S: Float, Z: Size> Observe<S, Z> for Watch<S, Z> {
         self.cycle.events += 1;
         let phases = before.as_ref().iter().zip(after.as_ref());
         for (contact, (&before, &after)) in self.cycle.contacts.as_mut().iter_mut().zip(phases) {
-            contact.stops += usize::from(before != STUCK && after == STUCK);
+            let stops = before != STUCK && after == STUCK;
+            contact.stops += usize::from(stops || after == IMPACT);
             contact.reversals += usize::from(before * after == -1);
         }
     }
@@ -252,9 +269,24 @@ impl<S: Float, Z: Size> Observe<S, Z> for Watch<S, Z> {
 impl<S: Float, Z: Size> Series<S, Z> {
     /// Returns the work of the contact `j` between its nodes `plus` and `minus`, from the start to a fraction of the
     /// time interval. While a rigid contact slides, the work is the energy that its friction dissipates.
-    pub fn work(&self, j: usize, (plus, minus): (usize, usize), fraction: S) -> S {
-        let speed = self.speed_terms(plus, minus);
+    ///
+    /// `speed` is the velocity of a moving surface of the contact, and otherwise 0.
+    pub fn work(&self, j: usize, ((plus, minus), speed): ((usize, usize), S), fraction: S) -> S {
+        let sides = Sides {
+            plus,
+            minus,
+            speed,
+            damping: None,
+        };
+        let speed = self.slip_terms(sides);
         work(&self.force_terms(j), &speed, self.length, fraction)
+    }
+
+    /// Returns the integral of the squared relative velocity of two nodes, from the start to a fraction of the time
+    /// interval.
+    pub fn squared_speed(&self, (plus, minus): (usize, usize), fraction: S) -> S {
+        let speed = self.speed_terms(plus, minus);
+        work(&speed, &speed, self.length, fraction)
     }
 }
 
@@ -264,13 +296,42 @@ pub(super) fn least_slip<S: Float>(displacement: S) -> S {
     S::constant(64.0 * S::EPSILON) * displacement
 }
 
-/// Returns the two nodes of each contact, `plus` and `minus`.
-pub(super) fn ends<S: Float, Z: Size>(model: &Model<S, Z>) -> Z::Contacts<(usize, usize)> {
-    let mut ends = model.size.contacts((0, 0));
-    for (ends, contact) in ends.as_mut().iter_mut().zip(model.contacts()) {
-        *ends = (contact.plus, contact.minus);
+/// Adds the results of a stop over a stretch. The relative displacement of a stop is that of its nodes.
+fn see_stop<S: Float, Z: Size>(
+    contact: &mut ContactCycle<S>,
+    series: &Series<S, Z>,
+    end: S,
+    (j, sides, damping, is_shut): (usize, Sides<S>, S, bool),
+) {
+    let speed = series.speed_terms(sides.plus, sides.minus);
+    let place = series.place_terms(sides.plus, sides.minus);
+    contact.displacement = Scalar::max(contact.displacement, largest(&place, &speed, end));
+    if !is_shut {
+        return;
     }
-    ends
+    contact.stuck_fraction = contact.stuck_fraction + end * series.length;
+    let dashpot = speed.map(|term| damping * term);
+    let mut force = series.force_terms(j);
+    for (order, term) in dashpot.iter().enumerate() {
+        add(&mut force, order, *term);
+    }
+    contact.force = Scalar::max(contact.force, largest(&force, &slope(&force), end));
+    contact.energy = contact.energy + work(&dashpot, &speed, series.length, end);
+}
+
+/// Returns the nodes of each contact, and the velocities of moving surfaces.
+pub(super) fn sides<S: Float, Z: Size>(model: &Model<S, Z>) -> Z::Contacts<Sides<S>> {
+    let nothing = Sides {
+        plus: 0,
+        minus: 0,
+        speed: S::constant(0.0),
+        damping: None,
+    };
+    let mut sides = model.size.contacts(nothing);
+    for (sides, contact) in sides.as_mut().iter_mut().zip(model.contacts()) {
+        *sides = contact.sides();
+    }
+    sides
 }
 
 /// Returns the largest absolute value of the polynomial `terms` between 0 and `end`. `slope` is its derivative, up to a

@@ -71,12 +71,15 @@ impl<Z: Size> Group<Z> {
 
     /// Returns the phases that the search tries for a contact. `going` is the number of contacts in the group that
     /// must still start to slide in the pattern.
-    fn choices(&self, contact: usize, going: usize) -> &'static [i8] {
-        match phase::<Z>(&self.fixed, contact) {
-            1 => &[1],
-            -1 => &[-1],
+    fn choices(&self, contact: usize, going: usize, stop: Option<i8>) -> &'static [i8] {
+        match (phase::<Z>(&self.fixed, contact), stop) {
+            (1, _) => &[1],
+            (-1, _) => &[-1],
             _ if going == 0 => &[0],
-            _ => &[0, 1, -1],
+            // A stop opens only against the direction in which it closes.
+            (_, Some(1)) => &[0, -1],
+            (_, Some(_)) => &[0, 1],
+            (_, None) => &[0, 1, -1],
         }
     }
 
@@ -248,7 +251,9 @@ impl<S: Float, Z: Size> Decision<'_, S, Z> {
             return Ok(false);
         }
         let is_open = phase::<Z>(&group.fixed, next) == 0;
-        for &choice in group.choices(next, going) {
+        let stop = self.model.stop(next);
+        let stop = stop.map(|stop| if stop.side > S::constant(0.0) { 1 } else { -1 });
+        for &choice in group.choices(next, going, stop) {
             let goes = usize::from(is_open && choice != 0);
             set(pattern.as_mut(), next, choice);
             let left = going.saturating_sub(goes);
@@ -273,7 +278,11 @@ impl<S: Float, Z: Size> Decision<'_, S, Z> {
             let wrong = if phase == 0 {
                 let hold = at(forces.as_ref(), j);
                 let most = contact.stiction * at(self.levels.as_ref(), j);
-                let exceeds = hold.abs() > most + self.rounding();
+                let exceeds = match self.model.stop(j) {
+                    // A stop pushes its nodes apart, and cannot hold them together.
+                    Some(stop) => stop.side * hold < -self.rounding(),
+                    None => hold.abs() > most + self.rounding(),
+                };
                 exceeds.then_some(if hold > S::constant(0.0) { 1 } else { -1 })
             } else {
                 let goes = sign::<S>(phase) * contact.across(accelerations.as_ref());

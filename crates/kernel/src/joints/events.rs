@@ -25,6 +25,9 @@ impl<S: Float, Z: Size> Motion<S, Z> {
                 continue;
             };
             let stuck = self.state.phase(j) == STUCK;
+            if self.model.is_stop(j) {
+                continue;
+            }
             match (contact.stiffness, stuck) {
                 (None, true) => set(broke.as_mut(), j, side),
                 (None, false) => {
@@ -44,7 +47,7 @@ impl<S: Float, Z: Size> Motion<S, Z> {
                     // The contact has just stopped, so that its force is at the limit, and the rate of the force is 0.
                     // If the computed velocity already has the opposite sign, the force will fall. The code then uses
                     // the sign of the computed rate, even if this rate is only a rounding error.
-                    let turns = sign::<S>(side) * contact.across(v.as_ref());
+                    let turns = sign::<S>(side) * self.model.slip(contact, v.as_ref());
                     let rate_is_zero = turns >= contact.creep();
                     let zeros = if rate_is_zero { 2 } else { 1 };
                     let at_limit = contact.stiction == S::constant(1.0);
@@ -53,6 +56,7 @@ impl<S: Float, Z: Size> Motion<S, Z> {
                 }
             }
         }
+        self.hit_stops(hits);
         self.ask(&arrived, &broke)
     }
 
@@ -61,7 +65,7 @@ impl<S: Float, Z: Size> Motion<S, Z> {
         let zero = S::constant(0.0);
         let (x, v) = self.nodes();
         for (j, contact) in self.model.contacts().iter().enumerate() {
-            let speed = contact.across(v.as_ref());
+            let speed = self.model.slip(contact, v.as_ref());
             let phase = match contact.is_rigid() && speed != zero {
                 _ if contact.is_free() => FREE,
                 true if speed > zero => 1,
@@ -71,6 +75,7 @@ impl<S: Float, Z: Size> Motion<S, Z> {
             self.state.set_phase(j, phase);
             set(self.state.places.as_mut(), j, contact.across(x.as_ref()));
         }
+        self.set_stops();
         self.decide_at_once()
     }
 
@@ -101,7 +106,7 @@ impl<S: Float, Z: Size> Motion<S, Z> {
         for (j, (contact, &phase)) in contacts.enumerate() {
             let rate = contact.across(accelerations.as_ref());
             let of_contact = if !contact.is_rigid() {
-                self.at_limit(&decision, j, (contact.across(v.as_ref()), rate))
+                self.at_limit(&decision, j, (self.model.slip(contact, v.as_ref()), rate))
             } else if !holds(&decision.asked, j) {
                 (0, 0)
             } else if phase == STUCK {
@@ -126,6 +131,11 @@ impl<S: Float, Z: Size> Motion<S, Z> {
                 continue;
             }
             let was_stuck = self.state.phase(j) == STUCK;
+            if self.model.is_stop(j) && phase != STUCK {
+                self.state.set_phase(j, FREE);
+                self.state.set_zeros(j, (zeros.0 + 1, 1));
+                continue;
+            }
             self.state.set_phase(j, phase);
             if phase != STUCK || !was_stuck || zeros.0 > 0 {
                 self.state.set_zeros(j, zeros);
@@ -133,7 +143,7 @@ impl<S: Float, Z: Size> Motion<S, Z> {
         }
         self.join();
         let (_, mut v) = self.nodes();
-        self.tree.meet(&self.model, v.as_mut());
+        self.tree.meet_moving(&self.model, v.as_mut());
         self.state.keep_speeds(v.as_ref());
         Ok(())
     }
@@ -150,7 +160,7 @@ impl<S: Float, Z: Size> Motion<S, Z> {
     ) -> (usize, i8) {
         let force = at(self.state.forces.as_ref(), contact);
         let level = at(decision.levels.as_ref(), contact);
-        let own = self.model.contact(contact);
+        let own = self.model.contact(contact).filter(|own| own.stop.is_none());
         let rests = own.is_some_and(|own| force.abs() == own.stiction * level);
         if !rests || !speed.is_zero() || self.state.phase(contact) != STUCK {
             return (0, 0);
@@ -181,9 +191,11 @@ impl<S: Float, Z: Size> Motion<S, Z> {
             }
             let force = match self.state.phase(j) {
                 FREE => S::constant(0.0),
-                _ if !contact.is_rigid() => at(self.state.forces.as_ref(), j),
+                _ if !contact.is_rigid() => {
+                    at(self.state.forces.as_ref(), j) + model.dashpot(j, v.as_ref())
+                }
                 phase => {
-                    let velocity = contact.across(v.as_ref());
+                    let velocity = model.slip(contact, v.as_ref());
                     sign::<S>(phase) * model.kinetic(contact, self.time, velocity)
                 }
             };

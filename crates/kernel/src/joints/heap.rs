@@ -47,6 +47,8 @@ impl Size for Heap {
     type Cells<T: Value> = Vec<T>;
     type Tables<S: Float> = KeptTables<S>;
 
+    const HAS_PARTS: bool = true;
+
     fn cells<T: Value>(&self, count: usize, value: T) -> Vec<T> {
         vec![value; count]
     }

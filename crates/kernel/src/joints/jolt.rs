@@ -26,10 +26,10 @@ impl<S: Float, Z: Size> Motion<S, Z> {
         let (x, v) = self.nodes();
         let base = self.model.base_node();
         for (j, contact) in self.model.contacts().iter().enumerate() {
-            if contact.is_free() || contact.minus != base {
+            if contact.is_free() || contact.minus != base || contact.stop.is_some() {
                 continue;
             }
-            let speed = contact.across(v.as_ref());
+            let speed = self.model.slip(contact, v.as_ref());
             let slides = if speed > zero { 1 } else { -1 };
             let phase = match contact.stiffness {
                 None if speed.is_zero() => STUCK,
@@ -60,6 +60,7 @@ impl<S: Float, Z: Size> Motion<S, Z> {
             }
             self.state.set_phase(j, phase);
         }
+        self.set_stops();
         self.decide_at_once()
     }
 }

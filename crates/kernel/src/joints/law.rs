@@ -23,7 +23,7 @@ const BEYOND: f64 = 64.0;
 impl<S: Float, Z: Size> Model<S, Z> {
     /// Returns true if the kinetic friction of a contact depends on its sliding speed.
     pub(super) fn has_lines(&self, contact: &Contact<S>) -> bool {
-        contact.is_rigid() && !self.law.as_ref().is_empty()
+        contact.is_rigid() && contact.stop.is_none() && !self.law.as_ref().is_empty()
     }
 
     /// Returns true if the energy of the difference between two motions under the same loads cannot grow. The energy
@@ -31,7 +31,9 @@ impl<S: Float, Z: Size> Model<S, Z> {
     pub(super) fn is_contraction(&self) -> bool {
         let one = S::constant(1.0);
         let mut contacts = self.contacts().iter();
-        contacts.all(|contact| contact.stiction == one && !self.has_lines(contact))
+        contacts.all(|contact| {
+            contact.stiction == one && !self.has_lines(contact) && contact.stop.is_none()
+        })
     }
 
     /// Returns the line of the friction law that contains the sliding speed of a contact.
@@ -59,7 +61,7 @@ impl<S: Float, Z: Size> Model<S, Z> {
             return S::constant(0.0);
         }
         let (_, v) = state.nodes(self, time);
-        let line = self.line(contact, contact.across(v.as_ref()));
+        let line = self.line(contact, self.slip(contact, v.as_ref()));
         contact.level.value(time, 0) * line.slope
     }
 
@@ -109,7 +111,7 @@ impl<S: Float, Z: Size> Motion<S, Z> {
         let (_, v) = self.nodes();
         let angle = S::constant(angle_of::<S>());
         let rates = self.sliding().map(|(contact, _)| {
-            let velocity = contact.across(v.as_ref());
+            let velocity = self.model.slip(contact, v.as_ref());
             self.model.steepness(contact, velocity, self.time)
         });
         angle / rates.fold(angle / self.model.stretch, |sum, rate| sum + rate)
@@ -120,7 +122,7 @@ impl<S: Float, Z: Size> Motion<S, Z> {
     pub(super) fn line_end(&self, series: &Series<S, Z>) -> Option<S> {
         let ends = self.sliding().filter_map(|(contact, side)| {
             let ends = (contact.plus, contact.minus);
-            let speed = series.speed_terms(ends.0, ends.1);
+            let speed = series.slip_terms(contact.sides());
             let speed = speed.map(|term| sign::<S>(side) * term);
             let line = self.model.line(contact, at(&speed, 0));
             let sizes = series.speed_at_start(ends.0).abs() + series.speed_at_start(ends.1).abs();

@@ -50,6 +50,7 @@ mod slid;
 mod state;
 mod steady;
 mod stepper;
+mod stops;
 mod stuck;
 mod table;
 mod tangent;
@@ -69,7 +70,7 @@ pub use cycle::{ContactCycle, Cycle, Watch};
 pub use decide::{Decision, MAX_PATTERNS};
 #[cfg(any(test, feature = "std"))]
 pub use heap::{Heap, KeptTables, Short, refine, settle, settle_from, settle_soon};
-pub use model::{Contact, Link, Model};
+pub use model::{Contact, Link, Model, Stop};
 pub use now::{ContactState, MassState};
 pub use orbit::{At, ContactOrbit, MassOrbit, Orbit, StuckState};
 pub use poly::{Poly, TERMS, slope, value};
@@ -78,7 +79,7 @@ pub use run::{Bounds, Motion, Observe};
 pub use series::Series;
 pub use simulation::{MAX_EVENTS, MAX_STRETCHES, Reference, Simulation};
 pub use size::{Array, Fixed, Size, Value, add, at, set};
-pub use state::{FREE, STUCK, State};
+pub use state::{FREE, IMPACT, STUCK, State};
 pub use steady::{MAX_PERIOD, Place, Soon, Steady};
 pub use stepper::{
     Layout, MAX_STEP, MAX_STEP_EVENTS, MAX_TABLE_CONTACTS, MAX_TABLE_ENTRIES, Pace, Sample, Saved,

@@ -23,15 +23,60 @@ pub struct Contact<S> {
     pub level: Wave<S>,
     /// Ratio μ of the static friction force to the kinetic friction force.
     pub stiction: S,
-    /// Stiffness of the spring in an elastic contact, or `None` for a rigid contact.
+    /// Stiffness of the spring in an elastic contact or a stop, or `None` for a rigid one.
     pub stiffness: Option<S>,
+    /// Velocity of the surface of the second side relative to its node, for a belt. The relative velocity ż is that of
+    /// the two nodes minus this velocity.
+    pub speed: S,
+    /// The law of a stop, or `None` for a contact with friction. A stop has no friction force.
+    pub stop: Option<Stop<S>>,
+}
+
+/// A stop acts while its two nodes have come nearer than its gap: while σz > g, with the relative displacement z of
+/// its nodes. Its spring then has the force k(z − σg). A shut stop has the phase [`STUCK`](super::state::STUCK), and an
+/// open stop the phase [`FREE`](super::state::FREE).
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Stop<S> {
+    /// Direction σ in which the stop closes: 1 if it closes for an increasing relative displacement, otherwise −1.
+    pub side: S,
+    /// The gap g. A negative gap is a preload.
+    pub gap: S,
+    /// Coefficient of the dashpot that acts while the stop is shut. It is 0 for a stop without a spring.
+    pub damping: S,
+    /// Coefficient of restitution e of a stop without a spring: an impact reverses the relative velocity of the nodes and
+    /// multiplies it by e.
+    pub restitution: S,
+}
+
+/// The nodes of a contact, and the velocity of its moving surface.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) struct Sides<S> {
+    pub(super) plus: usize,
+    pub(super) minus: usize,
+    pub(super) speed: S,
+    /// Coefficient of the dashpot of a stop. `None` for a contact with friction.
+    pub(super) damping: Option<S>,
 }
 
 impl<S: Float> Contact<S> {
     /// Returns true if the contact has no force, because its kinetic friction force is always 0.
     #[must_use]
     pub fn is_free(&self) -> bool {
-        self.level.is_zero()
+        self.stop.is_none() && self.level.is_zero()
+    }
+
+    /// Returns true if the contact has a friction force at some instant.
+    pub(super) fn has_friction(&self) -> bool {
+        !self.level.is_zero()
+    }
+
+    pub(super) fn sides(&self) -> Sides<S> {
+        Sides {
+            plus: self.plus,
+            minus: self.minus,
+            speed: self.speed,
+            damping: self.stop.map(|stop| stop.damping),
+        }
     }
 
     /// Returns true if the contact is rigid. A rigid contact has no spring.
@@ -155,6 +200,48 @@ impl<S: Float, Z: Size> Model<S, Z> {
         self.contacts().get(contact)
     }
 
+    /// Returns the law of a contact that is a stop.
+    pub(super) fn stop(&self, contact: usize) -> Option<Stop<S>> {
+        if !Z::HAS_PARTS {
+            return None;
+        }
+        self.contact(contact).and_then(|contact| contact.stop)
+    }
+
+    /// Returns true if a contact is a stop.
+    pub(super) fn is_stop(&self, contact: usize) -> bool {
+        self.stop(contact).is_some()
+    }
+
+    /// Returns true if the chain has a stop.
+    pub(super) fn has_stops(&self) -> bool {
+        Z::HAS_PARTS && self.contacts().iter().any(|own| own.stop.is_some())
+    }
+
+    /// Returns true if a surface of the chain moves relative to its node.
+    pub(super) fn has_belts(&self) -> bool {
+        Z::HAS_PARTS && self.contacts().iter().any(|own| !own.speed.is_zero())
+    }
+
+    /// Returns the velocity of the moving surface of a contact relative to its node.
+    pub(super) fn speed(&self, contact: usize) -> S {
+        let zero = S::constant(0.0);
+        if !Z::HAS_PARTS {
+            return zero;
+        }
+        self.contact(contact).map_or(zero, |contact| contact.speed)
+    }
+
+    /// Returns the relative velocity of a contact. `v` contains the velocities of the nodes.
+    pub(super) fn slip(&self, contact: &Contact<S>, v: &[S]) -> S {
+        let across = contact.across(v);
+        if Z::HAS_PARTS {
+            across - contact.speed
+        } else {
+            across
+        }
+    }
+
     /// Returns the static friction force of a contact at the instant `time`.
     pub(super) fn static_friction(&self, contact: usize, time: S) -> S {
         let contact = self.contact(contact);
@@ -264,8 +351,9 @@ impl<S: Float, Z: Size> Model<S, Z> {
         for link in self.springs.as_ref().iter().copied().chain(elastic) {
             self.circle(stiff.as_mut(), link);
         }
-        for link in self.dashpots.as_ref() {
-            self.circle(slow.as_mut(), *link);
+        let dashpots = self.dashpots.as_ref().iter().copied();
+        for link in dashpots.chain(self.stop_dashpots()) {
+            self.circle(slow.as_mut(), link);
         }
         for (row, coefficients) in self.damping_rows().enumerate() {
             let sizes = coefficients.iter().map(|c| c.abs());
@@ -282,6 +370,12 @@ impl<S: Float, Z: Size> Model<S, Z> {
             .fold(S::constant(0.0), crate::Scalar::max);
         let motion = slow + (slow * slow + stiff).sqrt();
         self.stretch = S::constant(angle_of::<S>()) / crate::Scalar::max(motion, waves);
+    }
+
+    /// Returns the dashpots of the stops.
+    fn stop_dashpots(&self) -> impl Iterator<Item = Link<S>> {
+        let contacts = self.contacts().iter().filter(|_| Z::HAS_PARTS);
+        contacts.filter_map(|own| own.stop.map(|stop| (own.plus, own.minus, stop.damping)))
     }
 
     /// Divides each number in `values` by the mass with the same index. Returns the largest quotient.

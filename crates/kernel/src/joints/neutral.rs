@@ -19,7 +19,7 @@ pub(super) fn neutral<S: Float, Z: Size>(
         join(parts.as_mut(), (plus, minus));
     }
     let contacts = || model.contacts().iter().enumerate();
-    let contacts = || contacts().filter(|(_, contact)| !contact.is_free());
+    let contacts = || contacts().filter(|(_, contact)| contact.has_friction());
     for (_, contact) in contacts().filter(|(j, _)| keeps(*j)) {
         join(parts.as_mut(), (contact.plus, contact.minus));
     }

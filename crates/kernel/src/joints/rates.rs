@@ -86,6 +86,7 @@ impl<'m, S: Float, Z: Size> UnitMotion<'m, S, Z> {
             };
             contact.pull(forces.as_mut(), force);
         }
+        model.pull_dashpots(state, self.v.as_ref(), forces.as_mut());
         self.accelerations =
             self.tree
                 .accelerate(model, forces.as_ref(), lift, self.holds.as_mut());

@@ -142,14 +142,20 @@ impl<S: Float, Z: Size> Motion<S, Z> {
         } else {
             c.across(x.as_ref())
         };
-        (c.across(v.as_ref()), place)
+        let velocity = if sticks {
+            S::constant(0.0)
+        } else {
+            self.model.slip(c, v.as_ref())
+        };
+        (velocity, place)
     }
 
     /// Returns the present force of each contact, in the order of the scene description.
     pub fn forces(&self) -> Z::Contacts<S> {
         let (mut x, mut v) = self.nodes();
         let places = self.state.places.as_ref();
-        self.tree.place(x.as_mut(), v.as_mut(), places);
+        self.tree
+            .place_moving(&self.model, (x.as_mut(), v.as_mut()), places);
         let load = |index| self.model.load_value(index, self.time);
         let mut nodes = self.model.forces(x.as_ref(), v.as_ref(), load, None);
         let mut forces = self.model.size.contacts(S::constant(0.0));
@@ -158,9 +164,12 @@ impl<S: Float, Z: Size> Motion<S, Z> {
             *force = match self.state.phase(j) {
                 FREE => S::constant(0.0),
                 STUCK if contact.is_rigid() => continue,
-                STUCK => at(self.state.forces.as_ref(), j),
+                STUCK => {
+                    let spring = at(self.state.forces.as_ref(), j);
+                    spring + self.model.dashpot(j, v.as_ref())
+                }
                 side => {
-                    let velocity = contact.across(v.as_ref());
+                    let velocity = self.model.slip(contact, v.as_ref());
                     sign::<S>(side) * self.model.kinetic(contact, self.time, velocity)
                 }
             };
@@ -178,9 +187,10 @@ impl<S: Float, Z: Size> Motion<S, Z> {
         self.state = state;
         self.join();
         let (mut x, mut v) = self.nodes();
-        self.tree.meet(&self.model, v.as_mut());
+        self.tree.meet_moving(&self.model, v.as_mut());
         let places = self.state.places.as_ref();
-        self.tree.place(x.as_mut(), v.as_mut(), places);
+        self.tree
+            .place_moving(&self.model, (x.as_mut(), v.as_mut()), places);
         self.state.keep_places(x.as_ref());
         self.state.keep_speeds(v.as_ref());
     }
@@ -246,7 +256,7 @@ impl<S: Float, Z: Size> Motion<S, Z> {
         c.level = level;
         let c = *c;
         let most = level.value(self.time, 0);
-        let speed = c.across(v.as_ref());
+        let speed = self.model.slip(&c, v.as_ref());
         let phase = self.state.phase(contact);
         let slides = if speed < zero { -1 } else { 1 };
         let new = match (c.is_free(), c.stiffness) {
@@ -335,6 +345,7 @@ impl<S: Float, Z: Size> Motion<S, Z> {
             let before = self.state.phases.clone();
             if self.step(until, watch)? && before != self.state.phases {
                 watch.event(self.time, &before, &self.state.phases);
+                self.part();
                 events += 1;
                 if events > bounds.events {
                     return Err(Halt::Events);
@@ -504,6 +515,7 @@ impl<S: Float, Z: Size> Motion<S, Z> {
                 set(self.state.forces.as_mut(), j, series.force(j, fraction));
             }
         }
+        self.keep_parts(fraction * series.length);
     }
 
     /// Sets the forces of elastic contacts that slide under a friction force that changes with time.
@@ -522,10 +534,14 @@ impl<S: Float, Z: Size> Motion<S, Z> {
     /// [`next_event`] does.
     fn next_event_in(&self, series: &Series<S, Z>, j: usize) -> Option<(S, i8)> {
         let contact = self.model.contact(j)?;
+        if let Some(stop) = self.model.stop(j) {
+            let zeros = self.state.zeros.as_ref().get(j).map_or(0, |zeros| zeros.0);
+            return self.stop_event_in(series, (j, &stop), zeros);
+        }
         let watched = match self.state.phase(j) {
             FREE => return None,
             STUCK => series.force_terms(j),
-            _ => series.speed_terms(contact.plus, contact.minus),
+            _ => series.slip_terms(contact.sides()),
         };
         let time = (series.start, series.length);
         next_event(&self.model, &self.state, (j, &watched), time)

@@ -1,6 +1,6 @@
 //! Power series of the motion over one *stretch*: the time interval over which the solver uses one power series.
 
-use super::model::Model;
+use super::model::{Contact, Model, Sides, Stop};
 use super::poly::{Poly, nothing, terms_of, value};
 use super::size::{Size, add, at, set, sign};
 use super::state::{FREE, STUCK, State};
@@ -29,7 +29,7 @@ impl<S: Float, Z: Size> Series<S, Z> {
         (start, length): (S, S),
     ) -> Self {
         let (mut x, mut v) = state.nodes(model, start);
-        tree.place(x.as_mut(), v.as_mut(), state.places.as_ref());
+        tree.place_moving(model, (x.as_mut(), v.as_mut()), state.places.as_ref());
         let lift = model.base.terms(start, length, 2);
         let mut loads = model.size.loads(nothing());
         for (terms, load) in loads
@@ -61,6 +61,7 @@ impl<S: Float, Z: Size> Series<S, Z> {
             for (contact, terms) in model.contacts().iter().zip(series.forces.as_ref()) {
                 contact.pull(forces.as_mut(), at(terms, order));
             }
+            model.pull_dashpots(state, v.as_ref(), forces.as_mut());
             let known = (forces.as_ref(), at(&lift, order));
             let results = (a.as_mut(), holds.as_mut());
             tree.accelerate_in(model, known, rest.as_mut(), results);
@@ -71,7 +72,12 @@ impl<S: Float, Z: Size> Series<S, Z> {
                     _ if state.phase(j) != STUCK => {}
                     None => set(terms, order, at(holds.as_ref(), j)),
                     Some(stiffness) => {
-                        let rate = stiffness * next * contact.across(v.as_ref());
+                        let speed = if order == 0 {
+                            model.slip(contact, v.as_ref())
+                        } else {
+                            contact.across(v.as_ref())
+                        };
+                        let rate = stiffness * next * speed;
                         set(terms, order + 1, rate);
                     }
                 }
@@ -92,7 +98,7 @@ impl<S: Float, Z: Size> Series<S, Z> {
             if [STUCK, FREE].contains(&side) || !model.has_lines(contact) {
                 continue;
             }
-            let speeds = self.speed_terms(contact.plus, contact.minus);
+            let speeds = self.slip_terms(contact.sides());
             let line = model.line(contact, at(&speeds, 0));
             let time = (self.start, self.length);
             let force = model.force_term(contact, (&line, side), time, (&speeds, order));
@@ -136,6 +142,23 @@ impl<S: Float, Z: Size> Series<S, Z> {
     /// Returns the power series of the velocity of the node `plus` minus that of the node `minus`.
     pub fn speed_terms(&self, plus: usize, minus: usize) -> Poly<S> {
         difference(self.v.as_ref(), plus, minus)
+    }
+
+    /// Returns the power series of the relative velocity of a contact over the time interval.
+    pub(super) fn slip_terms(&self, sides: Sides<S>) -> Poly<S> {
+        let mut terms = self.speed_terms(sides.plus, sides.minus);
+        if Z::HAS_PARTS {
+            add(&mut terms, 0, -sides.speed);
+        }
+        terms
+    }
+
+    /// Returns the power series of the distance by which a stop is open. It is negative where the stop acts.
+    pub(super) fn opening_terms(&self, contact: &Contact<S>, stop: &Stop<S>) -> Poly<S> {
+        let terms = self.place_terms(contact.plus, contact.minus);
+        let mut opening = terms.map(|term| -stop.side * term);
+        add(&mut opening, 0, stop.gap);
+        opening
     }
 
     /// Returns the power series of the displacement of a mass over the time interval.

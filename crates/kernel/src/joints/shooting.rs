@@ -187,7 +187,7 @@ impl<S: Float, Z: Size> Search<S, Z> {
         let mut marginal = model.size.contacts(false);
         let contacts = marginal.as_mut().iter_mut().enumerate();
         for ((j, marginal), moves) in contacts.zip(moving) {
-            *marginal = !*moves && start.state().phase(j) != FREE;
+            *marginal = !*moves && start.state().phase(j) != FREE && !model.is_stop(j);
         }
         Ok(Steady {
             period,

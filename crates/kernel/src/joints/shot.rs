@@ -25,7 +25,9 @@ impl<S: Float, Z: Size> Search<S, Z> {
     pub(super) fn is_odd(&self, model: &Model<S, Z>) -> bool {
         let mut loads = model.loads.as_ref().iter();
         let mut contacts = model.contacts().iter();
-        loads.all(|(_, load)| load.is_odd(self.omega))
+        let is_odd = !model.has_stops() && !model.has_belts();
+        is_odd
+            && loads.all(|(_, load)| load.is_odd(self.omega))
             && model.base.is_odd(self.omega)
             && contacts.all(Contact::has_constant_level)
     }

@@ -55,9 +55,13 @@ impl<S: Float> Reference<S> {
         model.set_stretch();
     }
 
-    /// Divides the speeds of the friction law by the unit of displacement. The unit is P/k₁, or for base motion the
-    /// amplitude Y of the base.
-    fn scale_law<Z: Size>(&self, model: &mut Model<S, Z>, amplitude: S) -> Result<(), OutOfDomain> {
+    /// Divides all lengths and speeds of the chain, and the constant forces, by the unit of displacement. The unit is P/k₁,
+    /// or for base motion the amplitude Y of the base.
+    fn scale_lengths<Z: Size>(
+        &self,
+        model: &mut Model<S, Z>,
+        amplitude: S,
+    ) -> Result<(), OutOfDomain> {
         let length = if self.on_base {
             amplitude
         } else {
@@ -69,6 +73,21 @@ impl<S: Float> Reference<S> {
             *speed = *speed / length;
             is_sound &= *speed > before && speed.is_finite();
             before = *speed;
+        }
+        if Z::HAS_PARTS {
+            for contact in model.contacts.as_mut() {
+                contact.speed = contact.speed / length;
+                is_sound &= contact.speed.is_finite();
+                if let Some(stop) = &mut contact.stop {
+                    stop.gap = stop.gap / length;
+                    is_sound &= stop.gap.is_finite();
+                }
+            }
+            let loads = model.loads.as_mut().iter_mut().map(|(_, load)| load);
+            for load in loads.filter(|load| !load.amplitude.is_zero()) {
+                load.amplitude = load.amplitude / length;
+                is_sound &= load.amplitude.is_finite();
+            }
         }
         if is_sound {
             Ok(())
@@ -163,7 +182,7 @@ impl<S: Float, Z: Size> Simulation<S, Z> {
         (r, beta, amplitude): (S, S, S),
         state: Option<StartState<'_, S>>,
     ) -> Result<Self, OutOfDomain> {
-        reference.scale_law(&mut model, amplitude)?;
+        reference.scale_lengths(&mut model, amplitude)?;
         Self::new(model, reference, (r, beta), state)
     }
 

@@ -41,6 +41,9 @@ pub trait Size: Clone + Debug + PartialEq + Sized {
     /// Storage of the tables of a motion.
     type Tables<S: crate::Float>: Tables<S, Self>;
 
+    /// True if contacts can be stops, or have a moving surface. If false, the compiler removes all code for them.
+    const HAS_PARTS: bool;
+
     /// Returns an array of `count` entries for tables. It is empty if the storage keeps no tables.
     fn cells<T: Value>(&self, count: usize, value: T) -> Self::Cells<T>;
     /// Returns a storage for a motion that uses no tables yet.
@@ -66,7 +69,8 @@ pub trait Size: Clone + Debug + PartialEq + Sized {
 /// Size of a chain in emitted code, with N masses, NODES = N + 2 nodes, M contacts and L loads. For steady states, U =
 /// 2N + M is the number of unknowns, and SQUARE = U² is the number of entries of a matrix. If the code needs only
 /// closed forms, U is 2N. LAW is the number of points of the friction law, or 0 if the kinetic friction is constant.
-/// ROW is the number of coordinates of a stepper that uses tables.
+/// ROW is the number of coordinates of a stepper that uses tables. PARTS is true for a chain with stops or moving
+/// surfaces.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Fixed<
     const N: usize,
@@ -77,6 +81,7 @@ pub struct Fixed<
     const SQUARE: usize = 0,
     const LAW: usize = 0,
     const ROW: usize = 0,
+    const PARTS: bool = false,
 >;
 
 impl<
@@ -88,7 +93,8 @@ impl<
     const SQUARE: usize,
     const LAW: usize,
     const ROW: usize,
-> Size for Fixed<N, NODES, M, L, U, SQUARE, LAW, ROW>
+    const PARTS: bool,
+> Size for Fixed<N, NODES, M, L, U, SQUARE, LAW, ROW, PARTS>
 {
     type Masses<T: Value> = [T; N];
     type Nodes<T: Value> = [T; NODES];
@@ -101,6 +107,8 @@ impl<
     type Constants<T: Value> = &'static [T];
     type Cells<T: Value> = [T; 0];
     type Tables<S: crate::Float> = NoTables<[S; 0]>;
+
+    const HAS_PARTS: bool = PARTS;
 
     fn cells<T: Value>(&self, _: usize, _: T) -> [T; 0] {
         []

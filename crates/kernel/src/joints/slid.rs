@@ -1,7 +1,7 @@
 //! Observers of a motion that detect which contacts slide, count events, or measure displacements.
 
-use super::cycle::{ends, integral, least_slip};
-use super::model::Model;
+use super::cycle::{integral, least_slip, sides};
+use super::model::{Model, Sides};
 use super::run::Observe;
 use super::series::Series;
 use super::size::{Size, add, at, set};
@@ -11,7 +11,7 @@ use crate::{Float, Scalar};
 
 /// Observer of a motion. It detects whether any contact slides.
 pub(super) struct Slid<S: Float, Z: Size> {
-    ends: Z::Contacts<(usize, usize)>,
+    sides: Z::Contacts<Sides<S>>,
     /// True if some contact has slid farther than rounding errors can cause.
     pub(super) slides: bool,
     scalar: core::marker::PhantomData<S>,
@@ -21,7 +21,7 @@ impl<S: Float, Z: Size> Slid<S, Z> {
     /// Starts to observe whether the contacts of a chain slide.
     pub(super) fn new(model: &Model<S, Z>) -> Self {
         Self {
-            ends: ends(model),
+            sides: sides(model),
             slides: false,
             scalar: core::marker::PhantomData,
         }
@@ -32,18 +32,18 @@ impl<S: Float, Z: Size> Observe<S, Z> for Slid<S, Z> {
     const NEEDS_SERIES: bool = false;
 
     fn leap(&mut self, leap: &Leap<'_, S, Z>) {
-        let phases = leap.state.phases.as_ref().iter().zip(self.ends.as_ref());
-        for (_, &ends) in phases.filter(|(phase, _)| phase.abs() == 1) {
-            let (before, after) = leap.places(ends);
+        let phases = leap.state.phases.as_ref().iter().zip(self.sides.as_ref());
+        for (_, &own) in phases.filter(|(phase, _)| phase.abs() == 1) {
+            let (before, after) = leap.places((own.plus, own.minus));
             self.slides |= (after - before).abs() > least_slip(after.abs());
         }
     }
 
     fn stretch(&mut self, series: &Series<S, Z>, end: S, state: &State<S, Z>) {
-        let phases = state.phases.as_ref().iter().zip(self.ends.as_ref());
-        for (_, &(plus, minus)) in phases.filter(|(phase, _)| phase.abs() == 1) {
-            let slip = series.length * integral(&series.speed_terms(plus, minus), end).abs();
-            let place = series.place((plus, minus), end).abs();
+        let phases = state.phases.as_ref().iter().zip(self.sides.as_ref());
+        for (_, &own) in phases.filter(|(phase, _)| phase.abs() == 1) {
+            let slip = series.length * integral(&series.slip_terms(own), end).abs();
+            let place = series.place((own.plus, own.minus), end).abs();
             self.slides |= slip > least_slip(place);
         }
     }
@@ -51,7 +51,7 @@ impl<S: Float, Z: Size> Observe<S, Z> for Slid<S, Z> {
 
 /// Observer of a period. It measures how far each contact slides.
 pub(super) struct Slips<S: Float, Z: Size> {
-    ends: Z::Contacts<(usize, usize)>,
+    sides: Z::Contacts<Sides<S>>,
     slips: Z::Contacts<S>,
     /// Largest absolute relative displacement of each contact, at the starts of the stretches (time intervals of one
     /// power series).
@@ -63,7 +63,7 @@ impl<S: Float, Z: Size> Slips<S, Z> {
     pub(super) fn new(model: &Model<S, Z>) -> Self {
         let zero = S::constant(0.0);
         Self {
-            ends: ends(model),
+            sides: sides(model),
             slips: model.size.contacts(zero),
             places: model.size.contacts(zero),
         }
@@ -84,9 +84,9 @@ impl<S: Float, Z: Size> Observe<S, Z> for Slips<S, Z> {
     const NEEDS_SERIES: bool = false;
 
     fn leap(&mut self, leap: &Leap<'_, S, Z>) {
-        let phases = leap.state.phases.as_ref().iter().zip(self.ends.as_ref());
-        for (j, (phase, &ends)) in phases.enumerate() {
-            let (before, after) = leap.places(ends);
+        let phases = leap.state.phases.as_ref().iter().zip(self.sides.as_ref());
+        for (j, (phase, &own)) in phases.enumerate() {
+            let (before, after) = leap.places((own.plus, own.minus));
             let most = Scalar::max(before.abs(), at(self.places.as_ref(), j));
             set(self.places.as_mut(), j, most);
             if phase.abs() == 1 {
@@ -96,14 +96,14 @@ impl<S: Float, Z: Size> Observe<S, Z> for Slips<S, Z> {
     }
 
     fn stretch(&mut self, series: &Series<S, Z>, end: S, state: &State<S, Z>) {
-        let phases = state.phases.as_ref().iter().zip(self.ends.as_ref());
-        for (j, (phase, &(plus, minus))) in phases.enumerate() {
+        let phases = state.phases.as_ref().iter().zip(self.sides.as_ref());
+        for (j, (phase, &own)) in phases.enumerate() {
             let place = |node| series.displacement_at_start(node);
-            let place = (place(plus) - place(minus)).abs();
+            let place = (place(own.plus) - place(own.minus)).abs();
             let most = Scalar::max(place, at(self.places.as_ref(), j));
             set(self.places.as_mut(), j, most);
             if phase.abs() == 1 {
-                let speed = series.speed_terms(plus, minus);
+                let speed = series.slip_terms(own);
                 let slip = series.length * integral(&speed, end);
                 add(self.slips.as_mut(), j, slip.abs());
             }

@@ -6,8 +6,11 @@ use crate::Float;
 
 /// Phase of a contact that sticks.
 pub const STUCK: i8 = 0;
-/// Phase of a contact that has no force, because its kinetic friction force is 0.
+/// Phase of a contact that has no force, because its kinetic friction force is 0, and of an open stop.
 pub const FREE: i8 = 2;
+
+/// Phase of a stop at the instant of an impact, after which it is open.
+pub const IMPACT: i8 = 3;
 
 /// State of a chain with several contacts at one instant.
 #[derive(Clone, Debug, PartialEq)]

@@ -60,7 +60,8 @@ impl<S: Float, Z: Size> Shape<S, Z> {
 
     /// Adds the complex amplitudes of the loads to the forces on the nodes.
     fn load(&mut self, model: &Model<S, Z>) {
-        for (mass, load) in model.loads.as_ref() {
+        let loads = model.loads.as_ref().iter();
+        for (mass, load) in loads.filter(|(_, load)| !load.omega.is_zero()) {
             let (re, im) = amplitude(load);
             add(self.re.as_mut(), *mass, re);
             add(self.im.as_mut(), *mass, im);
@@ -78,7 +79,7 @@ impl<S: Float, Z: Size> Shape<S, Z> {
             let zero = |_| S::constant(0.0);
             let mut forces = model.forces(place.as_ref(), speed.as_ref(), zero, None);
             for contact in model.contacts() {
-                if let Some(stiffness) = contact.stiffness.filter(|_| !contact.is_free()) {
+                if let Some(stiffness) = contact.stiffness.filter(|_| contact.has_friction()) {
                     let force = stiffness * contact.across(place.as_ref());
                     contact.pull(forces.as_mut(), force);
                 }
@@ -100,10 +101,13 @@ fn amplitude<S: Float>(wave: &Wave<S>) -> (S, S) {
 
 impl<S: Float, Z: Size> Model<S, Z> {
     /// Returns the response if no contact slides, under loads of the angular frequency ω. The response includes neither
-    /// constant loads nor constant forces that an earlier motion has left in elastic contacts. Contacts without a
+    /// constant loads and stops nor constant forces that an earlier motion has left in elastic contacts. Contacts without a
     /// friction force have no effect. Returns `None` at an undamped resonance.
     pub fn stuck(&self, omega: S) -> Option<StuckResponse<S, Z>> {
-        let free = |j: usize| self.contact(j).is_none_or(|contact| contact.is_free());
+        let free = |j: usize| {
+            self.contact(j)
+                .is_none_or(|contact| !contact.has_friction())
+        };
         let tree = Tree::new(self, |j| !free(j));
         let mut roots = self.size.masses(0);
         let mut count = 0;
@@ -175,7 +179,7 @@ impl<S: Float, Z: Size> Model<S, Z> {
         let mut forces = self.size.contacts(zero);
         let mut limit = None;
         for (j, contact) in self.contacts().iter().enumerate() {
-            if contact.is_free() {
+            if !contact.has_friction() {
                 continue;
             }
             let across = |nodes: &Z::Nodes<S>| contact.across(nodes.as_ref());

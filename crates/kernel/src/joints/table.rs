@@ -135,6 +135,8 @@ impl<S: Float, Z: Size> Model<S, Z> {
             && !self.base.bends()
             && self.contacts().iter().all(Contact::has_constant_level)
             && self.law.as_ref().is_empty()
+            && !self.has_stops()
+            && !self.has_belts()
     }
 
     /// Writes the coordinates of a motion at an instant.

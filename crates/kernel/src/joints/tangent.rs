@@ -11,7 +11,7 @@
 
 use super::least::dot;
 use super::model::{Contact, Model};
-use super::poly::{terms_of, value_and_slope};
+use super::poly::{terms_of, value, value_and_slope};
 use super::rates::Rates;
 use super::run::{Motion, Observe};
 use super::series::Series;
@@ -225,7 +225,9 @@ impl<'m, S: Float, Z: Size> Tangent<'m, S, Z> {
             set(self.accelerations.as_mut(), mass, step);
         }
         for column in 0..self.width {
-            let watched = if was != STUCK {
+            let watched = if contact.stop.is_some() {
+                self.across(contact, 0, column)
+            } else if was != STUCK {
                 self.across(contact, masses, column)
             } else if contact.is_rigid() {
                 let hold = rates.hold(j).iter().enumerate();
@@ -270,10 +272,15 @@ impl<'m, S: Float, Z: Size> Tangent<'m, S, Z> {
         let changed = contacts.filter(|(j, contact)| {
             // An elastic contact changes the accelerations only when it breaks away with μ > 1.
             let breaks = was(*j) == STUCK && contact.stiction > S::constant(1.0);
-            was(*j) != state.phase(*j) && (contact.is_rigid() || breaks)
+            // So does a stop with a dashpot when it shuts or opens.
+            let jumps = match self.model.stop(*j) {
+                Some(stop) => !stop.damping.is_zero(),
+                None => contact.is_rigid() || breaks,
+            };
+            was(*j) != state.phase(*j) && jumps
         });
         let margin = |j: usize| match was(j) {
-            STUCK => at(self.margins.as_ref(), j).abs(),
+            STUCK if !self.model.is_stop(j) => at(self.margins.as_ref(), j).abs(),
             _ => S::constant(-1.0),
         };
         changed.reduce(|a, b| if margin(b.0) < margin(a.0) { b } else { a })
@@ -287,6 +294,27 @@ impl<'m, S: Float, Z: Size> Tangent<'m, S, Z> {
         for ((j, contact), force) in self.model.contacts().iter().enumerate().zip(forces) {
             if contact.is_rigid() || state.phase(j) != STUCK {
                 force.fill(S::constant(0.0));
+            }
+        }
+        self.press(state);
+    }
+
+    /// Sets the deviations of the forces of shut stops, which follow from those of the displacements.
+    fn press(&mut self, state: &State<S, Z>) {
+        if !self.model.has_stops() {
+            return;
+        }
+        let model = self.model;
+        for (j, contact) in model.contacts().iter().enumerate() {
+            let Some(stiffness) = contact.stiffness.filter(|_| contact.stop.is_some()) else {
+                continue;
+            };
+            if state.phase(j) != STUCK {
+                continue;
+            }
+            for column in 0..self.width {
+                let force = stiffness * self.across(contact, 0, column);
+                self.put(2 * model.wall() + j, column, force);
             }
         }
     }
@@ -405,10 +433,15 @@ impl<S: Float, Z: Size> Observe<S, Z> for Tangent<'_, S, Z> {
             let Some(contact) = model.contact(j) else {
                 continue;
             };
+            if contact.stop.is_some() {
+                let speed = series.speed_terms(contact.plus, contact.minus);
+                *slope = value(&speed, end);
+                continue;
+            }
             let watched = if state.phase(j) == STUCK {
                 series.force_terms(j)
             } else {
-                series.speed_terms(contact.plus, contact.minus)
+                series.slip_terms(contact.sides())
             };
             let (force, change) = value_and_slope(&watched, end);
             *slope = rate * change;

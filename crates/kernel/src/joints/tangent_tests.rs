@@ -52,6 +52,8 @@ pub(super) fn chain(random: &mut Random, omega: f64) -> Model<f64, Heap> {
                 level,
                 stiction,
                 stiffness,
+                speed: 0.0,
+                stop: None,
             });
         }
     }

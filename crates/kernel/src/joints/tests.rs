@@ -28,6 +28,8 @@ fn chain() -> Chain {
         level: Wave::zero(),
         stiction,
         stiffness,
+        speed: 0.0,
+        stop: None,
     };
     Model {
         size: Fixed,

@@ -145,6 +145,44 @@ impl<S: Float, Z: Size> Tree<S, Z> {
         at(self.masses.as_ref(), root)
     }
 
+    /// Adds the velocities of moving surfaces to those of the nodes, which are equal within each tree. `factor` is 1, or
+    /// −1 to subtract them again.
+    fn carry(&self, model: &Model<S, Z>, v: &mut [S], factor: S) {
+        let mut carried = model.size.nodes(S::constant(0.0));
+        for branch in self.branches() {
+            let own = branch.turned(factor * model.speed(branch.contact));
+            let speed = at(carried.as_ref(), branch.parent) + own;
+            set(carried.as_mut(), branch.child, speed);
+            add(v, branch.child, speed);
+        }
+    }
+
+    /// Places all nodes as [`place`](Self::place) does, for a motion in which surfaces of contacts may move.
+    pub(super) fn place_moving(
+        &self,
+        model: &Model<S, Z>,
+        (x, v): (&mut [S], &mut [S]),
+        places: &[S],
+    ) {
+        self.place(x, v, places);
+        if model.has_belts() {
+            self.carry(model, v, S::constant(1.0));
+        }
+    }
+
+    /// Gives the nodes of each tree common velocities as [`meet`](Self::meet) does, for a motion in which surfaces of
+    /// contacts may move.
+    pub(super) fn meet_moving(&self, model: &Model<S, Z>, v: &mut [S]) {
+        let moves = model.has_belts();
+        if moves {
+            self.carry(model, v, S::constant(-1.0));
+        }
+        self.meet(model, v);
+        if moves {
+            self.carry(model, v, S::constant(1.0));
+        }
+    }
+
     /// Computes the displacements of all nodes from those of the roots and from `places`, the relative displacements
     /// of the contacts. Gives all nodes of a tree the velocity of its root.
     pub fn place(&self, x: &mut [S], v: &mut [S], places: &[S]) {
@@ -162,7 +200,7 @@ impl<S: Float, Z: Size> Tree<S, Z> {
             return;
         }
         let (mut x, mut v) = state.nodes(model, time);
-        self.place(x.as_mut(), v.as_mut(), state.places.as_ref());
+        self.place_moving(model, (x.as_mut(), v.as_mut()), state.places.as_ref());
         state.keep_places(x.as_ref());
         state.keep_speeds(v.as_ref());
     }

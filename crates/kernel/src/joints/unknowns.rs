@@ -84,7 +84,7 @@ impl<S: Float, Z: Size> Unknowns<'_, S, Z> {
         moved.restart(state);
         let mut state = moved.state().clone();
         for (j, contact) in contacts() {
-            let Some(stiffness) = contact.stiffness else {
+            let Some(stiffness) = contact.stiffness.filter(|_| contact.stop.is_none()) else {
                 continue;
             };
             let slider = if self.moves(j) {
@@ -102,6 +102,8 @@ impl<S: Float, Z: Size> Unknowns<'_, S, Z> {
             set(state.forces.as_mut(), j, force);
         }
         moved.restart(state);
+        moved.set_stops();
+        moved.join();
         moved
     }
 }

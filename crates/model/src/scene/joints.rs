@@ -24,6 +24,9 @@ pub struct JointLaw {
     pub stiction: f64,
     /// The kinetic friction force of this contact, divided by the common friction force F.
     pub share: f64,
+    /// Velocity of the surface of the second side (a belt), in the scene's own units (m/s in SI).
+    #[cfg_attr(feature = "serde", serde(default))]
+    pub speed: f64,
 }
 
 impl Default for JointLaw {
@@ -33,6 +36,7 @@ impl Default for JointLaw {
             stiffness: None,
             stiction: 1.0,
             share: 1.0,
+            speed: 0.0,
         }
     }
 }
@@ -63,6 +67,57 @@ pub struct Damper {
     pub coefficient: f64,
 }
 
+/// A stop with its name.
+#[derive(Clone, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[doc(hidden)]
+pub struct NamedStop {
+    /// The name of the stop, a Rust identifier.
+    pub name: String,
+    /// The two sides a and b of the stop, which acts while x_a − x_b exceeds its gap.
+    pub sides: ContactSides,
+    /// Gap and impact of the stop.
+    pub law: StopLaw,
+}
+
+/// Gap and impact of a stop.
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[doc(hidden)]
+pub struct StopLaw {
+    /// Gap in the scene's own units (m in SI). A negative gap is a preload.
+    pub gap: f64,
+    /// What happens when the gap closes.
+    pub impact: Impact,
+}
+
+/// What happens when the gap of a stop closes.
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[doc(hidden)]
+pub enum Impact {
+    /// A spring and a dashpot act while the gap is closed.
+    Spring {
+        /// Stiffness of the spring, in the scene's own units (N/m in SI).
+        stiffness: f64,
+        /// Coefficient of the dashpot, in the scene's own units (N·s/m in SI).
+        damping: f64,
+    },
+    /// An impact reverses the relative velocity and multiplies it by this coefficient of restitution.
+    Restitution(f64),
+}
+
+/// A constant force on a mass.
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[doc(hidden)]
+pub struct ConstantForce {
+    /// Index of the mass.
+    pub mass: usize,
+    /// The force, in the scene's own units (N in SI).
+    pub force: f64,
+}
+
 /// The contacts of the field `contacts`, and the dashpots. Both lists are empty for a scene with a single contact and
 /// without dashpots.
 #[derive(Clone, Debug, PartialEq, Default)]
@@ -73,13 +128,22 @@ pub struct Joints {
     pub contacts: Vec<NamedContact>,
     /// The dashpots of the scene.
     pub dampers: Vec<Damper>,
+    /// The stops of the scene.
+    #[cfg_attr(feature = "serde", serde(default))]
+    pub stops: Vec<NamedStop>,
+    /// The constant forces on masses.
+    #[cfg_attr(feature = "serde", serde(default))]
+    pub constant: Vec<ConstantForce>,
 }
 
 impl Joints {
     /// Returns true if the scene has a single contact and no dashpots.
     #[must_use]
     pub fn is_empty(&self) -> bool {
-        self.contacts.is_empty() && self.dampers.is_empty()
+        self.contacts.is_empty()
+            && self.dampers.is_empty()
+            && self.stops.is_empty()
+            && self.constant.is_empty()
     }
 }
 
@@ -100,6 +164,18 @@ impl Scene {
         self.is_joined() || self.friction != FrictionLaw::Coulomb
     }
 
+    /// Returns true if the scene contains a length or a speed of its own, so that its answers depend on the size of the load
+    /// and not only on β.
+    #[must_use]
+    #[doc(hidden)]
+    pub fn has_length(&self) -> bool {
+        let mut contacts = self.joints.contacts.iter();
+        self.friction != FrictionLaw::Coulomb
+            || !self.joints.stops.is_empty()
+            || !self.joints.constant.is_empty()
+            || contacts.any(|contact| contact.law.speed != 0.0)
+    }
+
     /// Moves the only contact of [`Joints::contacts`] to the fields of a single contact, and keeps its name. The scene
     /// stays as it is if it has several contacts, a share that is not 1, a dashpot, or a mass that no spring holds.
     #[doc(hidden)]
@@ -111,12 +187,13 @@ impl Scene {
             stiffness,
             stiction,
             share,
+            speed,
         } = only.law;
         // A field of the single contact beside `contacts` is an error, which another check reports.
         let own_law = self.stiction == 1.0 && self.stiffness.is_none();
         // The parser has already reported a number that is NaN.
         let read = !stiction.is_nan() && !stiffness.is_some_and(f64::is_nan);
-        let alone = self.joints.dampers.is_empty() && share == 1.0;
+        let alone = self.joints.dampers.is_empty() && share == 1.0 && speed == 0.0;
         let united = Self {
             contact: only.sides,
             contact_name: only.name.clone(),
@@ -144,6 +221,7 @@ impl Scene {
                 stiffness: self.stiffness,
                 stiction: self.stiction,
                 share: 1.0,
+                speed: 0.0,
             },
         }]
     }

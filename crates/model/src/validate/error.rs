@@ -112,6 +112,8 @@ scene_errors! {
         "`{item}` is not possible with `stiffness`; write `orbit`, `simulation`, `stepper` or `stuck` instead, or leave `stiffness` out for a rigid contact",
     TooManyContacts { count: usize, limit: usize } =>
         "the scene has {count} contacts, but at most {limit} are possible; join neighbouring contacts into one with the sum of their shares",
+    TooManyStops { count: usize, limit: usize } =>
+        "the scene has {count} contacts and stops, but at most {limit} are possible",
     ContactKeyword { name: String } =>
         "`{name}` is a keyword of Rust, and the macro emits a method with the name of each contact; write, for example, `{name}_1`",
     ContactReserved { name: String } =>
@@ -138,6 +140,20 @@ scene_errors! {
         "there is already a dashpot between `{from}` and `{to}`; parallel dashpots act as one, so add their coefficients and write a single dashpot{sum}",
     DamperNotPositive { from: String, to: String, value: f64 } =>
         "the dashpot `{from} - {to}` has the coefficient {value:?}: a coefficient must be greater than zero; write a positive number, or leave the dashpot out",
+    StopWithItself { name: String } =>
+        "this stop lies between `{name}` and itself and never shuts; name two different sides, for example `{name} - wall`",
+    StopWithoutMass {} =>
+        "this stop lies between two supports; one of its sides must be a mass",
+    StopStiffnessNotPositive { name: String, value: f64 } =>
+        "the stiffness of the stop `{name}` is {value:?}: it must be greater than zero; write a positive number, or a `restitution` in its place",
+    StopDampingNegative { name: String, value: f64 } =>
+        "the damping of the stop `{name}` is {value:?}: negative damping would feed energy in; write zero or more",
+    RestitutionOutside { name: String, value: f64 } =>
+        "the restitution of the stop `{name}` is {value:?}, but an impact keeps between none (0) and all (1) of the velocity; write a number from 0 to 1",
+    ImpactsTwice { name: String } =>
+        "the stop `{name}` already limits the same side by a restitution; keep the one with the smaller gap",
+    ConstantTwice { name: String } =>
+        "there is already a constant force on `{name}`; add the two and write a single force",
     Untouched { name: String } =>
         "neither a spring nor a dashpot nor a contact touches the mass `{name}`; join it to another mass or to a support, or leave it out",
     IdleJoinedBase {} =>

@@ -24,6 +24,8 @@ pub(super) fn check(scene: &Scene, checks: &Checks, errors: &mut Vec<SceneError>
         check_law(contact, index, errors);
     }
     sound &= check_dampers(scene, errors);
+    sound &= super::stops::check(scene, errors);
+    super::stops::check_constant(scene, errors);
     check_fields(scene, errors);
     // If an entry is faulty, `check_touched` might report that a mass has no connection, although this entry connects
     // it.
@@ -42,6 +44,14 @@ fn check_sizes(scene: &Scene, checks: &Checks, errors: &mut Vec<SceneError>) {
             limit: MOST_CONTACTS,
         });
     }
+    let all = count + scene.joints.stops.len();
+    if count <= MOST_CONTACTS && all > MOST_CONTACTS {
+        errors.push(SceneError::TooManyStops {
+            path: Path::StopName(MOST_CONTACTS - count),
+            count: all,
+            limit: MOST_CONTACTS,
+        });
+    }
     let count = scene.masses.len();
     if (MOST_JOINED + 1..=checks.most_masses).contains(&count) {
         errors.push(SceneError::TooManyMasses {
@@ -55,12 +65,17 @@ fn check_sizes(scene: &Scene, checks: &Checks, errors: &mut Vec<SceneError>) {
 /// Reports errors in the names of the contacts. The name `contact` of a single contact needs no check.
 pub(super) fn check_names(scene: &Scene, checks: &Checks, errors: &mut Vec<SceneError>) {
     let contacts = scene.named_contacts();
-    for (index, contact) in contacts.iter().enumerate() {
+    let stops = scene.joints.stops.iter().enumerate();
+    let stops = stops.map(|(index, stop)| (&stop.name, Path::StopName(index)));
+    let names = contacts.iter().enumerate();
+    let names = names.map(|(index, contact)| (&contact.name, Path::JointName(index)));
+    let names: Vec<_> = names.chain(stops).collect();
+    for (index, &(name, path)) in names.iter().enumerate() {
         let single = scene.joints.contacts.is_empty();
-        if single && contact.name == CONTACT {
-            return;
+        if index == 0 && single && name == CONTACT {
+            continue;
         }
-        let (name, path) = (contact.name.clone(), Path::JointName(index));
+        let name = name.clone();
         if checks.emitted && is_keyword(&name) {
             errors.push(SceneError::ContactKeyword { path, name });
         } else if is_reserved(&name, checks.emitted) {
@@ -69,7 +84,7 @@ pub(super) fn check_names(scene: &Scene, checks: &Checks, errors: &mut Vec<Scene
             errors.push(SceneError::ContactNotAName { path, name });
         } else if scene.masses.iter().any(|mass| mass.name == name) {
             errors.push(SceneError::ContactNamedAsMass { path, name });
-        } else if contacts.iter().take(index).any(|other| other.name == name) {
+        } else if names.iter().take(index).any(|(other, _)| **other == name) {
             errors.push(SceneError::DuplicateContact { path, name });
         }
     }
@@ -150,6 +165,13 @@ fn check_law(contact: &NamedContact, index: usize, errors: &mut Vec<SceneError>)
     } else if value < 1.0 {
         errors.push(SceneError::StictionBelowOne { path, value });
     } else if value > LARGEST {
+        errors.push(SceneError::OutOfScale { path, what, value });
+    }
+    let (value, path) = (law.speed, Path::JointSpeed(index));
+    let what = format!("the speed of the contact `{name}`");
+    if !value.is_finite() {
+        errors.push(SceneError::NotFinite { path, what, value });
+    } else if value != 0.0 && !(SMALLEST..=LARGEST).contains(&value.abs()) {
         errors.push(SceneError::OutOfScale { path, what, value });
     }
     let (value, path) = (law.share, Path::JointShare(index));
@@ -311,7 +333,10 @@ fn check_touched(scene: &Scene, checks: &Checks, errors: &mut Vec<SceneError>) {
     let contacts = scene.named_contacts();
     let contacts = contacts.iter();
     let contacts = contacts.map(|contact| [contact.sides.from, contact.sides.to]);
-    let touched: Vec<Node> = springs.chain(dampers).chain(contacts).flatten().collect();
+    let stops = scene.joints.stops.iter();
+    let stops = stops.map(|stop| [stop.sides.from, stop.sides.to]);
+    let joints = dampers.chain(contacts).chain(stops);
+    let touched: Vec<Node> = springs.chain(joints).flatten().collect();
     for (index, mass) in scene.masses.iter().enumerate() {
         if !touched.contains(&Node::Mass(index)) {
             errors.push(SceneError::Untouched {

@@ -1,16 +1,21 @@
-//! Converts parsed contacts and dashpots to the contacts and dashpots of a scene.
+//! Converts parsed contacts, dashpots, stops and constant forces to those of a scene.
 
-use frictiongen_model::scene::{ContactSides, Damper, JointLaw, Joints, NamedContact};
+use frictiongen_model::scene::{
+    ConstantForce, ContactSides, Damper, Impact, JointLaw, Joints, NamedContact, NamedStop, Node,
+    StopLaw,
+};
 use frictiongen_model::validate::Path;
 
 use super::resolve::Lowering;
-use crate::parse::syntax::{Fields, JointEntry, SpringEntry};
+use crate::parse::syntax::{Fields, JointEntry, MassEntry, SpringEntry, StopEntry};
 
-/// The contacts and dashpots of a scene, each with a reference to its entry in the description.
+/// The contacts, dashpots, stops and constant forces of a scene, each with a reference to its entry in the description.
 pub(super) struct LoweredJoints<'s> {
     pub(super) joints: Joints,
     pub(super) contacts: Vec<&'s JointEntry>,
     pub(super) dampers: Vec<&'s SpringEntry>,
+    pub(super) stops: Vec<&'s StopEntry>,
+    pub(super) constant: Vec<&'s MassEntry>,
 }
 
 impl<'s> Lowering<'s, '_> {
@@ -20,6 +25,8 @@ impl<'s> Lowering<'s, '_> {
             joints: Joints::default(),
             contacts: Vec::new(),
             dampers: Vec::new(),
+            stops: Vec::new(),
+            constant: Vec::new(),
         };
         if let (Some(one), Some(_)) = (fields.contact.given(), fields.contacts.given()) {
             self.problems.report(
@@ -27,7 +34,10 @@ impl<'s> Lowering<'s, '_> {
                 "`contact` and `contacts` exclude each other; keep one of the two fields",
             );
         }
-        self.checks.joints = fields.contacts.is_read() && fields.dampers.is_read();
+        self.checks.joints = fields.contacts.is_read()
+            && fields.dampers.is_read()
+            && fields.stops.is_read()
+            && fields.constant.is_read();
         if let Some(written) = fields.contacts.given() {
             self.checks.joints &= written.list.complete;
             for entry in &written.list.entries {
@@ -38,6 +48,18 @@ impl<'s> Lowering<'s, '_> {
             self.checks.joints &= written.list.complete;
             for entry in &written.list.entries {
                 self.damper(entry, &mut lowered);
+            }
+        }
+        if let Some(written) = fields.stops.given() {
+            self.checks.joints &= written.list.complete;
+            for entry in &written.list.entries {
+                self.stop(entry, &mut lowered);
+            }
+        }
+        if let Some(written) = fields.constant.given() {
+            self.checks.joints &= written.list.complete;
+            for entry in &written.list.entries {
+                self.constant(entry, &mut lowered);
             }
         }
         lowered
@@ -62,6 +84,9 @@ impl<'s> Lowering<'s, '_> {
             stiffness,
             stiction: or_one(entry.stiction, Path::JointStiction(index)),
             share: or_one(entry.share, Path::JointShare(index)),
+            speed: entry
+                .speed
+                .map_or(0.0, |number| self.number(number, Path::JointSpeed(index))),
         };
         lowered.joints.contacts.push(NamedContact {
             name: entry.name.text.clone(),
@@ -69,6 +94,104 @@ impl<'s> Lowering<'s, '_> {
             law,
         });
         lowered.contacts.push(entry);
+    }
+
+    fn stop(&mut self, entry: &'s StopEntry, lowered: &mut LoweredJoints<'s>) {
+        self.checks.joints &= entry.complete;
+        let (from, to) = (self.node(&entry.from), self.node(&entry.to));
+        let index = lowered.stops.len();
+        let law = self.stop_law(entry, index);
+        let (Ok(from), Ok(to), Some(law)) = (from, to, law) else {
+            self.checks.joints = false;
+            return;
+        };
+        lowered.joints.stops.push(NamedStop {
+            name: entry.name.text.clone(),
+            sides: ContactSides { from, to },
+            law,
+        });
+        lowered.stops.push(entry);
+    }
+
+    /// Returns the gap and the impact of a stop, or `None` if the description does not say them.
+    fn stop_law(&mut self, entry: &StopEntry, index: usize) -> Option<StopLaw> {
+        let name = &entry.name.text;
+        let mut report = |place, message: String| {
+            if entry.complete {
+                self.problems.report(place, message);
+            }
+        };
+        if entry.gap.is_none() {
+            report(
+                entry.name.place,
+                format!(
+                    "the stop `{name}` has no gap; add, for example, `gap: 0.01`, or `gap: 0` if its sides touch"
+                ),
+            );
+        }
+        match (entry.stiffness, entry.restitution) {
+            (None, None) => report(
+                entry.name.place,
+                format!(
+                    "the stop `{name}` has neither a stiffness nor a restitution; add one of them, for example `stiffness: 1e6`"
+                ),
+            ),
+            (Some(_), Some(second)) => report(
+                second.place,
+                format!(
+                    "`stiffness` and `restitution` exclude each other; keep one of them for the stop `{name}`"
+                ),
+            ),
+            (None, Some(_)) if entry.damping.is_some() => {
+                let place = entry
+                    .damping
+                    .map_or(entry.name.place, |damping| damping.place);
+                report(
+                    place,
+                    format!(
+                        "`damping` needs a `stiffness`; the restitution of the stop `{name}` already contains its loss"
+                    ),
+                );
+            }
+            _ => {}
+        }
+        let impact = match (entry.stiffness, entry.restitution, entry.damping) {
+            (Some(stiffness), None, damping) => Impact::Spring {
+                stiffness: self.number(stiffness, Path::StopStiffness(index)),
+                damping: damping.map_or(0.0, |damping| {
+                    self.number(damping, Path::StopDamping(index))
+                }),
+            },
+            (None, Some(restitution), None) => {
+                Impact::Restitution(self.number(restitution, Path::StopRestitution(index)))
+            }
+            _ => return None,
+        };
+        let gap = self.number(entry.gap?, Path::StopGap(index));
+        Some(StopLaw { gap, impact })
+    }
+
+    fn constant(&mut self, entry: &'s MassEntry, lowered: &mut LoweredJoints<'s>) {
+        let mass = match self.node(&entry.name) {
+            Ok(Node::Mass(mass)) => mass,
+            Ok(Node::Base | Node::Wall) => {
+                let message = format!(
+                    "a constant force acts on a mass, and `{}` is a support; write the name of a mass",
+                    entry.name.text
+                );
+                self.problems.report(entry.name.place, message);
+                self.checks.joints = false;
+                return;
+            }
+            Err(_) => {
+                self.checks.joints = false;
+                return;
+            }
+        };
+        let path = Path::Constant(lowered.constant.len());
+        let force = self.number(entry.value, path);
+        lowered.joints.constant.push(ConstantForce { mass, force });
+        lowered.constant.push(entry);
     }
 
     fn damper(&mut self, entry: &'s SpringEntry, lowered: &mut LoweredJoints<'s>) {

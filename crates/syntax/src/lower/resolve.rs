@@ -86,6 +86,8 @@ pub(super) fn resolve<'s>(
         springs: spring_entries,
         contacts: joints.contacts,
         dampers: joints.dampers,
+        stops: joints.stops,
+        constant: joints.constant,
         provide: provide_entries,
         force: force_entries,
     };

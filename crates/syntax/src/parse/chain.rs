@@ -25,7 +25,7 @@ pub(crate) fn masses(
     )
 }
 
-fn mass(
+pub(crate) fn mass(
     reader: &mut TokenReader<'_>,
     problems: &mut Problems,
 ) -> Result<Read<MassEntry>, Reported> {

@@ -22,6 +22,8 @@ enum Field {
     Contact,
     Contacts,
     Dampers,
+    Stops,
+    Constant,
     Excitation,
     Damping,
     DampingFrom,
@@ -42,7 +44,7 @@ enum Field {
     Crate,
 }
 
-const FIELDS: [(&str, Field); 23] = [
+const FIELDS: [(&str, Field); 25] = [
     ("masses", Field::Masses),
     ("springs", Field::Springs),
     ("contact", Field::Contact),
@@ -51,6 +53,8 @@ const FIELDS: [(&str, Field); 23] = [
     ("damping", Field::Damping),
     ("damping_from", Field::DampingFrom),
     ("dampers", Field::Dampers),
+    ("stops", Field::Stops),
+    ("constant", Field::Constant),
     ("stiction", Field::Stiction),
     ("stiffness", Field::Stiffness),
     ("scalar", Field::Scalar),
@@ -141,6 +145,14 @@ fn field(
             reader,
             problems,
             joints::dampers,
+        ),
+        Field::Stops => store(&mut fields.stops, &word, reader, problems, joints::stops),
+        Field::Constant => store(
+            &mut fields.constant,
+            &word,
+            reader,
+            problems,
+            joints::constant,
         ),
         Field::Excitation => store(
             &mut fields.excitation,

@@ -107,7 +107,21 @@ pub(crate) struct JointEntry {
     pub(crate) stiffness: Option<Number>,
     pub(crate) stiction: Option<Number>,
     pub(crate) share: Option<Number>,
+    pub(crate) speed: Option<Number>,
     /// True if the parser could read all properties in the braces of the contact.
+    pub(crate) complete: bool,
+}
+
+/// A stop in the field `stops` of a description.
+pub(crate) struct StopEntry {
+    pub(crate) name: Name,
+    pub(crate) from: Name,
+    pub(crate) to: Name,
+    pub(crate) gap: Option<Number>,
+    pub(crate) stiffness: Option<Number>,
+    pub(crate) damping: Option<Number>,
+    pub(crate) restitution: Option<Number>,
+    /// True if the parser could read all properties in the braces of the stop.
     pub(crate) complete: bool,
 }
 
@@ -240,6 +254,8 @@ pub(crate) struct Fields {
     pub(crate) contact: Slot<ContactEntry>,
     pub(crate) contacts: Slot<Placed<JointEntry>>,
     pub(crate) dampers: Slot<Placed<SpringEntry>>,
+    pub(crate) stops: Slot<Placed<StopEntry>>,
+    pub(crate) constant: Slot<Placed<MassEntry>>,
     pub(crate) excitation: Slot<Name>,
     pub(crate) damping: Slot<DampingEntry>,
     pub(crate) damping_from: Slot<Choice<DampingFrom>>,

@@ -50,8 +50,8 @@ impl<'a> Joined<'a> {
     /// k₁ = 1 in the units of the scene description.
     ///
     /// # Errors
-    /// [`OutOfDomain`] unless r is above 0 and finite. [`JoinedError::NoAmplitude`] if the scene has
-    /// `friction: stribeck` and [`with_length`](Self::with_length) has not set the unit of displacement.
+    /// [`OutOfDomain`] unless r is above 0 and finite. [`JoinedError::NoAmplitude`] if the scene has a length or a speed of
+    /// its own and [`with_length`](Self::with_length) has not set the unit of displacement.
     pub fn at_any(&self, r: f64) -> Result<JoinedAt<'a>, JoinedError> {
         self.check_load()?;
         if !(r > 0.0 && r.is_finite()) {
@@ -70,11 +70,9 @@ impl<'a> Joined<'a> {
         };
         let mut at = self.loaded(omega, amplitude, units);
         at.start = self.start().map(|start| start.at(r));
-        if !at.chain.law.is_empty() {
-            let length = self.length().ok_or(JoinedError::NoAmplitude)?;
-            for [speed, _] in &mut at.chain.law {
-                *speed /= length;
-            }
+        if self.scene().has_length() {
+            at.chain
+                .scale(self.length().ok_or(JoinedError::NoAmplitude)?);
         }
         Ok(at)
     }

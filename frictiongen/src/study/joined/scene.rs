@@ -2,7 +2,7 @@
 
 use super::error::{JoinedError, UnknownContact};
 use crate::study::error::UnknownMass;
-use crate::study::joints::{Chain, Joint, MAX_MASSES, Wave};
+use crate::study::joints::{Chain, EndStop, Joint, MAX_MASSES, Wave};
 use crate::study::start::InitialState;
 use crate::study::system::System;
 use crate::{OutOfDomain, Unsupported};
@@ -22,8 +22,8 @@ pub struct Joined<'a> {
     chain: Chain,
     /// Reference angular frequency √(k₁/m₁), in rad per unit of time.
     reference: f64,
-    /// Unit of displacement for results in ratios: P/k₁, or Y for base motion. The solver needs this unit if a
-    /// friction law depends on the sliding speed.
+    /// Unit of displacement for results in ratios: P/k₁, or Y for base motion. The solver needs this unit if the scene has
+    /// a length or a speed of its own.
     length: Option<f64>,
     /// Initial state of the motions to steady states, if the system has one.
     start: Option<InitialState>,
@@ -59,7 +59,13 @@ impl<'a> Joined<'a> {
             level: Wave::constant(contact.law.share),
             stiction: contact.law.stiction,
             stiffness: contact.law.stiffness,
+            speed: contact.law.speed,
         });
+        let stops = scene.joints.stops.iter().map(|stop| EndStop {
+            ends: (stop.sides.from, stop.sides.to),
+            law: stop.law,
+        });
+        let constant = scene.joints.constant.iter();
         let mut chain = Chain {
             springs: springs
                 .map(|spring| (spring.from, spring.to, spring.stiffness))
@@ -68,6 +74,8 @@ impl<'a> Joined<'a> {
                 .map(|damper| (damper.from, damper.to, damper.coefficient))
                 .collect(),
             contacts: contacts.collect(),
+            stops: stops.collect(),
+            constant: constant.map(|own| (own.mass, own.force)).collect(),
             damping_from_base: scene.is_damped_from_base(),
             law: scene.friction.points().to_vec(),
             ..Chain::default()
@@ -111,7 +119,8 @@ impl<'a> Joined<'a> {
     }
 
     /// Returns this solver with the unit of displacement for results in ratios. `length` is this unit: P/k₁, or Y for
-    /// base motion. Only results with `friction: stribeck` depend on it.
+    /// base motion. Only results of a scene with a length or a speed of its own depend on it, for example with
+    /// `friction: stribeck` or a stop.
     #[must_use]
     pub fn with_length(&self, length: f64) -> Self {
         Self {
@@ -141,11 +150,13 @@ impl<'a> Joined<'a> {
         joined
     }
 
-    /// Returns the names of the contacts, in the order of the scene description.
+    /// Returns the names of the contacts, and then of the stops, in the order of the scene description.
     #[must_use]
     pub fn contact_names(&self) -> Vec<String> {
         let contacts = self.scene.named_contacts().into_iter();
-        contacts.map(|contact| contact.name).collect()
+        let stops = self.scene.joints.stops.iter();
+        let stops = stops.map(|stop| stop.name.clone());
+        contacts.map(|contact| contact.name).chain(stops).collect()
     }
 
     /// Returns the factor that converts the sign of the solver for a contact to the sign of the scene description.
@@ -154,9 +165,11 @@ impl<'a> Joined<'a> {
     /// scene with a single contact have the same sign.
     #[must_use]
     pub fn sign(&self, contact: usize) -> f64 {
-        let contacts = self.scene.named_contacts();
-        match contacts.get(contact) {
-            Some(contact) if contact.sides.is_reversed() => -1.0,
+        let contacts = self.scene.named_contacts().into_iter();
+        let stops = self.scene.joints.stops.iter().map(|stop| stop.sides);
+        let mut sides = contacts.map(|contact| contact.sides).chain(stops);
+        match sides.nth(contact) {
+            Some(sides) if sides.is_reversed() => -1.0,
             _ => 1.0,
         }
     }

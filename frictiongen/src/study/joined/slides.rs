@@ -19,6 +19,10 @@ pub(super) struct Slides {
 pub(super) struct Slide {
     /// The two nodes between which the contact acts.
     ends: (usize, usize),
+    /// Velocity of a moving surface of the contact.
+    speed: f64,
+    /// Coefficient of the dashpot of a stop. `None` for a contact with friction.
+    dashpot: Option<f64>,
     /// Kinetic friction force of the contact. It is that at the end of the step, if it changes during a step.
     level: f64,
     /// Stiffness of an elastic contact.
@@ -42,6 +46,8 @@ impl Slides {
     pub fn new(model: &Model) -> Self {
         let contacts = model.contacts.iter().map(|contact| Slide {
             ends: (contact.plus, contact.minus),
+            speed: contact.speed,
+            dashpot: contact.stop.map(|stop| stop.damping),
             level: contact.level.constant,
             stiffness: contact.stiffness,
             has_law: contact.is_rigid() && !model.law.is_empty(),
@@ -102,16 +108,24 @@ impl Observe<f64, Heap> for Slides {
             *place = series.place((mass, wall), end);
         }
         for (index, slide) in self.contacts.iter_mut().enumerate() {
+            if let Some(dashpot) = slide.dashpot {
+                if state.phase(index) == STUCK {
+                    slide.energy += dashpot * series.squared_speed(slide.ends, end);
+                }
+                continue;
+            }
             if ![STUCK, FREE].contains(&state.phase(index)) {
                 // A contact does not reverse during a stretch (time interval of a power series). The distance is
                 // therefore the difference of two displacements.
-                let travel = series.place(slide.ends, end) - series.place(slide.ends, 0.0);
+                let moved = series.place(slide.ends, end) - series.place(slide.ends, 0.0);
+                let carried = slide.speed * series.length * end;
+                let travel = moved - carried;
                 let stored =
                     |force: f64| slide.stiffness.map_or(0.0, |k| force * force / (2.0 * k));
                 slide.slip += travel.abs();
                 slide.energy += if slide.has_law || slide.changes {
                     let [from, to] = [0.0, end].map(|at| stored(series.force(index, at)));
-                    series.work(index, slide.ends, end) - (to - from)
+                    series.work(index, (slide.ends, slide.speed), end) - (to - from)
                 } else {
                     slide.level * travel.abs()
                 };

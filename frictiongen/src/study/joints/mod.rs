@@ -27,7 +27,7 @@ pub use steady::{
 pub use stuck::{StuckResponse, stuck_response};
 
 use frictiongen_kernel::joints::{self, Halt, MAX_PATTERNS};
-use frictiongen_model::scene::Node;
+use frictiongen_model::scene::{Node, StopLaw};
 use std::fmt;
 
 /// A checked chain with numbered nodes, stored in `Vec`s.
@@ -63,6 +63,17 @@ pub struct Joint {
     pub stiction: f64,
     /// Stiffness of the spring in series with the slider. `None` for a rigid contact.
     pub stiffness: Option<f64>,
+    /// Velocity of the surface of the second side relative to its node, for a belt.
+    pub speed: f64,
+}
+
+/// A stop of a chain, which acts while x_a − x_b > g for its ends a and b.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct EndStop {
+    /// The two nodes a and b between which the stop acts.
+    pub ends: (Node, Node),
+    /// Gap g and impact of the stop.
+    pub law: StopLaw,
 }
 
 /// A chain with its contacts and its loads, in the units of the scene description.
@@ -85,6 +96,10 @@ pub struct Chain {
     /// φ times the force `level` of the contact. The list is empty if the kinetic friction does not depend on the
     /// speed.
     pub law: Vec<[f64; 2]>,
+    /// Stops of the chain.
+    pub stops: Vec<EndStop>,
+    /// Constant forces on masses, each with the index of the mass.
+    pub constant: Vec<(usize, f64)>,
     /// Forces on masses, each with the index of the mass.
     pub loads: Vec<(usize, Wave)>,
     /// Displacement of the base as a function of time.

@@ -1,8 +1,8 @@
 //! Checks a chain and numbers its nodes.
 
-use super::{Chain, Heap, Joint, JointError, MAX_CONTACTS, MAX_MASSES, Model};
-use frictiongen_kernel::joints::{Contact, Link};
-use frictiongen_model::scene::Node;
+use super::{Chain, EndStop, Heap, Joint, JointError, MAX_CONTACTS, MAX_MASSES, Model, Wave};
+use frictiongen_kernel::joints::{Contact, Link, Short, Stop};
+use frictiongen_model::scene::{Impact, Node};
 
 impl Chain {
     /// Checks the chain and numbers its nodes for the solver.
@@ -23,29 +23,50 @@ impl Chain {
             numbered.collect::<Result<Vec<Link<f64>>, JointError>>()
         };
         let contacts = self.contacts.iter().map(|joint| numbered(count, joint));
-        if self.loads.iter().any(|&(mass, _)| mass >= count) {
+        let stops = self.stops.iter().map(|stop| stop_of(count, stop));
+        let constant = self.constant.iter();
+        // A constant force is a harmonic one of the frequency 0.
+        let constant = constant.map(|&(mass, force)| (mass, Wave::harmonic(force, 0.0)));
+        let loads: Short<(usize, Wave)> = self.loads.iter().copied().chain(constant).collect();
+        if loads.iter().any(|&(mass, _)| mass >= count) {
             return Err(JointError::Ends("a load"));
         }
         let mut model = Model {
             size: Heap {
                 masses: count,
-                contacts: self.contacts.len(),
-                loads: self.loads.len(),
+                contacts: self.contacts.len() + self.stops.len(),
+                loads: loads.len(),
             },
             masses: self.masses.clone(),
             springs: links(&self.springs, "a spring")?,
             dashpots: links(&self.dashpots, "a dashpot")?,
             damping: self.damping_by_rows(),
             damping_from_base: self.damping_from_base,
-            contacts: contacts.collect::<Result<_, JointError>>()?,
+            contacts: contacts.chain(stops).collect::<Result<_, JointError>>()?,
             law: self.law.clone(),
-            loads: self.loads.iter().copied().collect(),
+            loads,
             base: self.base.into(),
             stretch: 0.0,
         };
         check_redundant(&model)?;
         model.set_stretch();
         Ok(model)
+    }
+
+    /// Divides all lengths and speeds of the chain, and the constant forces, by a length.
+    pub(crate) fn scale(&mut self, length: f64) {
+        for [speed, _] in &mut self.law {
+            *speed /= length;
+        }
+        for contact in &mut self.contacts {
+            contact.speed /= length;
+        }
+        for stop in &mut self.stops {
+            stop.law.gap /= length;
+        }
+        for (_, force) in &mut self.constant {
+            *force /= length;
+        }
     }
 
     /// Returns the damping matrix row by row. Each row has one entry for each mass.
@@ -67,6 +88,49 @@ fn numbered(masses: usize, joint: &Joint) -> Result<Contact<f64>, JointError> {
         level: joint.level,
         stiction: joint.stiction,
         stiffness: joint.stiffness,
+        speed: if is_turned(masses, joint.ends, plus) {
+            -joint.speed
+        } else {
+            joint.speed
+        },
+        stop: None,
+    })
+}
+
+/// Returns true if the node `plus`, whose displacement has a positive sign, is the second of two ends.
+fn is_turned(masses: usize, (from, _): (Node, Node), plus: usize) -> bool {
+    match from {
+        Node::Mass(mass) => mass != plus,
+        Node::Wall => plus != masses,
+        Node::Base => plus != masses + 1,
+    }
+}
+
+/// Converts a stop of the chain to a stop between numbered nodes.
+fn stop_of(masses: usize, own: &EndStop) -> Result<Contact<f64>, JointError> {
+    let (plus, minus) = ends(masses, own.ends, "a stop")?;
+    let (stiffness, damping, restitution) = match own.law.impact {
+        Impact::Spring { stiffness, damping } => (Some(stiffness), damping, 0.0),
+        Impact::Restitution(restitution) => (None, 0.0, restitution),
+    };
+    let side = if is_turned(masses, own.ends, plus) {
+        -1.0
+    } else {
+        1.0
+    };
+    Ok(Contact {
+        plus,
+        minus,
+        level: Wave::zero(),
+        stiction: 1.0,
+        stiffness,
+        speed: 0.0,
+        stop: Some(Stop {
+            side,
+            gap: own.law.gap,
+            damping,
+            restitution,
+        }),
     })
 }
 
@@ -75,7 +139,7 @@ fn check_redundant(model: &Model) -> Result<(), JointError> {
     let ground = |node: usize| node.min(model.wall());
     let mut tree: Vec<(usize, usize, usize)> = Vec::new();
     for (index, contact) in model.contacts.iter().enumerate() {
-        if !contact.is_rigid() {
+        if !contact.is_rigid() || contact.stop.is_some() {
             continue;
         }
         let (from, to) = (ground(contact.plus), ground(contact.minus));
@@ -166,6 +230,8 @@ fn level_fits(joint: &Joint) -> bool {
         level: joint.level,
         stiction: joint.stiction,
         stiffness: joint.stiffness,
+        speed: 0.0,
+        stop: None,
     };
     contact.fits(&joint.level)
 }

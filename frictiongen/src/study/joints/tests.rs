@@ -6,6 +6,7 @@ mod known;
 mod patterns;
 mod records;
 mod reference;
+mod rooms;
 mod settled;
 mod steady;
 mod stribeck;
@@ -102,6 +103,7 @@ pub fn rigid(ends: (Node, Node), level: f64, stiction: f64) -> Joint {
         level: Wave::constant(level),
         stiction,
         stiffness: None,
+        speed: 0.0,
     }
 }
 
@@ -165,6 +167,7 @@ pub fn random_chain(random: &mut Random) -> (Chain, f64) {
                     random.between(1.0, 1.6)
                 },
                 stiffness: elastic.then(|| random.between(500.0, 20000.0)),
+                speed: 0.0,
             });
         }
     }

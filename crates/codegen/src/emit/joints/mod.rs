@@ -156,6 +156,7 @@ impl<'a> JointsEmission<'a> {
         let damping = damping_matrix(scene, modal).into_iter().flatten();
         let damping = damping.map(|entry| self.number(entry));
         let from_base = scene.is_damped_from_base();
+        let zero = self.number(0.0);
         let contacts = self.contacts.iter().map(|contact| {
             let [plus, minus] = self.ends(contact.sides.from, contact.sides.to);
             let (level, stiction) = (
@@ -175,6 +176,8 @@ impl<'a> JointsEmission<'a> {
                 level: #level,
                 stiction: #stiction,
                 stiffness: #stiffness,
+                speed: #zero,
+                stop: ::core::option::Option::None,
             })
         });
         let rest = self.constant(0.0);

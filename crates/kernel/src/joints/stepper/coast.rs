@@ -36,7 +36,7 @@ impl<S: Float, Z: Size> Motion<S, Z> {
             let Some(contact) = self.model.contact(j) else {
                 continue;
             };
-            let speed = sign::<S>(phase) * contact.across(v.as_ref());
+            let speed = sign::<S>(phase) * self.model.slip(contact, v.as_ref());
             if [FREE, STUCK].contains(&phase) || speed > contact.creep() {
                 continue;
             }
@@ -49,9 +49,10 @@ impl<S: Float, Z: Size> Motion<S, Z> {
                 set(self.state.forces.as_mut(), j, force);
             }
         }
+        self.set_stops();
         self.join();
         let (_, mut v) = self.nodes();
-        self.tree.meet(&self.model, v.as_mut());
+        self.tree.meet_moving(&self.model, v.as_mut());
         self.state.keep_speeds(v.as_ref());
         Ok(())
     }

@@ -137,6 +137,8 @@ fn row<S: Float>(springs: &[f64], stiction: f64, stiffness: Option<f64>) -> Mode
             level: Wave::zero(),
             stiction: S::constant(stiction),
             stiffness: stiffness.map(S::constant),
+            speed: 0.0,
+            stop: None,
         }],
         law: Vec::new(),
         loads: smallvec![(masses - 1, Wave::zero())],

@@ -9,7 +9,7 @@ use super::Stepper;
 use super::table::Layout;
 use crate::Float;
 use crate::joints::base::Curve;
-use crate::joints::cycle::work;
+use crate::joints::cycle::{integral, work};
 use crate::joints::least::dot;
 use crate::joints::model::Model;
 use crate::joints::poly::{Poly, nothing, value};
@@ -72,7 +72,12 @@ impl<S: Float> Sums<S> {
             self.add_load(work(&reaction(model, state, series), &speed, length, end));
         }
         for (j, contact) in model.contacts().iter().enumerate() {
-            let ends = (contact.plus, contact.minus);
+            let sides = contact.sides();
+            if let Some(speed) = Some(sides.speed).filter(|speed| !speed.is_zero()) {
+                // The moving surface works on the chain, too.
+                let force = integral(&series.force_terms(j), end);
+                self.add_load(-speed * length * force);
+            }
             match (state.phase(j), contact.stiffness) {
                 (FREE, _) | (STUCK, None) => {}
                 (STUCK, Some(stiffness)) => {
@@ -80,10 +85,14 @@ impl<S: Float> Sums<S> {
                     self.add_contact(stored((from, to), stiffness));
                 }
                 (side, _) if contact.has_constant_level() && !model.has_lines(contact) => {
-                    let slid = moved(&series.place_terms(ends.0, ends.1));
+                    let slid = moved(&series.place_terms(sides.plus, sides.minus));
+                    let slid = slid - sides.speed * length * end;
                     self.add_contact(sign::<S>(side) * contact.level.constant * slid);
                 }
-                _ => self.add_contact(series.work(j, ends, end)),
+                _ => {
+                    let speed = series.slip_terms(sides);
+                    self.add_contact(work(&series.force_terms(j), &speed, length, end));
+                }
             }
         }
     }
@@ -250,8 +259,14 @@ impl<S: Float, Z: Size, T: AsRef<[S]>> Stepper<S, Z, T> {
             sum + half * *k * strain * strain
         });
         let forces = self.motion.forces();
-        let contacts = model.contacts().iter().zip(forces.as_ref());
-        let contacts = contacts.fold(S::constant(0.0), |sum, (contact, force)| {
+        let contacts = model.contacts().iter().zip(forces.as_ref()).enumerate();
+        let contacts = contacts.fold(S::constant(0.0), |sum, (j, (contact, force))| {
+            let spring = at(state.forces.as_ref(), j);
+            let force = if contact.stop.is_some() {
+                &spring
+            } else {
+                force
+            };
             let energy = contact.stiffness.map(|k| half * *force * *force / k);
             sum + energy.unwrap_or(S::constant(0.0))
         });

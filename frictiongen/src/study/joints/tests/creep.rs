@@ -47,6 +47,7 @@ fn creep_under_constant_loads(cycles: usize) {
                 rigid((Mass(2), Wall), 0.5, 1.2),
                 Joint {
                     stiffness: Some(700.0),
+                    speed: 0.0,
                     ..rigid((Mass(3), Mass(2)), 0.4, 1.0)
                 },
             ],

@@ -188,6 +188,7 @@ fn the_largest_chain_runs() {
         level: super::Wave::constant(random.between(0.5, 4.0)),
         stiction: random.between(1.0, 1.5),
         stiffness: (i % 2 == 0).then_some(5e3),
+        speed: 0.0,
     });
     let chain = Chain {
         contacts: contacts.collect(),

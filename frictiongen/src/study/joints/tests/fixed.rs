@@ -28,12 +28,14 @@ fn scene(amplitude: f64) -> Chain {
             rigid((Mass(1), Mass(0)), 0.9, 1.0),
             Joint {
                 stiffness: Some(70.0),
+                speed: 0.0,
                 ..rigid((Mass(2), Wall), 0.5, 1.1)
             },
         ],
         law: Vec::new(),
         loads: vec![(2, Wave::harmonic(amplitude, 7.0))],
         base: Wave::harmonic(0.02, 5.0),
+        ..Chain::default()
     }
 }
 
@@ -61,6 +63,8 @@ fn fixed<S: Float>(model: &Model) -> joints::Model<S, Small> {
             level: wave(&c.level),
             stiction: number(c.stiction),
             stiffness: c.stiffness.map(number),
+            speed: S::constant(0.0),
+            stop: None,
         }
     };
     let links = |links: &[joints::Link<f64>]| {

@@ -15,6 +15,7 @@ fn coupled_clutches() {
         level: Wave::default(),
         stiction: 1.1,
         stiffness: None,
+        speed: 0.0,
     };
     // The torque is 10 sin 10πt.
     let torque = Wave {
@@ -105,6 +106,7 @@ fn loop_of_an_elastic_contact() {
             level: Wave::constant(3.0),
             stiction: 1.0,
             stiffness: Some(2.0),
+            speed: 0.0,
         }],
         base: Wave {
             amplitude: 5.0,
@@ -226,6 +228,7 @@ fn what_cannot_be_is_refused_by_name() {
     };
     let elastic = |ends: (Node, Node)| Joint {
         stiffness: Some(1.0),
+        speed: 0.0,
         ..rigid(ends, 1.0, 1.0)
     };
     let redundant = chain(vec![

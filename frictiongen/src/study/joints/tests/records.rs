@@ -41,6 +41,7 @@ fn storeys() -> Chain {
         contacts: (0..5)
             .map(|i| Joint {
                 stiffness: Some(6000.0),
+                speed: 0.0,
                 ..rigid((Mass(i), node(i)), 9.0 - i as f64, 1.0)
             })
             .collect(),

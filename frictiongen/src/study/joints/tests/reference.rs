@@ -48,6 +48,7 @@ pub fn chain(value: &Value, omega: f64) -> Chain {
         level: Wave::constant(number(&contact["force"])),
         stiction: number(&contact["stiction"]),
         stiffness: contact["stiffness"].as_f64(),
+        speed: 0.0,
     });
     let damping = if value["rayleigh"].is_array() {
         let factor = number(&value["rayleigh"][1]);

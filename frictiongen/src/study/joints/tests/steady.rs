@@ -211,6 +211,7 @@ fn the_limit_names_the_contact_that_goes_first() {
             rigid((Mass(0), Wall), factor, 1.2),
             super::Joint {
                 stiffness: Some(800.0),
+                speed: 0.0,
                 ..rigid((Mass(2), Mass(1)), 0.5 * factor, 1.0)
             },
         ],

@@ -76,6 +76,7 @@ fn frame(omega: f64) -> Chain {
             rigid((Mass(1), Wall), 3.0, 1.0),
             Joint {
                 stiffness: Some(2500.0),
+                speed: 0.0,
                 ..rigid((Mass(0), Mass(1)), 5.0, 1.0)
             },
         ],
