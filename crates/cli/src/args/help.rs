@@ -167,7 +167,7 @@ Motions:
   contact.friction  the friction force, divided by P (by k1 Y for base motion); with --force or
                     --base, in N. While the contact sticks, it is the force that keeps the contact at rest
   contact.state     stuck, forward or backward; the direction is the sign of the relative velocity
-  A description with `friction: stribeck` needs a load, --force or --base, because its speeds have units.
+  A description with `friction: stribeck`, `stops`, `speed` or `constant` needs a load, --force or --base.
 
 Initial state:
   A run starts from rest, or from --from. --steady gives one period of the steady state in any regime.

@@ -94,9 +94,9 @@ pub fn run(arguments: &TimeArguments, out: &mut dyn Write) -> Result<(), Failure
     without_rates(&parts)?;
     frequencies.check(&system)?;
     let measure = measure::constant(&arguments.point.load, &system)?;
-    if system.scene().friction != FrictionLaw::Coulomb && measure.load().is_none() {
+    if system.scene().has_length() && measure.load().is_none() {
         return Err(Failure::new(format_args!(
-            "{}: `friction: stribeck` has speeds in the units of the scene, so that the load is needed; give it by {}",
+            "{}: the scene has lengths, speeds or constant forces, so that the load is needed; give it by {}",
             file.name(),
             measure::option(&measure)
         )));

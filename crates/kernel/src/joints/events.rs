@@ -174,7 +174,11 @@ impl<S: Float, Z: Size> Motion<S, Z> {
     }
 
     /// Returns the numbers that decide which of the contacts in `asked` stick at this instant.
-    fn decision(&self, asked: Z::Contacts<bool>, broke: Z::Contacts<i8>) -> Decision<'_, S, Z> {
+    pub(super) fn decision(
+        &self,
+        asked: Z::Contacts<bool>,
+        broke: Z::Contacts<i8>,
+    ) -> Decision<'_, S, Z> {
         let model = &self.model;
         let (x, v) = self.nodes();
         let mut sizes = model.size.nodes(S::constant(0.0));

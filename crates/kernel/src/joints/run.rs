@@ -62,7 +62,7 @@ pub struct Motion<S: Float, Z: Size> {
     pub(super) state: State<S, Z>,
     pub(super) time: S,
     pub(super) tree: Tree<S, Z>,
-    stalls: usize,
+    pub(super) stalls: usize,
     /// Tables of whole stretches, if the motion uses them.
     tables: Z::Tables<S>,
 }

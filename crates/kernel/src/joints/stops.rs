@@ -2,8 +2,8 @@
 //!
 //! A stop is open until its two nodes have come nearer than its gap. A stop with a spring is then shut: its spring and
 //! its dashpot act until the gap opens again. A stop without a spring reverses the relative velocity of its nodes by an
-//! impact. Impacts that follow each other faster than the solver can tell apart end in a state of rest: the stop is
-//! shut until it would have to pull.
+//! impact. A sequence of impacts that follow each other ever faster ends in a state of rest once all further impacts would
+//! happen within the rounding error of the time. The stop is then shut until it would have to pull.
 //!
 //! No friction force is large enough to take part in an impact. A rigid contact of a node that an impact moves
 //! therefore slides afterwards, unless its relative velocity is 0. Impacts at the same instant happen one after another,
@@ -39,6 +39,14 @@ impl<S: Float, Z: Size> Model<S, Z> {
                 contact.pull(forces, self.dashpot(j, v));
             }
         }
+    }
+
+    /// Returns the changes of the velocities of the two nodes of a contact, of which the second has the opposite sign, if an
+    /// impact changes their relative velocity by `change`.
+    pub(super) fn impact_of(&self, contact: &Contact<S>, change: S) -> (S, S) {
+        let [plus, minus] = [contact.plus, contact.minus].map(|node| self.inverse_mass(node));
+        let factor = change / (plus + minus);
+        (factor * plus, factor * minus)
     }
 
     /// Returns the inverse of the mass of a node, which is 0 for the wall and the base.
@@ -133,22 +141,19 @@ impl<S: Float, Z: Size> Motion<S, Z> {
         let Some(own) = self.model.contact(contact).copied() else {
             return;
         };
-        let zeros = self.state.zeros.as_ref().get(contact).copied();
-        // An impact directly after the last one belongs to a sequence that comes to rest.
-        let rests = zeros.is_some_and(|(zeros, _)| zeros > 0);
-        let restitution = if rests {
-            S::constant(0.0)
+        let (_, mut v) = self.nodes();
+        let speed = own.across(v.as_ref());
+        let zero = S::constant(0.0);
+        let restitution = if self.comes_to_rest(&own, stop, speed) {
+            zero
         } else {
             stop.restitution
         };
-        let (_, mut v) = self.nodes();
-        let speed = own.across(v.as_ref());
-        let inverses = [own.plus, own.minus].map(|node| self.model.inverse_mass(node));
-        let change = -(S::constant(1.0) + restitution) * speed / (inverses[0] + inverses[1]);
-        for (node, impulse) in [
-            (own.plus, change * inverses[0]),
-            (own.minus, -change * inverses[1]),
-        ] {
+        // Impacts can follow each other ever faster, and are no sign of a motion that does not advance.
+        self.stalls = 0;
+        let change = -(S::constant(1.0) + restitution) * speed;
+        let (plus, minus) = self.model.impact_of(&own, change);
+        for (node, impulse) in [(own.plus, plus), (own.minus, -minus)] {
             let moved = at(v.as_ref(), node) + impulse;
             set(v.as_mut(), node, moved);
         }
@@ -158,6 +163,20 @@ impl<S: Float, Z: Size> Motion<S, Z> {
         self.state
             .set_phase(contact, if is_shut { STUCK } else { IMPACT });
         self.state.set_zeros(contact, (usize::from(!is_shut), 1));
+    }
+
+    /// Returns true if the nodes of a stop collide so fast one after another that no further impact is distinct: if all
+    /// further impacts happen within the rounding error of the time.
+    fn comes_to_rest(&self, own: &Contact<S>, stop: &Stop<S>, speed: S) -> bool {
+        let (zero, one) = (S::constant(0.0), S::constant(1.0));
+        let size = &self.model.size;
+        let decision = self.decision(size.contacts(false), size.contacts(0));
+        let none = size.contacts(false);
+        let (accelerations, _) = decision.accelerations(&none, &size.contacts(0));
+        let pressing = stop.side * own.across(accelerations.as_ref());
+        let flight = S::constant(2.0) * stop.restitution * speed.abs();
+        let rounding = S::constant(8.0 * S::EPSILON) * self.time;
+        pressing > zero && flight <= (one - stop.restitution) * rounding * pressing
     }
 
     /// Lets the nodes of stops that rest collide, as long as an impact at another stop drives them together.

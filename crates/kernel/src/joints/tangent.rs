@@ -16,7 +16,7 @@ use super::rates::Rates;
 use super::run::{Motion, Observe};
 use super::series::Series;
 use super::size::{Size, at, set};
-use super::state::{FREE, STUCK, State};
+use super::state::{FREE, IMPACT, STUCK, State};
 use super::table::{Leap, add_row};
 use super::tree::Tree;
 use super::unknowns::Unknowns;
@@ -63,6 +63,10 @@ pub(super) struct Tangent<'m, S: Float, Z: Size> {
     /// Differences of the static friction forces from the contact forces at the end of the last stretch, for contacts
     /// that stick.
     margins: Z::Contacts<S>,
+    /// Velocities of the masses at the end of the last stretch.
+    speeds: Z::Masses<S>,
+    /// The stop whose nodes have collided at the end of the last stretch.
+    impact: Option<usize>,
     /// True if an event has ended the last stretch.
     is_at_event: bool,
 }
@@ -82,6 +86,8 @@ impl<'m, S: Float, Z: Size> Tangent<'m, S, Z> {
             accelerations: model.size.masses(zero),
             slopes: model.size.contacts(zero),
             margins: model.size.contacts(zero),
+            speeds: model.size.masses(zero),
+            impact: None,
             is_at_event: false,
         };
         for column in 0..tangent.width {
@@ -242,6 +248,54 @@ impl<'m, S: Float, Z: Size> Tangent<'m, S, Z> {
                 let jump = delay * at(self.accelerations.as_ref(), mass);
                 let moved = self.get(masses + mass, column) + jump;
                 self.put(masses + mass, column, moved);
+            }
+        }
+    }
+
+    /// Computes the jump of the deviations at an impact of a stop that has ended the last stretch. `series` is the motion
+    /// after the impact.
+    ///
+    /// The motion with the deviation collides a time δt = −δz/ż later. With the linear map R that the impact applies to
+    /// velocities, δx changes by (v⁻ − v⁺)δt, and δv becomes R(δv + a⁻δt) − a⁺δt.
+    fn collide(&mut self, stop: usize, series: &Series<S, Z>) {
+        self.is_at_event = false;
+        self.rates = None;
+        let model = self.model;
+        let slope = at(self.slopes.as_ref(), stop);
+        let Some(own) = model.contact(stop) else {
+            return;
+        };
+        if slope.is_zero() {
+            return;
+        }
+        let masses = model.wall();
+        let rate = S::constant(1.0) / series.length;
+        let mut after = model.size.masses((S::constant(0.0), S::constant(0.0)));
+        for (mass, own) in after.as_mut().iter_mut().enumerate() {
+            let terms = series.velocity_terms(mass);
+            *own = (at(&terms, 0), rate * at(&terms, 1));
+        }
+        let kept = (series.speed_at_start(own.plus) - series.speed_at_start(own.minus)) / slope;
+        let change = model.impact_of(own, kept - S::constant(1.0));
+        for column in 0..self.width {
+            let delay = -self.across(own, 0, column) / slope;
+            for (mass, (speed, _)) in after.as_ref().iter().enumerate() {
+                let jump = (at(self.speeds.as_ref(), mass) - *speed) * delay;
+                let place = self.get(mass, column) + jump;
+                self.put(mass, column, place);
+                let moved = delay * at(self.accelerations.as_ref(), mass);
+                let speed = self.get(masses + mass, column) + moved;
+                self.put(masses + mass, column, speed);
+            }
+            let closing = self.across(own, masses, column);
+            for (mass, (_, rate)) in after.as_ref().iter().enumerate() {
+                let share = match mass {
+                    mass if mass == own.plus => change.0,
+                    mass if mass == own.minus => -change.1,
+                    _ => S::constant(0.0),
+                };
+                let speed = self.get(masses + mass, column) + share * closing - delay * *rate;
+                self.put(masses + mass, column, speed);
             }
         }
     }
@@ -418,7 +472,11 @@ impl<S: Float, Z: Size> Observe<S, Z> for Tangent<'_, S, Z> {
         let model = self.model;
         let rate = S::constant(1.0) / series.length;
         let starts = (0..model.wall()).map(|mass| rate * at(&series.velocity_terms(mass), 1));
-        self.jump(starts, state);
+        if let Some(stop) = self.impact.take() {
+            self.collide(stop, series);
+        } else {
+            self.jump(starts, state);
+        }
         self.release(state);
         let rates = self.known(state).unwrap_or_else(|| {
             let tree = Tree::new(model, |j| state.phase(j) == STUCK);
@@ -429,11 +487,16 @@ impl<S: Float, Z: Size> Observe<S, Z> for Tangent<'_, S, Z> {
         for (mass, own) in self.accelerations.as_mut().iter_mut().enumerate() {
             *own = rate * value_and_slope(&series.velocity_terms(mass), end).1;
         }
+        if Z::HAS_PARTS {
+            for (mass, own) in self.speeds.as_mut().iter_mut().enumerate() {
+                *own = value(&series.velocity_terms(mass), end);
+            }
+        }
         for (j, slope) in self.slopes.as_mut().iter_mut().enumerate() {
             let Some(contact) = model.contact(j) else {
                 continue;
             };
-            if contact.stop.is_some() {
+            if model.is_stop(j) {
                 let speed = series.speed_terms(contact.plus, contact.minus);
                 *slope = value(&speed, end);
                 continue;
@@ -456,8 +519,18 @@ impl<S: Float, Z: Size> Observe<S, Z> for Tangent<'_, S, Z> {
         }
     }
 
-    fn event(&mut self, _: S, _: &Z::Contacts<i8>, _: &Z::Contacts<i8>) {
+    fn event(&mut self, _: S, before: &Z::Contacts<i8>, after: &Z::Contacts<i8>) {
         self.is_at_event = true;
+        if !self.model.has_stops() {
+            return;
+        }
+        let phases = before.as_ref().iter().zip(after.as_ref()).enumerate();
+        let mut phases = phases.filter(|(j, (before, after))| {
+            let collides = **after == IMPACT || (**before == FREE && **after == STUCK);
+            let own = self.model.contact(*j);
+            collides && own.is_some_and(|own| own.stop.is_some() && own.is_rigid())
+        });
+        self.impact = phases.next().map(|(j, _)| j);
     }
 }
 

@@ -169,11 +169,18 @@ impl Scene {
     #[must_use]
     #[doc(hidden)]
     pub fn has_length(&self) -> bool {
+        self.friction != FrictionLaw::Coulomb || !self.has_linear_states()
+    }
+
+    /// Returns true if the equations are linear and without constant terms while all contacts stick or slide. The scene
+    /// then has neither stops nor moving surfaces nor constant forces.
+    #[must_use]
+    #[doc(hidden)]
+    pub fn has_linear_states(&self) -> bool {
         let mut contacts = self.joints.contacts.iter();
-        self.friction != FrictionLaw::Coulomb
-            || !self.joints.stops.is_empty()
-            || !self.joints.constant.is_empty()
-            || contacts.any(|contact| contact.law.speed != 0.0)
+        self.joints.stops.is_empty()
+            && self.joints.constant.is_empty()
+            && contacts.all(|contact| contact.law.speed == 0.0)
     }
 
     /// Moves the only contact of [`Joints::contacts`] to the fields of a single contact, and keeps its name. The scene

@@ -205,7 +205,7 @@ impl<'a> JoinedTable<'a> {
         let contacts = orbit.contacts().map(|contact| ContactNumbers {
             amplitude: contact.displacement(),
             contact: Some(ContactPart {
-                regime: words::regime(contact.regime()),
+                regime: contact.word(),
                 stops: contact.stops(),
                 reversals: contact.reversals(),
                 stuck_fraction: contact.stuck_fraction(),

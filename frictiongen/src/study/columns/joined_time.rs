@@ -4,7 +4,6 @@ use super::builder::Columns;
 use super::column::{Column, Head, TableRow};
 use super::joined::JoinedTable;
 use super::measure::PhysicalQuantity;
-use crate::answer::Event;
 use crate::study::joined::JoinedHistory;
 
 /// A row of the table of samples: the motion of a scene with several contacts at one instant.
@@ -135,11 +134,7 @@ impl<'a> JoinedTable<'a> {
             Some(row.history.events.get(row.index)?.name.as_str())
         });
         columns.word("event", "reversal", |row: &JoinedEventRow<'h>| {
-            Some(match row.history.events.get(row.index)?.event {
-                Event::Stop => "stop",
-                Event::Slip => "slip",
-                Event::Reversal => "reversal",
-            })
+            Some(row.history.events.get(row.index)?.word())
         });
         for part in self.setting.parts {
             columns.begin_part(&part.name);

@@ -291,17 +291,29 @@ impl<'a> JoinedAt<'a> {
     /// has left a constant force in a contact.
     ///
     /// # Errors
-    /// [`JoinedError::Resonance`] on an undamped resonance of the chain with its contacts stuck.
+    /// [`JoinedError::Resonance`] on an undamped resonance of the chain with its contacts stuck. [`JoinedError::NotLinear`]
+    /// for a scene with stops, moving surfaces or constant forces.
     pub fn stuck(&self) -> Result<StuckState<'a>, JoinedError> {
+        self.check_linear()?;
         let response = stuck_response(&self.chain(1.0)?).map_err(resonance)?;
         Ok(StuckState::new(self.joined.clone(), response, self.units))
+    }
+
+    fn check_linear(&self) -> Result<(), JoinedError> {
+        if self.joined.scene().has_linear_states() {
+            Ok(())
+        } else {
+            Err(JoinedError::NotLinear)
+        }
     }
 
     /// Returns the response of the chain without friction, in closed form.
     ///
     /// # Errors
-    /// [`JoinedError::Resonance`] on an undamped resonance of the chain.
+    /// [`JoinedError::Resonance`] on an undamped resonance of the chain. [`JoinedError::NotLinear`] for a scene with stops,
+    /// moving surfaces or constant forces.
     pub fn linear(&self) -> Result<LinearResponse<'a>, JoinedError> {
+        self.check_linear()?;
         let response = stuck_response(&self.chain(0.0)?).map_err(resonance)?;
         Ok(LinearResponse::new(
             self.joined.clone(),

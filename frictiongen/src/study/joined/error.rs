@@ -48,6 +48,8 @@ pub enum JoinedError {
     Load(LoadError),
     /// The scene has `friction: stribeck`, whose speeds have units. The load therefore needs an amplitude in units.
     NoAmplitude,
+    /// The scene has stops, moving surfaces or constant forces, so that its stuck state has no closed form.
+    NotLinear,
     /// The frequency is an undamped resonance of the linear chain, whose response is then unbounded.
     Resonance,
     /// The quantity is one that only a single contact has, or one that no motion has.
@@ -95,7 +97,11 @@ impl fmt::Display for JoinedError {
             Self::Load(error) => error.fmt(f),
             Self::NoAmplitude => write!(
                 f,
-                "`friction: stribeck` has speeds in the units of the scene, so that the amplitude of the load is needed; give the frequency in Hz or rad/s, the load in N or m and the friction in N"
+                "the scene has lengths, speeds or constant forces, so that the amplitude of the load is needed; give the frequency in Hz or rad/s, the load in N or m and the friction in N"
+            ),
+            Self::NotLinear => write!(
+                f,
+                "with stops, moving surfaces or constant forces the stuck state and its limit have no closed form; compute the steady state"
             ),
             Self::Resonance => write!(
                 f,

@@ -5,6 +5,7 @@ use super::scene::Joined;
 use super::units::AnswerUnits;
 use crate::study::error::UnknownMass;
 use crate::study::joints::{Chain, ContactCycle, Motion, Steady};
+use crate::study::words;
 use crate::{Complex, Regime};
 
 /// A steady state of a scene with several contacts.
@@ -75,6 +76,23 @@ impl ContactOrbit<'_> {
     #[must_use]
     pub fn regime(&self) -> Regime {
         self.cycle.regime()
+    }
+
+    /// Returns true for a stop of the scene. [`stops`](Self::stops) is then the number of times that it shuts, and
+    /// [`stuck_fraction`](Self::stuck_fraction) the fraction of the period during which it is shut.
+    #[must_use]
+    pub fn is_of_stop(&self) -> bool {
+        self.cycle.is_stop
+    }
+
+    /// Returns the word for the regime in a table.
+    pub(in crate::study) fn word(&self) -> &'static str {
+        match self.is_of_stop() {
+            true if self.cycle.stops > 0 => "impacts",
+            true if self.cycle.stuck_fraction > 0.0 => "shut",
+            true => "open",
+            false => words::regime(self.regime()),
+        }
     }
 }
 

@@ -19,10 +19,28 @@ pub struct JoinedEvent {
     pub contact: usize,
     /// Name of the contact in the scene description.
     pub name: String,
-    /// Kind of the event: a stop, a break-away or a reversal.
+    /// Kind of the event: a stop, a break-away or a reversal. A stop of the scene that shuts has [`Event::Stop`], one that
+    /// opens [`Event::Slip`], and an impact [`Event::Reversal`].
     pub event: Event,
+    /// True for a stop of the scene.
+    pub is_of_stop: bool,
     /// Displacement of each mass at the event, in the unit of length of the results.
     pub displacements: Vec<f64>,
+}
+
+impl JoinedEvent {
+    /// Returns the word for the event in a table.
+    #[must_use]
+    pub fn word(&self) -> &'static str {
+        match self.event {
+            Event::Stop if self.is_of_stop => "shut",
+            Event::Slip if self.is_of_stop => "open",
+            Event::Reversal if self.is_of_stop => "impact",
+            Event::Stop => "stop",
+            Event::Slip => "slip",
+            Event::Reversal => "reversal",
+        }
+    }
 }
 
 /// State of one contact at one instant of a motion. The numbers are in the units of the results of this motion.
@@ -168,6 +186,7 @@ impl<'a> JoinedSimulation<'a> {
 
     fn events(&self, transitions: &[(Transition, Vec<f64>)]) -> Vec<JoinedEvent> {
         let names = self.joined.contact_names();
+        let contacts = names.len() - self.joined.scene().joints.stops.len();
         let mut events = Vec::new();
         for (transition, places) in transitions {
             let phases = transition.before.iter().zip(&transition.after);
@@ -183,6 +202,7 @@ impl<'a> JoinedSimulation<'a> {
                     contact,
                     name: name.clone(),
                     event,
+                    is_of_stop: contact >= contacts,
                     displacements: places.iter().map(|x| x / self.units.length).collect(),
                 });
             }

@@ -9,6 +9,7 @@ mod reference;
 mod rooms;
 mod settled;
 mod steady;
+mod stops;
 mod stribeck;
 
 use super::{Chain, Joint, Wave};

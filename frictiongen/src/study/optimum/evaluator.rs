@@ -349,18 +349,19 @@ impl<'s> SeveralContacts<'s> {
         };
         let at = joined.at_any(r)?;
         let (scene, units) = (self.system.scene(), at.units());
+        let (is_linear, is_free) = (scene.has_linear_states(), self.system.start.is_none());
         let combination = |of: &Objective| Combination::of(scene, of.of, of.size);
         let linear = |masses: &dyn Fn(usize) -> Complex<f64>, regime: Regime| {
             let value = |of: &Objective| Some(combination(of)?.of_linear(masses, units));
             self.goal.answer(r, value, (regime, true))
         };
         let beta = match friction {
-            FrictionAmount::Ratio(0.0) => {
+            FrictionAmount::Ratio(0.0) if is_linear => {
                 let state = at.linear()?;
                 return Ok(linear(&|mass| state.displacement(mass), Regime::Continuous));
             }
             FrictionAmount::Ratio(friction) => friction * r.powi(self.goal.fall()),
-            FrictionAmount::Locked if self.system.start.is_some() => LOCKED,
+            FrictionAmount::Locked if self.system.start.is_some() || !is_linear => LOCKED,
             FrictionAmount::Locked => f64::INFINITY,
         };
         // The answer of contacts that never slide is the state without constant forces in the contacts.
@@ -379,7 +380,7 @@ impl<'s> SeveralContacts<'s> {
             return Ok(stuck(&state));
         }
         match at.orbit_soon(beta)? {
-            Ok(orbit) if orbit.regime() == Regime::Stuck && self.system.start.is_none() => {
+            Ok(orbit) if orbit.regime() == Regime::Stuck && is_free && is_linear => {
                 Ok(stuck(&at.stuck()?))
             }
             Ok(orbit) => {
