@@ -1,7 +1,7 @@
 //! Modal data and the damping matrix of scenes with several contacts or dashpots.
 
 use crate::modal::Modal;
-use crate::scene::{Damping, Node, Scene};
+use crate::scene::{ContactSides, Damping, Node, Scene};
 use frictiongen_kernel::Float;
 use frictiongen_kernel::joints::{Contact, Curve, Heap, Link, Model, Wave};
 use frictiongen_kernel::number::dd::Dd;
@@ -40,7 +40,7 @@ pub fn damping_matrix(scene: &Scene, modal: &Modal) -> Vec<Vec<f64>> {
     matrix.into_iter().map(rounded).collect()
 }
 
-/// Returns the chain of a scene without loads and friction. `loaded` contains the indices of the masses on which a load
+/// Returns the chain of a scene without loads, friction, stops and moving surfaces. `loaded` contains the indices of the masses on which a load
 /// can act. `modal` is the result of [`at_rest`].
 #[must_use]
 pub fn unloaded<S: Float>(scene: &Scene, modal: &Modal, loaded: &[usize]) -> Model<S, Heap> {
@@ -146,6 +146,18 @@ fn rayleigh(scene: &Scene, mass: f64, stiffness: f64) -> Vec<Vec<Dd>> {
         }
     }
     matrix
+}
+
+/// Returns true if the node whose motion counts as positive is the second of two sides. [`numbered`] then exchanges the
+/// two.
+#[must_use]
+pub fn is_turned(masses: usize, sides: ContactSides) -> bool {
+    let number = |node| match node {
+        Node::Mass(index) => index,
+        Node::Wall => masses,
+        Node::Base => masses + 1,
+    };
+    numbered(masses, sides.from, sides.to).is_some_and(|(plus, _)| plus != number(sides.from))
 }
 
 /// Returns the numbers of the two nodes of a spring, dashpot or contact. The numbers of the masses are their indices.

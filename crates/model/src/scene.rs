@@ -327,12 +327,14 @@ impl Scene {
     }
 
     /// Returns the groups of methods of a scene without the field `provide`: limits and motion if the scene has closed
-    /// forms, otherwise steady states.
+    /// forms, motions in time if it has stops, moving surfaces or constant forces, and otherwise steady states.
     #[must_use]
     pub fn default_provide(&self) -> Vec<Provide> {
         let rigid = self.stiffness.is_none() && self.joints.is_empty();
         if rigid && self.friction == FrictionLaw::Coulomb {
             vec![Provide::Limits, Provide::Motion(None)]
+        } else if !self.has_linear_states() {
+            vec![Provide::Simulation]
         } else {
             vec![Provide::Orbit]
         }

@@ -25,7 +25,6 @@ use asked::TimeRequest;
 use course::RunSettings;
 use frictiongen::System;
 use frictiongen::study::columns::{Frequency, FrequencyUnit};
-use frictiongen::study::scene::FrictionLaw;
 use frictiongen::study::units::LoadError;
 use frictiongen_codegen::SizeLimits;
 use motion::RunMotion;

@@ -11,6 +11,17 @@ pub(super) const MOST_CONTACTS: usize = 4;
 pub(super) fn check(located: &Located<'_>, problems: &mut Problems) {
     let scene = &located.scene;
     let count = scene.joints.contacts.len();
+    let stops = scene.joints.stops.len();
+    if count <= MOST_CONTACTS && count + stops > MOST_CONTACTS {
+        let message = format!(
+            "the macro emits code for at most {MOST_CONTACTS} contacts and stops, and this scene has {}; leave some out, or solve this scene at run time with `frictiongen::System`",
+            count + stops
+        );
+        problems.report(
+            located.place(Path::StopName(MOST_CONTACTS - count)),
+            message,
+        );
+    }
     if count > MOST_CONTACTS {
         let message = format!(
             "the macro emits code for at most {MOST_CONTACTS} contacts, and this scene has {count}; leave some out, or solve this scene at run time with `frictiongen::System`"
@@ -22,6 +33,9 @@ pub(super) fn check(located: &Located<'_>, problems: &mut Problems) {
         let message = match provide {
             Provide::Simulation | Provide::Stuck | Provide::Orbit if scene.springs.is_empty() => {
                 "a scene without springs has no r and β, because they refer to the first spring; write `provide: [stepper]`, or write a spring"
+            }
+            Provide::Stuck | Provide::Orbit if !scene.has_linear_states() => {
+                "emitted steady states take ratios without the amplitude of the load, which stops, moving surfaces and constant forces need; write `simulation` or `stepper`, or use `frictiongen orbit`"
             }
             Provide::Stepper | Provide::Simulation | Provide::Stuck | Provide::Orbit => continue,
             _ => {

@@ -84,7 +84,7 @@ impl<S: Float> Reference<S> {
                 }
             }
             let loads = model.loads.as_mut().iter_mut().map(|(_, load)| load);
-            for load in loads.filter(|load| !load.amplitude.is_zero()) {
+            for load in loads.filter(|load| load.is_constant_load()) {
                 load.amplitude = load.amplitude / length;
                 is_sound &= load.amplitude.is_finite();
             }

@@ -69,7 +69,7 @@ pub trait Size: Clone + Debug + PartialEq + Sized {
 /// Size of a chain in emitted code, with N masses, NODES = N + 2 nodes, M contacts and L loads. For steady states, U =
 /// 2N + M is the number of unknowns, and SQUARE = U² is the number of entries of a matrix. If the code needs only
 /// closed forms, U is 2N. LAW is the number of points of the friction law, or 0 if the kinetic friction is constant.
-/// ROW is the number of coordinates of a stepper that uses tables. PARTS is true for a chain with stops or moving
+/// ROW is the number of coordinates of a stepper that uses tables. PARTS is the number of stops and moving
 /// surfaces.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Fixed<
@@ -81,7 +81,7 @@ pub struct Fixed<
     const SQUARE: usize = 0,
     const LAW: usize = 0,
     const ROW: usize = 0,
-    const PARTS: bool = false,
+    const PARTS: usize = 0,
 >;
 
 impl<
@@ -93,7 +93,7 @@ impl<
     const SQUARE: usize,
     const LAW: usize,
     const ROW: usize,
-    const PARTS: bool,
+    const PARTS: usize,
 > Size for Fixed<N, NODES, M, L, U, SQUARE, LAW, ROW, PARTS>
 {
     type Masses<T: Value> = [T; N];
@@ -108,7 +108,7 @@ impl<
     type Cells<T: Value> = [T; 0];
     type Tables<S: crate::Float> = NoTables<[S; 0]>;
 
-    const HAS_PARTS: bool = PARTS;
+    const HAS_PARTS: bool = PARTS > 0;
 
     fn cells<T: Value>(&self, _: usize, _: T) -> [T; 0] {
         []

@@ -61,7 +61,7 @@ impl<S: Float, Z: Size> Shape<S, Z> {
     /// Adds the complex amplitudes of the loads to the forces on the nodes.
     fn load(&mut self, model: &Model<S, Z>) {
         let loads = model.loads.as_ref().iter();
-        for (mass, load) in loads.filter(|(_, load)| !load.omega.is_zero()) {
+        for (mass, load) in loads.filter(|(_, load)| !load.is_constant_load()) {
             let (re, im) = amplitude(load);
             add(self.re.as_mut(), *mass, re);
             add(self.im.as_mut(), *mass, im);

@@ -65,6 +65,12 @@ impl<S: Float> Wave<S> {
         self.constant.is_zero() && self.slope.is_zero() && self.amplitude.is_zero()
     }
 
+    /// Returns true if the function is a constant load of the chain, which is written as a harmonic of the frequency 0. The
+    /// input of a stepper does not change it.
+    pub(super) fn is_constant_load(&self) -> bool {
+        self.omega.is_zero() && !self.amplitude.is_zero()
+    }
+
     /// Returns true if the value of the function half a period later is always the opposite value. The period is
     /// 2π/`omega`.
     pub(super) fn is_odd(&self, omega: S) -> bool {

@@ -2,7 +2,7 @@
 
 use super::{Chain, EndStop, Heap, Joint, JointError, MAX_CONTACTS, MAX_MASSES, Model, Wave};
 use frictiongen_kernel::joints::{Contact, Link, Short, Stop};
-use frictiongen_model::scene::{Impact, Node};
+use frictiongen_model::scene::{ContactSides, Impact, Node};
 
 impl Chain {
     /// Checks the chain and numbers its nodes for the solver.
@@ -88,7 +88,7 @@ fn numbered(masses: usize, joint: &Joint) -> Result<Contact<f64>, JointError> {
         level: joint.level,
         stiction: joint.stiction,
         stiffness: joint.stiffness,
-        speed: if is_turned(masses, joint.ends, plus) {
+        speed: if is_turned(masses, joint.ends) {
             -joint.speed
         } else {
             joint.speed
@@ -97,13 +97,9 @@ fn numbered(masses: usize, joint: &Joint) -> Result<Contact<f64>, JointError> {
     })
 }
 
-/// Returns true if the node `plus`, whose displacement has a positive sign, is the second of two ends.
-fn is_turned(masses: usize, (from, _): (Node, Node), plus: usize) -> bool {
-    match from {
-        Node::Mass(mass) => mass != plus,
-        Node::Wall => plus != masses,
-        Node::Base => plus != masses + 1,
-    }
+/// Returns true if the second of two ends counts as positive.
+fn is_turned(masses: usize, (from, to): (Node, Node)) -> bool {
+    frictiongen_model::joined::is_turned(masses, ContactSides { from, to })
 }
 
 /// Converts a stop of the chain to a stop between numbered nodes.
@@ -113,7 +109,7 @@ fn stop_of(masses: usize, own: &EndStop) -> Result<Contact<f64>, JointError> {
         Impact::Spring { stiffness, damping } => (Some(stiffness), damping, 0.0),
         Impact::Restitution(restitution) => (None, 0.0, restitution),
     };
-    let side = if is_turned(masses, own.ends, plus) {
+    let side = if is_turned(masses, own.ends) {
         -1.0
     } else {
         1.0

@@ -14,10 +14,10 @@ use crate::Description;
 use crate::graph::literal::{literal, scalar};
 use frictiongen_kernel::joints::Layout;
 use frictiongen_kernel::number::dd::Dd;
-use frictiongen_model::joined::{at_rest, damping_matrix, numbered};
+use frictiongen_model::joined::{at_rest, damping_matrix, is_turned, numbered};
 use frictiongen_model::modal::Modal;
 use frictiongen_model::scene::{
-    Damping, Excitation, NamedContact, Node, Precision, Provide, Scene,
+    Damping, Excitation, Impact, NamedContact, NamedStop, Node, Precision, Provide, Scene,
 };
 use proc_macro2::{Ident, Literal, TokenStream};
 use quote::format_ident;
@@ -30,6 +30,7 @@ struct JointsEmission<'a> {
     friction: Ident,
     contacts: Vec<NamedContact>,
     contact_names: Vec<Ident>,
+    stop_names: Vec<Ident>,
     /// The masses on which a force acts, each with the name of its field in the input. If a force drives the scene,
     /// the excited mass is the first.
     loads: Vec<(usize, Ident)>,
@@ -53,6 +54,7 @@ impl<'a> JointsEmission<'a> {
             .iter()
             .map(|contact| named(&contact.name))
             .collect();
+        let stops = scene.joints.stops.iter();
         let mut loads = Vec::new();
         if let Excitation::Force(mass) = scene.excitation {
             loads.push((mass, named("force")));
@@ -75,12 +77,18 @@ impl<'a> JointsEmission<'a> {
             friction,
             contacts,
             contact_names,
+            stop_names: stops.map(|stop| named(&stop.name)).collect(),
             loads,
             scalar: code!(::core::primitive::#precision),
             size: code!(#engine::Fixed<#(#sizes),*>),
             steps,
             engine,
         }
+    }
+
+    /// Returns the number of contacts and stops.
+    fn contact_count(&self) -> usize {
+        self.contacts.len() + self.stop_names.len()
     }
 
     fn number(&self, value: f64) -> TokenStream {
@@ -128,6 +136,46 @@ impl<'a> JointsEmission<'a> {
         })
     }
 
+    /// Emits a stop as a contact without a friction force.
+    fn stop(&self, own: &NamedStop) -> TokenStream {
+        let engine = &self.engine;
+        let [plus, minus] = self.ends(own.sides.from, own.sides.to);
+        let (level, zero, one) = (self.constant(0.0), self.number(0.0), self.number(1.0));
+        let option = |value: Option<f64>| match value {
+            None => code!(::core::option::Option::None),
+            Some(value) => {
+                let value = self.number(value);
+                code!(::core::option::Option::Some(#value))
+            }
+        };
+        let (stiffness, damping, restitution) = match own.law.impact {
+            Impact::Spring { stiffness, damping } => (option(Some(stiffness)), damping, 0.0),
+            Impact::Restitution(restitution) => (option(None), 0.0, restitution),
+        };
+        let masses = self.description.scene.masses.len();
+        let side = self.number(if is_turned(masses, own.sides) {
+            -1.0
+        } else {
+            1.0
+        });
+        let [gap, damping, restitution] =
+            [own.law.gap, damping, restitution].map(|value| self.number(value));
+        code!(#engine::Contact {
+            plus: #plus,
+            minus: #minus,
+            level: #level,
+            stiction: #one,
+            stiffness: #stiffness,
+            speed: #zero,
+            stop: ::core::option::Option::Some(#engine::Stop {
+                side: #side,
+                gap: #gap,
+                damping: #damping,
+                restitution: #restitution,
+            }),
+        })
+    }
+
     /// Emits the constants of the chain. The kinetic friction force of each contact is its share of the common
     /// friction force.
     fn chain(&self, modal: &Modal) -> TokenStream {
@@ -156,13 +204,18 @@ impl<'a> JointsEmission<'a> {
         let damping = damping_matrix(scene, modal).into_iter().flatten();
         let damping = damping.map(|entry| self.number(entry));
         let from_base = scene.is_damped_from_base();
-        let zero = self.number(0.0);
+        let masses_count = scene.masses.len();
         let contacts = self.contacts.iter().map(|contact| {
             let [plus, minus] = self.ends(contact.sides.from, contact.sides.to);
             let (level, stiction) = (
                 self.constant(level(contact)),
                 self.number(contact.law.stiction),
             );
+            let speed = match is_turned(masses_count, contact.sides) {
+                true if contact.law.speed != 0.0 => -contact.law.speed,
+                _ => contact.law.speed,
+            };
+            let speed = self.number(speed);
             let stiffness = contact.law.stiffness.map_or_else(
                 || code!(::core::option::Option::None),
                 |stiffness| {
@@ -176,7 +229,7 @@ impl<'a> JointsEmission<'a> {
                 level: #level,
                 stiction: #stiction,
                 stiffness: #stiffness,
-                speed: #zero,
+                speed: #speed,
                 stop: ::core::option::Option::None,
             })
         });
@@ -184,6 +237,18 @@ impl<'a> JointsEmission<'a> {
         let loads = self.loads.iter().map(|(mass, _)| {
             let mass = Literal::usize_unsuffixed(*mass);
             code!((#mass, #rest))
+        });
+        let stops = scene.joints.stops.iter().map(|own| self.stop(own));
+        let constant = scene.joints.constant.iter().map(|own| {
+            let mass = Literal::usize_unsuffixed(own.mass);
+            let (force, zero) = (self.number(own.force), self.number(0.0));
+            code!((#mass, #engine::Wave {
+                constant: #zero,
+                slope: #zero,
+                amplitude: #force,
+                omega: #zero,
+                phase: #zero,
+            }))
         });
         let (zero, stretch) = (self.number(0.0), self.number(stretch));
         let law = scene.friction.points().iter().map(|[speed, level]| {
@@ -198,9 +263,9 @@ impl<'a> JointsEmission<'a> {
                 dashpots: &[#(#dashpots),*],
                 damping: &[#(#damping),*],
                 damping_from_base: #from_base,
-                contacts: [#(#contacts),*],
+                contacts: [#(#contacts,)* #(#stops),*],
                 law: [#(#law),*],
-                loads: [#(#loads),*],
+                loads: [#(#loads,)* #(#constant),*],
                 base: #engine::Curve {
                     wave: #rest,
                     square: #zero,
@@ -276,7 +341,8 @@ impl<'a> JointsEmission<'a> {
             let index = Literal::usize_unsuffixed(index);
             method(about_mass, name, code!(mass(#index)), of_mass)
         });
-        let contacts = self.contact_names.iter().enumerate();
+        let stops = self.stop_names.iter();
+        let contacts = self.contact_names.iter().chain(stops).enumerate();
         let contacts = contacts.map(|(index, name)| {
             let index = Literal::usize_unsuffixed(index);
             method(about_contact, name, code!(contact(#index)), of_contact)
@@ -299,13 +365,21 @@ pub(crate) fn step_layout(scene: &Scene, loads: usize) -> Option<Layout> {
     };
     let has_tables = scene.provides(&Provide::Stepper)
         && scene.friction.points().is_empty()
+        && scene.has_linear_states()
         && layout.entries() > 0;
     has_tables.then_some(layout)
 }
 
 /// Returns the arguments of the kernel's type that fixes the lengths of all arrays.
 pub(crate) fn sizes(scene: &Scene, loads: usize) -> Vec<usize> {
-    let (masses, contacts) = (scene.masses.len(), scene.named_contacts().len());
+    let joints = &scene.joints;
+    let masses = scene.masses.len();
+    let contacts = scene.named_contacts().len() + joints.stops.len();
+    let loads_of_input = loads;
+    let loads = loads + joints.constant.len();
+    let belts = joints.contacts.iter();
+    let belts = belts.filter(|contact| contact.law.speed != 0.0);
+    let parts = joints.stops.len() + joints.constant.len() + belts.count();
     let unknowns = if scene.provides(&Provide::Orbit) {
         2 * masses + contacts
     } else if scene.provides(&Provide::Stuck) {
@@ -314,9 +388,9 @@ pub(crate) fn sizes(scene: &Scene, loads: usize) -> Vec<usize> {
         0
     };
     let points = scene.friction.points().len();
-    let row = step_layout(scene, loads).map_or(0, |layout| layout.coordinates());
+    let row = step_layout(scene, loads_of_input).map_or(0, |layout| layout.coordinates());
     let mut sizes = vec![masses, masses + 2, contacts, loads];
-    sizes.extend([unknowns, unknowns * unknowns, points, row]);
+    sizes.extend([unknowns, unknowns * unknowns, points, row, parts]);
     // The last arguments are 0 by default.
     while sizes.len() > 4 && sizes.last() == Some(&0) {
         sizes.pop();

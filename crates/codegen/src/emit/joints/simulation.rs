@@ -3,7 +3,7 @@
 use super::{JointsEmission, wrapper};
 use crate::Description;
 use crate::emit::names::TypeNames;
-use frictiongen_model::scene::{FrictionLaw, Scene};
+use frictiongen_model::scene::Scene;
 use proc_macro2::{Literal, TokenStream};
 use quote::format_ident;
 
@@ -32,14 +32,14 @@ pub(super) fn emit(emission: &JointsEmission<'_>) -> (TokenStream, TokenStream) 
 
 /// Returns the call that starts the simulation of a scene, for the documentation of the scene's type.
 pub(super) fn start(scene: &Scene) -> &'static str {
-    if scene.friction == FrictionLaw::Coulomb {
+    if !scene.has_length() {
         "simulation(r, beta)"
     } else {
         "simulation_under(r, beta, amplitude)"
     }
 }
 
-/// Documentation of the emitted constructor of a simulation, for constant kinetic friction.
+/// Documentation of the emitted constructor of a simulation, for a scene without lengths and speeds.
 const ABOUT: [&str; 5] = [
     " Starts the exact motion in time from rest, at a maximum of the excitation.  β is the common friction: the",
     " friction of each contact is its share of it.",
@@ -48,7 +48,7 @@ const ABOUT: [&str; 5] = [
     " `OutOfDomain` unless r is positive and finite, and β finite and not negative.",
 ];
 
-/// Documentation of the emitted constructor of a simulation, for kinetic friction that depends on the speed.
+/// Documentation of the emitted constructor of a simulation, for a scene with lengths or speeds.
 const ABOUT_UNDER: [&str; 6] = [
     " Starts the exact motion in time from rest, at a maximum of the excitation.  `amplitude` is that of the load, in",
     " the units of the scene.  β is the common friction at vanishing speed: the friction of each contact is its share of",
@@ -58,8 +58,8 @@ const ABOUT_UNDER: [&str; 6] = [
     " `OutOfDomain` unless r and the amplitude are positive and finite, and β finite and not negative.",
 ];
 
-/// Emits the constructors of the simulation. If the kinetic friction depends on the speed, the constructors also take
-/// the amplitude of the load.
+/// Emits the constructors of the simulation. If the scene has lengths or speeds, the constructors also take the amplitude
+/// of the load.
 fn starts(emission: &JointsEmission<'_>, masses: &Literal) -> TokenStream {
     let JointsEmission {
         description: Description { facade, scene, .. },
@@ -68,7 +68,7 @@ fn starts(emission: &JointsEmission<'_>, masses: &Literal) -> TokenStream {
         names: TypeNames { simulation, .. },
         ..
     } = emission;
-    let is_constant = scene.friction == FrictionLaw::Coulomb;
+    let is_constant = !scene.has_length();
     let (about, suffix, new) = if is_constant {
         (&ABOUT[..], "", "new")
     } else {

@@ -86,7 +86,7 @@ pub(super) fn emit(emission: &JointsEmission<'_>, modal: &Modal) -> (TokenStream
     let on_base = scene.excitation == Excitation::Base;
     let pace = code!((dt, #facade::kernel::stepper::Input::#input, #on_base));
     let [masses, contacts] =
-        [scene.masses.len(), emission.contacts.len()].map(Literal::usize_unsuffixed);
+        [scene.masses.len(), emission.contact_count()].map(Literal::usize_unsuffixed);
     let (zero, entries) = (emission.number(0.0), emission.entries());
     let step = scene.stepping.step.map(|step| {
         let step = emission.number(step);
@@ -181,7 +181,8 @@ pub(super) fn calls(
     } = emission;
     let facade = &description.facade;
     let masses = description.scene.masses.len();
-    let lengths = [masses, emission.contacts.len(), emission.loads.len()];
+    let loads = emission.loads.len() + description.scene.joints.constant.len();
+    let lengths = [masses, emission.contact_count(), loads];
     let lengths = lengths.map(Literal::usize_unsuffixed);
     let input = &emission.names.input;
     let loads = emission.loads.iter().map(|(_, field)| field);

@@ -180,7 +180,9 @@ impl<S: Float, Z: Size, T: AsRef<[S]>> Stepper<S, Z, T> {
         self.motion.resume(state, |model| {
             model.base = Curve::straight(status.base);
             model.base.square = S::constant(0.5) * status.lift;
-            for ((_, load), force) in model.loads.as_mut().iter_mut().zip(status.forces.as_ref()) {
+            let (inputs, _) = model.inputs();
+            let forces = status.forces.as_ref().iter().take(inputs);
+            for ((_, load), force) in model.loads.as_mut().iter_mut().zip(forces) {
                 *load = Wave::constant(*force);
             }
             let levels = model
@@ -196,10 +198,7 @@ impl<S: Float, Z: Size, T: AsRef<[S]>> Stepper<S, Z, T> {
 
     /// Returns an error if a number of the input is outside its range.
     fn check(&self, sample: &Sample<'_, S>) -> Result<(), OutOfDomain> {
-        let loads = self.status.forces.as_ref().len();
-        if sample.forces.len() != loads
-            || sample.frictions.len() != self.motion.model().contacts().len()
-        {
+        if (sample.forces.len(), sample.frictions.len()) != self.motion.model().inputs() {
             return Err(OutOfDomain::Forces);
         }
         check_base(sample.base)?;
@@ -239,7 +238,8 @@ impl<S: Float, Z: Size, T: AsRef<[S]>> Stepper<S, Z, T> {
         self.motion.time = S::constant(0.0);
         self.set_loads(sample.forces, |_, force| Wave::constant(force));
         let (motion, status) = (&mut self.motion, &self.status);
-        if status.forces.as_ref() != sample.forces {
+        let mut forces = status.forces.as_ref().iter().zip(sample.forces);
+        if forces.any(|(before, after)| before != after) {
             motion.accelerations_jump();
         }
         let levels = status.levels.as_ref().iter().zip(sample.frictions);
@@ -321,7 +321,8 @@ impl<S: Float, Z: Size, T: AsRef<[S]>> Stepper<S, Z, T> {
     /// Moves the origin of the displacements to the first mass, if no spring holds the chain and the chain has moved far
     /// from the origin. Displacements in `f32` then keep their digits far from the start.
     fn recentre(&mut self) {
-        if S::EPSILON < 1e-10 || !self.motion.model().is_unheld() {
+        let model = self.motion.model();
+        if S::EPSILON < 1e-10 || !model.is_unheld() || model.has_stops() {
             return;
         }
         let places = self.motion.state().x.as_ref();

@@ -154,9 +154,19 @@ impl<S: Float, Z: Size, T: AsRef<[S]>> Stepper<S, Z, T> {
         for contact in model.contacts() {
             hash.count(contact.plus).count(contact.minus);
             hash.number(contact.stiffness.unwrap_or(S::constant(0.0)));
+            if Z::HAS_PARTS {
+                hash.number(contact.speed);
+                if let Some(stop) = contact.stop {
+                    hash.number(stop.side).number(stop.gap);
+                    hash.number(stop.damping).number(stop.restitution);
+                }
+            }
         }
-        for (mass, _) in model.loads.as_ref() {
+        for (mass, load) in model.loads.as_ref() {
             hash.count(*mass);
+            if Z::HAS_PARTS && load.is_constant_load() {
+                hash.number(load.amplitude);
+            }
         }
         for number in model.law.as_ref().iter().flatten() {
             hash.number(*number);

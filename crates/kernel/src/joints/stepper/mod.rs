@@ -340,9 +340,22 @@ impl<S: Float, Z: Size> Model<S, Z> {
         for contact in self.contacts.as_mut() {
             contact.level = Wave::zero();
         }
-        for (_, load) in self.loads.as_mut() {
+        let loads = self.loads.as_mut().iter_mut().map(|(_, load)| load);
+        for load in loads.filter(|load| !load.is_constant_load()) {
             *load = Wave::zero();
         }
+    }
+
+    /// Returns the numbers of loads and of friction forces in an input of the stepper.
+    pub(super) fn inputs(&self) -> (usize, usize) {
+        let (mut loads, mut frictions) = (self.loads.as_ref().len(), self.contacts().len());
+        if Z::HAS_PARTS {
+            let constant = self.loads.as_ref().iter();
+            loads -= constant.filter(|(_, load)| load.is_constant_load()).count();
+            let contacts = self.contacts().iter();
+            frictions -= contacts.filter(|own| own.stop.is_some()).count();
+        }
+        (loads, frictions)
     }
 
     /// Returns true if no spring connects the chain to the wall or to the base. Equal displacements of all masses then

@@ -137,7 +137,7 @@ fn row<S: Float>(springs: &[f64], stiction: f64, stiffness: Option<f64>) -> Mode
             level: Wave::zero(),
             stiction: S::constant(stiction),
             stiffness: stiffness.map(S::constant),
-            speed: 0.0,
+            speed: S::constant(0.0),
             stop: None,
         }],
         law: Vec::new(),
