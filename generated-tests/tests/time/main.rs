@@ -22,4 +22,5 @@ mod joined_orbits;
 mod periodic;
 mod step_readings;
 mod stepper;
+mod stops;
 mod stribeck;
