@@ -2,7 +2,9 @@
 
 mod joints;
 
-pub use joints::{CONTACT, Damper, JointLaw, Joints, NamedContact};
+pub use joints::{
+    CONTACT, ConstantForce, Damper, Impact, JointLaw, Joints, NamedContact, NamedStop, StopLaw,
+};
 
 /// One end of a spring, or one side of a contact: a mass, the base or the wall.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
@@ -308,7 +310,7 @@ pub struct Scene {
     /// The settings of the stepper.
     #[cfg_attr(feature = "serde", serde(default))]
     pub stepping: StepperOptions,
-    /// Several contacts, and the dashpots.
+    /// Several contacts, the dashpots, the stops and the constant forces.
     #[cfg_attr(feature = "serde", serde(default))]
     #[doc(hidden)]
     pub joints: Joints,

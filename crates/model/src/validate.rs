@@ -16,6 +16,7 @@ mod scale;
 mod settings;
 mod springs;
 mod stepping;
+mod stops;
 
 pub use checks::{Checks, LARGEST, MOST_MASSES, SMALLEST};
 pub use error::SceneError;
@@ -52,6 +53,7 @@ pub fn validate_known(scene: &Scene, checks: &Checks) -> Result<(), Vec<SceneErr
         check_node(scene, Node::Mass(mass), Path::Excitation, &mut errors);
     }
     joints::check_names(scene, checks, &mut errors);
+    stops::check_names(scene, checks, &mut errors);
     if joined {
         joints::check(scene, checks, &mut errors);
     } else {

@@ -2,7 +2,8 @@
 
 use frictiongen_model::scene::{
     Accuracy, Beyond, CONTACT, ContactSides, Damping, DampingFrom, Declared, Excitation,
-    FrictionLaw, JointLaw, Node, Precision, Provide, Proving, Range, Scene, Side, StepInput,
+    FrictionLaw, Impact, JointLaw, Node, Precision, Provide, Proving, Range, Scene, Side,
+    StepInput,
 };
 use std::fmt::{self, Display, Formatter, Write as _};
 
@@ -76,6 +77,30 @@ fn fields(scene: &Scene) -> Vec<(&'static str, String)> {
         let dampers = dampers
             .map(|damper| format!("{}: {:?}", pair(damper.from, damper.to), damper.coefficient));
         fields.push(("dampers", braced(dampers)));
+    }
+    if !joints.stops.is_empty() {
+        let stops = joints.stops.iter();
+        let stops = stops.map(|stop| {
+            let law = stop.law;
+            let impact = match law.impact {
+                Impact::Spring { stiffness, damping } if damping == 0.0 => {
+                    format!("stiffness: {stiffness:?}")
+                }
+                Impact::Spring { stiffness, damping } => {
+                    format!("stiffness: {stiffness:?}, damping: {damping:?}")
+                }
+                Impact::Restitution(ratio) => format!("restitution: {ratio:?}"),
+            };
+            let (name, sides, gap) = (&stop.name, sides(stop.sides), law.gap);
+            format!("{name}: {sides} {{ gap: {gap:?}, {impact} }}")
+        });
+        fields.push(("stops", braced(stops)));
+    }
+    if !joints.constant.is_empty() {
+        let constant = joints.constant.iter();
+        let constant =
+            constant.map(|load| format!("{}: {:?}", node(Node::Mass(load.mass)), load.force));
+        fields.push(("constant", braced(constant)));
     }
     let excited = match scene.excitation {
         Excitation::Force(mass) => Node::Mass(mass),
@@ -188,12 +213,14 @@ impl Display for LawText {
             stiffness,
             stiction,
             share,
+            speed,
         } = self.0;
-        let differs = |value: f64| (value != 1.0).then_some(value);
+        let unless = |default: f64, value: f64| (value != default).then_some(value);
         let fields = [
             ("stiffness", stiffness),
-            ("stiction", differs(stiction)),
-            ("share", differs(share)),
+            ("stiction", unless(1.0, stiction)),
+            ("share", unless(1.0, share)),
+            ("speed", unless(0.0, speed)),
         ];
         let fields = fields.into_iter();
         let fields = fields.filter_map(|(name, value)| Some(format!("{name}: {:?}", value?)));

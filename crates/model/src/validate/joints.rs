@@ -7,14 +7,15 @@ use super::error::SceneError;
 use super::names::{is_keyword, is_name, is_reserved};
 use super::path::Path;
 use super::springs::pair_of;
+use super::stops;
 use crate::scene::{CONTACT, Excitation, FrictionLaw, NamedContact, Node, Scene};
 
 /// Largest number of contacts of a scene.
 pub const MOST_CONTACTS: usize = 16;
-/// Largest number of masses of a scene with `contacts` or `dampers`.
+/// Largest number of masses of a scene with `contacts`, `dampers`, `stops` or `constant`.
 pub const MOST_JOINED: usize = 64;
 
-/// Reports errors in contacts and dashpots, and fields that are incompatible with them.
+/// Reports errors in contacts, dashpots, stops and constant forces, and fields that are incompatible with them.
 pub(super) fn check(scene: &Scene, checks: &Checks, errors: &mut Vec<SceneError>) {
     check_sizes(scene, checks, errors);
     let contacts = &scene.joints.contacts;
@@ -24,6 +25,8 @@ pub(super) fn check(scene: &Scene, checks: &Checks, errors: &mut Vec<SceneError>
         check_law(contact, index, errors);
     }
     sound &= check_dampers(scene, errors);
+    sound &= stops::check(scene, errors);
+    stops::check_constant(scene, errors);
     check_fields(scene, errors);
     // If an entry is faulty, `check_touched` might report that a mass has no connection, although this entry connects
     // it.
@@ -115,7 +118,7 @@ fn check_sides(
 
 /// Returns `words` followed by the sum as text. Returns an empty text if a term of the sum is unreadable in the
 /// description.
-fn told(sum: f64, words: &str) -> String {
+pub(super) fn told(sum: f64, words: &str) -> String {
     if sum.is_finite() {
         format!("{words} {sum:?}")
     } else {
@@ -123,7 +126,7 @@ fn told(sum: f64, words: &str) -> String {
     }
 }
 
-fn is_mass(node: Node) -> bool {
+pub(super) fn is_mass(node: Node) -> bool {
     matches!(node, Node::Mass(_))
 }
 
@@ -162,6 +165,8 @@ fn check_law(contact: &NamedContact, index: usize, errors: &mut Vec<SceneError>)
     } else if !(SMALLEST..=LARGEST).contains(&value) {
         errors.push(SceneError::OutOfScale { path, what, value });
     }
+    let what = format!("the speed of the contact `{name}`");
+    stops::check_signed(law.speed, Path::JointSpeed(index), what, errors);
 }
 
 /// Reports errors in the dashpots. Returns true if the ends of all dashpots are valid.
@@ -300,7 +305,7 @@ fn path(tree: &[(usize, usize, usize)], from: usize, to: usize) -> Option<Vec<us
     None
 }
 
-/// Reports masses without any spring, contact or dashpot, and a moving base that is connected to no mass.
+/// Reports masses without any spring, contact, dashpot or stop, and a moving base that is connected to no mass.
 fn check_touched(scene: &Scene, checks: &Checks, errors: &mut Vec<SceneError>) {
     if !checks.contact {
         return;
@@ -309,9 +314,10 @@ fn check_touched(scene: &Scene, checks: &Checks, errors: &mut Vec<SceneError>) {
     let dampers = scene.joints.dampers.iter();
     let dampers = dampers.map(|damper| [damper.from, damper.to]);
     let contacts = scene.named_contacts();
-    let contacts = contacts.iter();
-    let contacts = contacts.map(|contact| [contact.sides.from, contact.sides.to]);
-    let touched: Vec<Node> = springs.chain(dampers).chain(contacts).flatten().collect();
+    let contacts = contacts.iter().map(|contact| contact.sides);
+    let stops = scene.joints.stops.iter().map(|stop| stop.sides);
+    let sides = contacts.chain(stops).map(|sides| [sides.from, sides.to]);
+    let touched: Vec<Node> = springs.chain(dampers).chain(sides).flatten().collect();
     for (index, mass) in scene.masses.iter().enumerate() {
         if !touched.contains(&Node::Mass(index)) {
             errors.push(SceneError::Untouched {

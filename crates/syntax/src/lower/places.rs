@@ -5,7 +5,8 @@ use frictiongen_model::validate::Path;
 use crate::diagnostics::TokenPosition;
 use crate::parse::Name;
 use crate::parse::syntax::{
-    AccuracyEntry, DampingKind, JointEntry, LawEntry, ProvideEntry, SpringEntry, Syntax,
+    AccuracyEntry, DampingKind, JointEntry, LawEntry, MassEntry, ProvideEntry, SpringEntry,
+    StopEntry, Syntax,
 };
 
 /// The entries of a description from which the items of a scene come.
@@ -18,6 +19,10 @@ pub(super) struct Places<'s> {
     pub(super) contacts: Vec<&'s JointEntry>,
     /// Entry in the description for each dashpot.
     pub(super) dampers: Vec<&'s SpringEntry>,
+    /// Entry in the description for each stop.
+    pub(super) stops: Vec<&'s StopEntry>,
+    /// Entry in the description for each constant force.
+    pub(super) constant: Vec<&'s MassEntry>,
     /// Entry in the description for each item of the field `provide`.
     pub(super) provide: Vec<&'s ProvideEntry>,
     /// Name, as written in the description, of each mass in the field `force`. The stepper may apply a force to these
@@ -45,6 +50,8 @@ impl Places<'_> {
         let spring = |index: usize| self.springs.get(index);
         let joint = |index: usize| self.contacts.get(index);
         let damper = |index: usize| self.dampers.get(index);
+        let stop = |index: usize| self.stops.get(index);
+        let constant = |index: usize| self.constant.get(index);
         match path {
             Path::Scene => None,
             Path::Masses => fields.masses.given().map(|masses| masses.place),
@@ -69,9 +76,19 @@ impl Places<'_> {
             Path::JointStiffness(index) => joint(index)?.stiffness.map(|number| number.place),
             Path::JointStiction(index) => joint(index)?.stiction.map(|number| number.place),
             Path::JointShare(index) => joint(index)?.share.map(|number| number.place),
+            Path::JointSpeed(index) => joint(index)?.speed.map(|number| number.place),
             Path::Damper(index) => damper(index).map(|entry| entry.stiffness.place),
             Path::DamperFrom(index) => damper(index).map(|entry| entry.from.place),
             Path::DamperTo(index) => damper(index).map(|entry| entry.to.place),
+            Path::StopName(index) => stop(index).map(|entry| entry.name.place),
+            Path::StopFrom(index) => stop(index).map(|entry| entry.from.place),
+            Path::StopTo(index) => stop(index).map(|entry| entry.to.place),
+            Path::StopGap(index) => stop(index)?.gap.map(|number| number.place),
+            Path::StopStiffness(index) => stop(index)?.stiffness.map(|number| number.place),
+            Path::StopDamping(index) => stop(index)?.damping.map(|number| number.place),
+            Path::StopRestitution(index) => stop(index)?.restitution.map(|number| number.place),
+            Path::Constant(index) => constant(index).map(|entry| entry.value.place),
+            Path::ConstantMass(index) => constant(index).map(|entry| entry.name.place),
             Path::Excitation => fields.excitation.given().map(|name| name.place),
             Path::Damping(index) => self.damping(index),
             Path::DampingFrom => fields.damping_from.given().map(|choice| choice.place),

@@ -9,6 +9,7 @@ use super::forms;
 use super::joints;
 use super::reader::{Name, Read, TokenReader};
 use super::stepping;
+use super::stops;
 use super::suggest;
 use super::syntax::{Fields, RustPath, Slot};
 use super::token::{Token, TokenKind};
@@ -22,6 +23,8 @@ enum Field {
     Contact,
     Contacts,
     Dampers,
+    Stops,
+    Constant,
     Excitation,
     Damping,
     DampingFrom,
@@ -42,7 +45,7 @@ enum Field {
     Crate,
 }
 
-const FIELDS: [(&str, Field); 23] = [
+const FIELDS: [(&str, Field); 25] = [
     ("masses", Field::Masses),
     ("springs", Field::Springs),
     ("contact", Field::Contact),
@@ -51,6 +54,8 @@ const FIELDS: [(&str, Field); 23] = [
     ("damping", Field::Damping),
     ("damping_from", Field::DampingFrom),
     ("dampers", Field::Dampers),
+    ("stops", Field::Stops),
+    ("constant", Field::Constant),
     ("stiction", Field::Stiction),
     ("stiffness", Field::Stiffness),
     ("scalar", Field::Scalar),
@@ -141,6 +146,14 @@ fn field(
             reader,
             problems,
             joints::dampers,
+        ),
+        Field::Stops => store(&mut fields.stops, &word, reader, problems, stops::stops),
+        Field::Constant => store(
+            &mut fields.constant,
+            &word,
+            reader,
+            problems,
+            stops::constant,
         ),
         Field::Excitation => store(
             &mut fields.excitation,

@@ -1,4 +1,5 @@
-//! Parses the fields `contacts` (several contacts) and `dampers` (dashpots) of a description.
+//! Parses the fields `contacts` (several contacts) and `dampers` (dashpots) of a description, and the properties of an
+//! entry in braces.
 
 use super::chain::{braces, ends, link};
 use super::number::{Number, number};
@@ -6,12 +7,17 @@ use super::reader::{Read, TokenReader};
 use super::suggest;
 use super::syntax::{JointEntry, Placed, SpringEntry};
 use super::token::Delimiter;
-use crate::diagnostics::{Problems, Reported};
+use crate::diagnostics::{Problems, Reported, TokenPosition};
 
-/// Names of the properties that a contact of the field `contacts` may have.
-const PROPERTIES: [&str; 3] = ["stiffness", "stiction", "share"];
+/// The properties that a contact of the field `contacts` may have.
+const PROPERTIES: Properties<4> = Properties {
+    owner: "contact",
+    names: ["stiffness", "stiction", "share", "speed"],
+    example: "share: 0.5",
+};
 
-/// Parses the field `contacts`: `{ name: node - node { stiffness: number, stiction: number, share: number }, … }`.
+/// Parses the field `contacts`: `{ name: node - node { stiffness: number, stiction: number, share: number, speed:
+/// number }, … }`.
 pub(crate) fn contacts(
     reader: &mut TokenReader<'_>,
     problems: &mut Problems,
@@ -63,7 +69,11 @@ pub(crate) fn dampers(
 }
 
 /// Returns the list, and reports the error `message` if the list is empty.
-fn filled<T>(read: Read<Placed<T>>, problems: &mut Problems, message: &str) -> Read<Placed<T>> {
+pub(crate) fn filled<T>(
+    read: Read<Placed<T>>,
+    problems: &mut Problems,
+    message: &str,
+) -> Read<Placed<T>> {
     match &read.value {
         Some(placed) if placed.list.entries.is_empty() && placed.list.complete => {
             problems.report(placed.place, message);
@@ -97,61 +107,101 @@ fn contact(
     }
     reader.take_colon(problems, "the name of a contact and its sides")?;
     let (from, to) = ends(reader, problems, "the contact", "m1 - wall")?;
-    let mut entry = JointEntry {
+    let (values, complete) = PROPERTIES.read(reader, problems);
+    let [stiffness, stiction, share, speed] =
+        values.map(|value| value.map(|Property { number, .. }| number));
+    Ok(Read::clean(JointEntry {
         name,
         from,
         to,
-        stiffness: None,
-        stiction: None,
-        share: None,
-        complete: true,
-    };
-    if let Some(mut inside) = reader.take_group(Delimiter::Brace) {
+        stiffness,
+        stiction,
+        share,
+        speed,
+        complete,
+    }))
+}
+
+/// The properties that an entry of a list may have in braces: their names, and words for messages.
+pub(crate) struct Properties<const N: usize> {
+    /// Word for the entry.
+    pub(crate) owner: &'static str,
+    pub(crate) names: [&'static str; N],
+    /// A valid property.
+    pub(crate) example: &'static str,
+}
+
+/// A property of an entry, with the position of its name.
+#[derive(Clone, Copy)]
+pub(crate) struct Property {
+    pub(crate) place: TokenPosition,
+    pub(crate) number: Number,
+}
+
+impl<const N: usize> Properties<N> {
+    /// Parses the properties in braces, `{ name: number, … }`, if an opening brace follows. Returns them in the order of
+    /// `names`, and true if the parser could read all of them.
+    pub(crate) fn read(
+        &self,
+        reader: &mut TokenReader<'_>,
+        problems: &mut Problems,
+    ) -> ([Option<Property>; N], bool) {
+        let mut values = [None; N];
+        let Some(mut inside) = reader.take_group(Delimiter::Brace) else {
+            return (values, true);
+        };
         let begins = |reader: &TokenReader<'_>| reader.is_word(0) && reader.is_punct(1, ':');
         let list = inside
             .reader
             .list(problems, begins, begins, |reader, problems| {
-                property(reader, problems, &mut entry).unwrap_or_else(|Reported| Read::lost())
+                self.one(reader, problems, &mut values)
+                    .unwrap_or_else(|Reported| Read::lost())
             });
-        entry.complete = list.complete;
+        (values, list.complete)
     }
-    Ok(Read::clean(entry))
-}
 
-/// Parses one property of a contact: `stiffness: number`, `stiction: number` or `share: number`.
-fn property(
-    reader: &mut TokenReader<'_>,
-    problems: &mut Problems,
-    entry: &mut JointEntry,
-) -> Result<Read<()>, Reported> {
-    let place = reader.place();
-    let Some(word) = reader.take_word() else {
-        let message = format!(
-            "a property of a contact belongs here, not {}; write, for example, `share: 0.5`",
-            reader.found()
-        );
-        return Err(problems.report(place, message));
-    };
-    let slot = match word.text.as_str() {
-        "stiffness" => &mut entry.stiffness,
-        "stiction" => &mut entry.stiction,
-        "share" => &mut entry.share,
-        text => {
-            let hint = suggest::hint(text, PROPERTIES, || {
-                "write `stiffness`, `stiction` or `share`".to_owned()
-            });
-            return Err(problems.report(place, format!("a contact has no `{text}`{hint}")));
+    /// Parses one property: `name: number`.
+    fn one(
+        &self,
+        reader: &mut TokenReader<'_>,
+        problems: &mut Problems,
+        values: &mut [Option<Property>; N],
+    ) -> Result<Read<()>, Reported> {
+        let (owner, place) = (self.owner, reader.place());
+        let Some(word) = reader.take_word() else {
+            let message = format!(
+                "a property of a {owner} belongs here, not {}; write, for example, `{}`",
+                reader.found(),
+                self.example
+            );
+            return Err(problems.report(place, message));
+        };
+        let mut slots = self.names.iter().zip(values);
+        let Some((_, slot)) = slots.find(|(name, _)| **name == word.text) else {
+            let text = word.text.as_str();
+            let hint = suggest::hint(text, self.names, || format!("write {}", self.all()));
+            return Err(problems.report(place, format!("a {owner} has no `{text}`{hint}")));
+        };
+        if slot.is_some() {
+            let message = format!("`{}` is given twice; keep one of the two", word.text);
+            return Err(problems.report(place, message));
         }
-    };
-    if slot.is_some() {
-        let message = format!("`{}` is given twice; keep one of the two", word.text);
-        return Err(problems.report(place, message));
+        reader.take_colon(problems, &format!("a property of a {owner} and its value"))?;
+        let value: Read<Number> = number(reader, problems);
+        *slot = value.value.map(|number| Property { place, number });
+        Ok(Read {
+            value: value.value.map(|_| ()),
+            clean: value.clean,
+        })
     }
-    reader.take_colon(problems, "a property of a contact and its value")?;
-    let value: Read<Number> = number(reader, problems);
-    *slot = value.value;
-    Ok(Read {
-        value: value.value.map(|_| ()),
-        clean: value.clean,
-    })
+
+    /// Returns the names of all properties, joined by commas and a final "or".
+    fn all(&self) -> String {
+        let names = self.names.map(|name| format!("`{name}`"));
+        match names.split_last() {
+            Some((last, [])) => last.clone(),
+            Some((last, others)) => format!("{} or {last}", others.join(", ")),
+            None => String::new(),
+        }
+    }
 }

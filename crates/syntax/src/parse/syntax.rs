@@ -107,7 +107,21 @@ pub(crate) struct JointEntry {
     pub(crate) stiffness: Option<Number>,
     pub(crate) stiction: Option<Number>,
     pub(crate) share: Option<Number>,
+    pub(crate) speed: Option<Number>,
     /// True if the parser could read all properties in the braces of the contact.
+    pub(crate) complete: bool,
+}
+
+/// A stop in the field `stops` of a description.
+pub(crate) struct StopEntry {
+    pub(crate) name: Name,
+    pub(crate) from: Name,
+    pub(crate) to: Name,
+    pub(crate) gap: Option<Number>,
+    pub(crate) stiffness: Option<Number>,
+    pub(crate) damping: Option<Number>,
+    pub(crate) restitution: Option<Number>,
+    /// True if the parser could read all properties in the braces of the stop.
     pub(crate) complete: bool,
 }
 
@@ -233,6 +247,17 @@ impl Syntax {
     }
 }
 
+impl Fields {
+    /// Returns true if the description has a field of a scene with several contacts, dashpots, stops or constant
+    /// forces, even with errors. A chain with such a field needs no spring.
+    pub(crate) fn may_lack_springs(&self) -> bool {
+        !(self.contacts.is_missing()
+            && self.dampers.is_missing()
+            && self.stops.is_missing()
+            && self.constant.is_missing())
+    }
+}
+
 #[derive(Default)]
 pub(crate) struct Fields {
     pub(crate) masses: Slot<Placed<MassEntry>>,
@@ -240,6 +265,8 @@ pub(crate) struct Fields {
     pub(crate) contact: Slot<ContactEntry>,
     pub(crate) contacts: Slot<Placed<JointEntry>>,
     pub(crate) dampers: Slot<Placed<SpringEntry>>,
+    pub(crate) stops: Slot<Placed<StopEntry>>,
+    pub(crate) constant: Slot<Placed<MassEntry>>,
     pub(crate) excitation: Slot<Name>,
     pub(crate) damping: Slot<DampingEntry>,
     pub(crate) damping_from: Slot<Choice<DampingFrom>>,
