@@ -310,7 +310,7 @@ pub struct Scene {
     /// The settings of the stepper.
     #[cfg_attr(feature = "serde", serde(default))]
     pub stepping: StepperOptions,
-    /// Several contacts, and the dashpots.
+    /// Several contacts, the dashpots, the stops and the constant forces.
     #[cfg_attr(feature = "serde", serde(default))]
     #[doc(hidden)]
     pub joints: Joints,

@@ -53,6 +53,7 @@ pub fn validate_known(scene: &Scene, checks: &Checks) -> Result<(), Vec<SceneErr
         check_node(scene, Node::Mass(mass), Path::Excitation, &mut errors);
     }
     joints::check_names(scene, checks, &mut errors);
+    stops::check_names(scene, checks, &mut errors);
     if joined {
         joints::check(scene, checks, &mut errors);
     } else {

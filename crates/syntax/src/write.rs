@@ -3,7 +3,7 @@
 use frictiongen_model::scene::{
     Accuracy, Beyond, CONTACT, ContactSides, Damping, DampingFrom, Declared, Excitation,
     FrictionLaw, Impact, JointLaw, Node, Precision, Provide, Proving, Range, Scene, Side,
-    StepInput, StopLaw,
+    StepInput,
 };
 use std::fmt::{self, Display, Formatter, Write as _};
 
@@ -81,19 +81,26 @@ fn fields(scene: &Scene) -> Vec<(&'static str, String)> {
     if !joints.stops.is_empty() {
         let stops = joints.stops.iter();
         let stops = stops.map(|stop| {
-            format!(
-                "{}: {} {}",
-                stop.name,
-                sides(stop.sides),
-                stop_text(stop.law)
-            )
+            let law = stop.law;
+            let impact = match law.impact {
+                Impact::Spring { stiffness, damping } if damping == 0.0 => {
+                    format!("stiffness: {stiffness:?}")
+                }
+                Impact::Spring { stiffness, damping } => {
+                    format!("stiffness: {stiffness:?}, damping: {damping:?}")
+                }
+                Impact::Restitution(ratio) => format!("restitution: {ratio:?}"),
+            };
+            let (name, sides, gap) = (&stop.name, sides(stop.sides), law.gap);
+            format!("{name}: {sides} {{ gap: {gap:?}, {impact} }}")
         });
         fields.push(("stops", braced(stops)));
     }
     if !joints.constant.is_empty() {
-        let forces = joints.constant.iter();
-        let forces = forces.map(|own| format!("{}: {:?}", node(Node::Mass(own.mass)), own.force));
-        fields.push(("constant", braced(forces)));
+        let constant = joints.constant.iter();
+        let constant =
+            constant.map(|load| format!("{}: {:?}", node(Node::Mass(load.mass)), load.force));
+        fields.push(("constant", braced(constant)));
     }
     let excited = match scene.excitation {
         Excitation::Force(mass) => Node::Mass(mass),
@@ -208,12 +215,12 @@ impl Display for LawText {
             share,
             speed,
         } = self.0;
-        let differs = |value: f64| (value != 1.0).then_some(value);
+        let unless = |default: f64, value: f64| (value != default).then_some(value);
         let fields = [
             ("stiffness", stiffness),
-            ("stiction", differs(stiction)),
-            ("share", differs(share)),
-            ("speed", (speed != 0.0).then_some(speed)),
+            ("stiction", unless(1.0, stiction)),
+            ("share", unless(1.0, share)),
+            ("speed", unless(0.0, speed)),
         ];
         let fields = fields.into_iter();
         let fields = fields.filter_map(|(name, value)| Some(format!("{name}: {:?}", value?)));
@@ -223,21 +230,6 @@ impl Display for LawText {
         }
         write!(f, " {}", braced(fields.into_iter()))
     }
-}
-
-/// Returns the properties of a stop as the text between its braces, with the braces.
-fn stop_text(law: StopLaw) -> String {
-    let impact = match law.impact {
-        Impact::Spring { stiffness, damping } => {
-            let damping = (damping != 0.0).then_some(("damping", damping));
-            [Some(("stiffness", stiffness)), damping]
-        }
-        Impact::Restitution(restitution) => [Some(("restitution", restitution)), None],
-    };
-    let properties = [("gap", law.gap)]
-        .into_iter()
-        .chain(impact.into_iter().flatten());
-    braced(properties.map(|(name, value)| format!("{name}: {value:?}")))
 }
 
 fn list(entries: impl Iterator<Item = String>) -> String {

@@ -4,9 +4,9 @@ use super::error::InvalidScene;
 use super::system::System;
 use frictiongen_kernel::Float;
 use frictiongen_model::scene::{
-    CONTACT, ContactSides, Damper, Damping, DampingFrom, Declared, Excitation, FrictionLaw,
-    JointLaw, Joints, Mass, NamedContact, Node, Precision, Provide, Scene, Spring, StepInput,
-    StepperOptions,
+    CONTACT, ConstantForce, ContactSides, Damper, Damping, DampingFrom, Declared, Excitation,
+    FrictionLaw, JointLaw, Joints, Mass, NamedContact, NamedStop, Node, Precision, Provide, Scene,
+    Spring, StepInput, StepperOptions, StopLaw,
 };
 use frictiongen_model::validate::{Checks, validate_known};
 
@@ -44,6 +44,8 @@ pub struct Builder {
     stiffness: Option<f64>,
     contacts: Vec<(String, (String, String), JointLaw)>,
     dampers: Vec<(String, String, f64)>,
+    stops: Vec<(String, (String, String), StopLaw)>,
+    constant: Vec<(String, f64)>,
     friction: FrictionLaw,
     step: Option<f64>,
     input: StepInput,
@@ -65,6 +67,8 @@ impl System {
             stiffness: None,
             contacts: Vec::new(),
             dampers: Vec::new(),
+            stops: Vec::new(),
+            constant: Vec::new(),
             friction: FrictionLaw::Coulomb,
             step: None,
             input: StepInput::Linear,
@@ -103,8 +107,8 @@ impl Builder {
         self
     }
 
-    /// Adds one of several contacts. The contact has a name, two nodes and a law: its stiffness, its μ, and its
-    /// friction force divided by F. If the scene has several contacts, use this method instead of `contact`.
+    /// Adds one of several contacts. The contact has a name, two nodes and a law: its stiffness, its μ, its friction
+    /// force divided by F, and the speed of the surface of its second side. If the scene has several contacts, use this method instead of `contact`.
     /// `System::joined` then solves the scene. If it is the only contact, the scene is that of `contact` with a name.
     #[doc(hidden)]
     pub fn contact_named(mut self, name: &str, from: &str, to: &str, law: JointLaw) -> Self {
@@ -117,6 +121,39 @@ impl Builder {
     pub fn damper(mut self, from: &str, to: &str, coefficient: f64) -> Self {
         self.dampers
             .push((from.to_owned(), to.to_owned(), coefficient));
+        self
+    }
+
+    /// Adds a stop with a name. It acts while the displacement of `from` minus that of `to` exceeds the gap of the law.
+    /// Behind the gap the stop has a stiffness and a damping, or a coefficient of restitution.
+    ///
+    /// ```
+    /// use frictiongen::study::System;
+    /// use frictiongen::study::scene::{Impact, StopLaw};
+    ///
+    /// # fn main() -> Result<(), Box<dyn std::error::Error>> {
+    /// let law = StopLaw { gap: 0.002, impact: Impact::Spring { stiffness: 1e6, damping: 50.0 } };
+    /// let block: System = System::builder()
+    ///     .mass("block", 2.0)
+    ///     .spring("base", "block", 800.0)
+    ///     .contact("block", "wall")
+    ///     .stop("bumper", "block", "wall", law)
+    ///     .constant("block", 9.81)
+    ///     .excitation("base")
+    ///     .build()?;
+    /// assert!(block.scene().has_length());
+    /// # Ok(())
+    /// # }
+    /// ```
+    pub fn stop(mut self, name: &str, from: &str, to: &str, law: StopLaw) -> Self {
+        let sides = (from.to_owned(), to.to_owned());
+        self.stops.push((name.to_owned(), sides, law));
+        self
+    }
+
+    /// Adds a constant force on a mass, in N.
+    pub fn constant(mut self, mass: &str, force: f64) -> Self {
+        self.constant.push((mass.to_owned(), force));
         self
     }
 
@@ -269,6 +306,18 @@ impl Builder {
                 checks.joints = false;
             }
         }
+        for (name, (from, to), law) in &self.stops {
+            let place = || format!("the stop `{name}`");
+            if let (Some(from), Some(to)) = (node(from, &place), node(to, &place)) {
+                joints.stops.push(NamedStop {
+                    name: name.clone(),
+                    sides: ContactSides { from, to },
+                    law: *law,
+                });
+            } else {
+                checks.joints = false;
+            }
+        }
         let sides = self.contact.as_ref().map(|(from, to)| {
             let place = || format!("the contact `{from} - {to}`");
             (node(from, &place), node(to, &place))
@@ -319,6 +368,16 @@ impl Builder {
             match known {
                 Some(mass) => forces.push(mass),
                 None => unknown.push(format!("`force` names `{name}`, which is no mass")),
+            }
+        }
+        for (name, force) in &self.constant {
+            let known = self.masses.iter().position(|mass| mass.name == *name);
+            if let Some(mass) = known {
+                let force = *force;
+                joints.constant.push(ConstantForce { mass, force });
+            } else {
+                unknown.push(format!("`constant` names `{name}`, which is no mass"));
+                checks.joints = false;
             }
         }
         let stepping = StepperOptions {

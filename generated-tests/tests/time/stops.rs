@@ -37,7 +37,10 @@ fn simulations_have_the_bits_of_the_system() {
     for (r, beta) in [(0.4, 0.3), (0.63, 0.1), (1.3, 0.6)] {
         let mut emitted = Gear::simulation_under(r, beta, amplitude).expect("a simulation");
         let at = joined.with_length(amplitude / 100.0).at(r);
-        let mut run = at.expect("a frequency").simulation(beta).expect("a simulation");
+        let mut run = at
+            .expect("a frequency")
+            .simulation(beta)
+            .expect("a simulation");
         for part in 0..80 {
             emitted.advance(0.7).expect("a part");
             for event in run.advance(0.7).expect("a part") {
@@ -46,7 +49,11 @@ fn simulations_have_the_bits_of_the_system() {
                 }
             }
             let motor = (emitted.motor().displacement(), emitted.motor().velocity());
-            assert_eq!(motor, run.mass("motor").expect("a mass"), "{r} {beta} {part}");
+            assert_eq!(
+                motor,
+                run.mass("motor").expect("a mass"),
+                "{r} {beta} {part}"
+            );
             let named = [
                 (emitted.seal(), "seal"),
                 (emitted.pads(), "pads"),

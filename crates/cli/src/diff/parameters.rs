@@ -1,8 +1,8 @@
 //! Compares the parameters of two scene descriptions, field by field.
 
 use frictiongen::study::scene::{
-    Accuracy, Beyond, CONTACT, Damping, DampingFrom, Excitation, FrictionLaw, Precision, Provide,
-    Scene, Side, StepInput,
+    Accuracy, Beyond, CONTACT, Damping, DampingFrom, Excitation, FrictionLaw, Impact, Precision,
+    Provide, Scene, Side, StepInput,
 };
 
 /// A field of a scene description as text, and as a number if the text is a number.
@@ -138,10 +138,29 @@ fn fields(scene: &Scene) -> Vec<DescriptionField> {
         }
         fields.push(number(format!("stiction of {name}"), law.stiction));
         fields.push(number(format!("share of {name}"), law.share));
+        if law.speed != 0.0 {
+            fields.push(number(format!("speed of {name}"), law.speed));
+        }
     }
     for damper in &scene.joints.dampers {
         let name = format!("damper {}", ends(damper.from, damper.to));
         fields.push(number(name, damper.coefficient));
+    }
+    for stop in &scene.joints.stops {
+        let (name, sides, law) = (&stop.name, stop.sides, stop.law);
+        fields.push(word(&format!("stop {name}"), ends(sides.from, sides.to)));
+        fields.push(number(format!("gap of {name}"), law.gap));
+        match law.impact {
+            Impact::Spring { stiffness, damping } => {
+                fields.push(number(format!("stiffness of {name}"), stiffness));
+                if damping != 0.0 {
+                    fields.push(number(format!("damping of {name}"), damping));
+                }
+            }
+            Impact::Restitution(ratio) => {
+                fields.push(number(format!("restitution of {name}"), ratio));
+            }
+        }
     }
     let mass = |index: &usize| {
         scene
@@ -149,6 +168,10 @@ fn fields(scene: &Scene) -> Vec<DescriptionField> {
             .get(*index)
             .map_or("?", |mass| mass.name.as_str())
     };
+    for load in &scene.joints.constant {
+        let name = format!("constant force on {}", mass(&load.mass));
+        fields.push(number(name, load.force));
+    }
     fields.push(word(
         "excitation",
         match scene.excitation {

@@ -2,8 +2,8 @@
 
 use frictiongen_model::scene::{
     Accuracy, Beyond, CONTACT, ContactSides, Damping, DampingFrom, Declared, Excitation,
-    FrictionLaw, Joints, Mass, Node, Precision, Provide, Proving, Range, Scene, Side, Spring,
-    StepInput, StepperOptions,
+    FrictionLaw, Impact, Joints, Mass, Node, Precision, Provide, Proving, Range, Scene, Side,
+    Spring, StepInput, StepperOptions,
 };
 
 /// Returns the FNV-1a hash of all fields of a scene. Texts that differ only in layout have the same
@@ -135,7 +135,13 @@ impl Fnv {
     }
 
     fn joints(&mut self, joints: &Joints) {
-        self.list(&joints.contacts, |hash, contact| {
+        let Joints {
+            contacts,
+            dampers,
+            stops,
+            constant,
+        } = joints;
+        self.list(contacts, |hash, contact| {
             hash.text(&contact.name);
             hash.node(contact.sides.from);
             hash.node(contact.sides.to);
@@ -143,11 +149,36 @@ impl Fnv {
             hash.number(contact.law.stiffness.unwrap_or(f64::INFINITY));
             hash.numbers(&[contact.law.stiction, contact.law.share]);
         });
-        self.list(&joints.dampers, |hash, damper| {
+        self.list(dampers, |hash, damper| {
             hash.node(damper.from);
             hash.node(damper.to);
             hash.number(damper.coefficient);
         });
+        // Scenes without belts, stops and constant forces keep the hash that they had before these existed.
+        if contacts.iter().any(|contact| contact.law.speed != 0.0) {
+            self.variant(0)
+                .list(contacts, |hash, contact| hash.number(contact.law.speed));
+        }
+        if !stops.is_empty() {
+            self.variant(1).list(stops, |hash, stop| {
+                hash.text(&stop.name);
+                hash.node(stop.sides.from);
+                hash.node(stop.sides.to);
+                hash.number(stop.law.gap);
+                match stop.law.impact {
+                    Impact::Spring { stiffness, damping } => {
+                        hash.variant(0).numbers(&[stiffness, damping]);
+                    }
+                    Impact::Restitution(ratio) => hash.variant(1).number(ratio),
+                }
+            });
+        }
+        if !constant.is_empty() {
+            self.variant(2).list(constant, |hash, load| {
+                hash.index(load.mass);
+                hash.number(load.force);
+            });
+        }
     }
 
     fn node(&mut self, node: Node) {

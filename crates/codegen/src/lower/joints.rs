@@ -1,4 +1,4 @@
-//! Checks whether the generator emits code for a scene with several contacts or dashpots.
+//! Checks whether the generator emits code for a scene with several contacts, dashpots, stops or constant forces.
 
 use frictiongen_model::scene::Provide;
 use frictiongen_model::validate::Path;
@@ -7,7 +7,8 @@ use frictiongen_syntax::{Located, Problems};
 /// Largest number of contacts of a scene for which the generator emits code.
 pub(super) const MOST_CONTACTS: usize = 4;
 
-/// Reports the properties of a scene with several contacts or dashpots for which the generator emits no code.
+/// Reports the properties of a scene with several contacts, dashpots, stops or constant forces for which the generator
+/// emits no code.
 pub(super) fn check(located: &Located<'_>, problems: &mut Problems) {
     let scene = &located.scene;
     let count = scene.joints.contacts.len();
@@ -39,7 +40,7 @@ pub(super) fn check(located: &Located<'_>, problems: &mut Problems) {
             }
             Provide::Stepper | Provide::Simulation | Provide::Stuck | Provide::Orbit => continue,
             _ => {
-                "the macro does not emit this for a scene with `contacts` or `dampers`; write `stepper`, `simulation`, `stuck` or `orbit`"
+                "the macro does not emit this for a scene with `contacts`, `dampers`, `stops` or `constant`; write `stepper`, `simulation`, `stuck` or `orbit`"
             }
         };
         problems.report(place, message);

@@ -1,4 +1,4 @@
-//! Several contacts and dashpots of a scene.
+//! Several contacts, dashpots, stops and constant forces of a scene.
 
 use super::{ContactSides, FrictionLaw, Node, Scene};
 use crate::validate::can_be_single;
@@ -24,13 +24,14 @@ pub struct JointLaw {
     pub stiction: f64,
     /// The kinetic friction force of this contact, divided by the common friction force F.
     pub share: f64,
-    /// Velocity of the surface of the second side (a belt), in the scene's own units (m/s in SI).
+    /// Speed of the surface of the second side relative to its node, in the scene's own units (m/s in SI). It is the
+    /// speed of a belt, and 0 for a contact without a belt.
     #[cfg_attr(feature = "serde", serde(default))]
     pub speed: f64,
 }
 
 impl Default for JointLaw {
-    /// Returns the law of a rigid contact with μ = 1 and the friction force F.
+    /// Returns the law of a rigid contact with μ = 1, the friction force F and no belt.
     fn default() -> Self {
         Self {
             stiffness: None,
@@ -50,7 +51,7 @@ pub struct NamedContact {
     pub name: String,
     /// The two sides of the contact.
     pub sides: ContactSides,
-    /// The friction law of the contact: its stiffness, μ and share.
+    /// The friction law of the contact: its stiffness, μ, share and speed.
     pub law: JointLaw,
 }
 
@@ -67,43 +68,46 @@ pub struct Damper {
     pub coefficient: f64,
 }
 
-/// A stop with its name.
+/// A one-sided stop between two nodes, with its name. It acts while the displacement of the first node minus that of
+/// the second exceeds the gap.
 #[derive(Clone, Debug, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[doc(hidden)]
 pub struct NamedStop {
     /// The name of the stop, a Rust identifier.
     pub name: String,
-    /// The two sides a and b of the stop, which acts while x_a − x_b exceeds its gap.
+    /// The two sides of the stop. Their order gives its direction.
     pub sides: ContactSides,
-    /// Gap and impact of the stop.
+    /// The gap of the stop, and the force or the rebound behind the gap.
     pub law: StopLaw,
 }
 
-/// Gap and impact of a stop.
+/// Gap of a stop, and the force or the rebound behind the gap.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[doc(hidden)]
 pub struct StopLaw {
-    /// Gap in the scene's own units (m in SI). A negative gap is a preload.
+    /// Relative displacement at which the stop begins to act, in the scene's own units (m in SI). A negative gap is a
+    /// preload.
     pub gap: f64,
-    /// What happens when the gap closes.
+    /// The force or the rebound behind the gap.
     pub impact: Impact,
 }
 
-/// What happens when the gap of a stop closes.
+/// Force or rebound of a stop behind its gap.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[doc(hidden)]
 pub enum Impact {
-    /// A spring and a dashpot act while the gap is closed.
+    /// A spring and a dashpot side by side.
     Spring {
-        /// Stiffness of the spring, in the scene's own units (N/m in SI).
+        /// Stiffness of the spring, greater than 0, in the scene's own units (N/m in SI).
         stiffness: f64,
-        /// Coefficient of the dashpot, in the scene's own units (N·s/m in SI).
+        /// Force of the dashpot divided by relative velocity, at least 0, in the scene's own units (N·s/m in SI).
         damping: f64,
     },
-    /// An impact reverses the relative velocity and multiplies it by this coefficient of restitution.
+    /// A rigid stop. The number is the coefficient of restitution from 0 to 1: the speed after the impact, divided by
+    /// the speed before it.
     Restitution(f64),
 }
 
@@ -112,14 +116,14 @@ pub enum Impact {
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[doc(hidden)]
 pub struct ConstantForce {
-    /// Index of the mass.
+    /// Index of the mass on which the force acts.
     pub mass: usize,
-    /// The force, in the scene's own units (N in SI).
+    /// The force, positive in the direction of the displacement, in the scene's own units (N in SI).
     pub force: f64,
 }
 
-/// The contacts of the field `contacts`, and the dashpots. Both lists are empty for a scene with a single contact and
-/// without dashpots.
+/// The contacts of the field `contacts`, the dashpots, the stops and the constant forces. All lists are empty for a
+/// scene with a single contact and without dashpots, stops and constant forces.
 #[derive(Clone, Debug, PartialEq, Default)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[doc(hidden)]
@@ -131,25 +135,28 @@ pub struct Joints {
     /// The stops of the scene.
     #[cfg_attr(feature = "serde", serde(default))]
     pub stops: Vec<NamedStop>,
-    /// The constant forces on masses.
+    /// The constant forces of the scene.
     #[cfg_attr(feature = "serde", serde(default))]
     pub constant: Vec<ConstantForce>,
 }
 
 impl Joints {
-    /// Returns true if the scene has a single contact and no dashpots.
+    /// Returns true if the scene has a single contact, no dashpots, no stops and no constant forces.
     #[must_use]
     pub fn is_empty(&self) -> bool {
-        self.contacts.is_empty()
-            && self.dampers.is_empty()
-            && self.stops.is_empty()
-            && self.constant.is_empty()
+        self.contacts.is_empty() && self.has_no_more_than_contacts()
+    }
+
+    /// Returns true if the scene has no dashpots, no stops and no constant forces.
+    fn has_no_more_than_contacts(&self) -> bool {
+        self.dampers.is_empty() && self.stops.is_empty() && self.constant.is_empty()
     }
 }
 
 impl Scene {
     /// Returns true if the solver for several contacts computes the motions of the scene. It computes them for several
-    /// contacts, for a share that is not 1, for dashpots, and for masses that no spring holds.
+    /// contacts, for a share that is not 1, for a belt, for dashpots, stops and constant forces, and for masses that no
+    /// spring holds.
     #[must_use]
     #[doc(hidden)]
     pub fn is_joined(&self) -> bool {
@@ -157,17 +164,19 @@ impl Scene {
     }
 
     /// Returns true if the solver for several contacts computes the steady states of the scene. It computes them for
-    /// several contacts, for dashpots and for kinetic friction that depends on the speed.
+    /// every scene of [`is_joined`](Self::is_joined), and for kinetic friction that depends on the speed.
     #[must_use]
     #[doc(hidden)]
     pub fn has_joined_states(&self) -> bool {
         self.is_joined() || self.friction != FrictionLaw::Coulomb
     }
 
-    /// Returns true if the scene contains a length or a speed of its own, so that its answers depend on the size of the load
-    /// and not only on β.
+    /// Returns true if the scene contains a length or a speed of its own, so that its answers depend on the size of the
+    /// load and not only on β.
+    ///
+    /// Stribeck friction and belts contain a speed, and stops contain a length. A constant force deflects the springs
+    /// by a length of its own.
     #[must_use]
-    #[doc(hidden)]
     pub fn has_length(&self) -> bool {
         self.friction != FrictionLaw::Coulomb || !self.has_linear_states()
     }
@@ -184,7 +193,8 @@ impl Scene {
     }
 
     /// Moves the only contact of [`Joints::contacts`] to the fields of a single contact, and keeps its name. The scene
-    /// stays as it is if it has several contacts, a share that is not 1, a dashpot, or a mass that no spring holds.
+    /// stays as it is if it has several contacts, a share that is not 1, a speed that is not 0, a dashpot, a stop, a
+    /// constant force, or a mass that no spring holds.
     #[doc(hidden)]
     pub fn unite(&mut self) {
         let [only] = self.joints.contacts.as_slice() else {
@@ -200,7 +210,7 @@ impl Scene {
         let own_law = self.stiction == 1.0 && self.stiffness.is_none();
         // The parser has already reported a number that is NaN.
         let read = !stiction.is_nan() && !stiffness.is_some_and(f64::is_nan);
-        let alone = self.joints.dampers.is_empty() && share == 1.0 && speed == 0.0;
+        let alone = self.joints.has_no_more_than_contacts() && share == 1.0 && speed == 0.0;
         let united = Self {
             contact: only.sides,
             contact_name: only.name.clone(),

@@ -30,7 +30,7 @@ pub struct Checks {
     pub contact: bool,
     /// True if the parser could read the excitation.
     pub excitation: bool,
-    /// True if the parser could read every entry of `contacts` and `dampers`.
+    /// True if the parser could read every entry of `contacts`, `dampers`, `stops` and `constant`.
     pub joints: bool,
     /// True if the parser could read the whole list `provide`.
     pub provide: bool,
@@ -55,7 +55,7 @@ impl Default for Checks {
 }
 
 impl Checks {
-    /// Returns true if the description contains `contacts` or `dampers`, even with errors.
+    /// Returns true if the description contains `contacts`, `dampers`, `stops` or `constant`, even with errors.
     pub(super) fn joined(&self, scene: &Scene) -> bool {
         scene.is_joined() || !self.joints
     }

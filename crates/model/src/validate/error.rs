@@ -112,8 +112,6 @@ scene_errors! {
         "`{item}` is not possible with `stiffness`; write `orbit`, `simulation`, `stepper` or `stuck` instead, or leave `stiffness` out for a rigid contact",
     TooManyContacts { count: usize, limit: usize } =>
         "the scene has {count} contacts, but at most {limit} are possible; join neighbouring contacts into one with the sum of their shares",
-    TooManyStops { count: usize, limit: usize } =>
-        "the scene has {count} contacts and stops, but at most {limit} are possible",
     ContactKeyword { name: String } =>
         "`{name}` is a keyword of Rust, and the macro emits a method with the name of each contact; write, for example, `{name}_1`",
     ContactReserved { name: String } =>
@@ -140,24 +138,34 @@ scene_errors! {
         "there is already a dashpot between `{from}` and `{to}`; parallel dashpots act as one, so add their coefficients and write a single dashpot{sum}",
     DamperNotPositive { from: String, to: String, value: f64 } =>
         "the dashpot `{from} - {to}` has the coefficient {value:?}: a coefficient must be greater than zero; write a positive number, or leave the dashpot out",
-    StopWithItself { name: String } =>
-        "this stop lies between `{name}` and itself and never shuts; name two different sides, for example `{name} - wall`",
+    StopKeyword { name: String } =>
+        "`{name}` is a keyword of Rust, and the macro emits a method with the name of each stop; write, for example, `{name}_1`",
+    StopReserved { name: String } =>
+        "`{name}` already means something else in a scene or in its results and cannot name a stop; write, for example, `{name}_1`",
+    StopNotAName { name: String } =>
+        "`{name}` cannot name a stop: a name is made of letters, digits and `_`, and does not begin with a digit",
+    DuplicateStop { name: String } =>
+        "two stops are called `{name}`; give this one a name of its own",
+    StopNamedAsMass { name: String } =>
+        "a mass is called `{name}`, and a stop cannot have the same name; give the stop a name of its own",
+    StopNamedAsContact { name: String } =>
+        "a contact is called `{name}`, and a stop cannot have the same name; give the stop a name of its own",
+    StopToItself { name: String } =>
+        "this stop joins `{name}` to itself and never acts; name two different sides, for example `{name} - wall`",
     StopWithoutMass {} =>
-        "this stop lies between two supports; one of its sides must be a mass",
+        "this stop lies between two supports; leave it out, or name a mass as one of its sides",
     StopStiffnessNotPositive { name: String, value: f64 } =>
-        "the stiffness of the stop `{name}` is {value:?}: it must be greater than zero; write a positive number, or a `restitution` in its place",
-    StopDampingNegative { name: String, value: f64 } =>
-        "the damping of the stop `{name}` is {value:?}: negative damping would feed energy in; write zero or more",
+        "the stiffness of the stop `{name}` is {value:?}: it must be greater than zero; write a positive number, or leave the stop out",
     RestitutionOutside { name: String, value: f64 } =>
-        "the restitution of the stop `{name}` is {value:?}, but an impact keeps between none (0) and all (1) of the velocity; write a number from 0 to 1",
-    ImpactsTwice { name: String } =>
-        "the stop `{name}` already limits the same side by a restitution; keep the one with the smaller gap",
-    ConstantTwice { name: String } =>
-        "there is already a constant force on `{name}`; add the two and write a single force",
+        "the restitution of the stop `{name}` is {value:?}: it is the speed after an impact over the speed before it; write a number from 0 to 1",
+    ParallelRigidStops { from: String, to: String } =>
+        "there is already a stop with `restitution` on `{from} - {to}`, and only the stop with the smaller gap can act; leave one of the two out",
+    ConstantTwice { name: String, sum: String } =>
+        "there is already a constant force on the mass `{name}`; constant forces on one mass act as one, so add them and write a single force{sum}",
     Untouched { name: String } =>
-        "neither a spring nor a dashpot nor a contact touches the mass `{name}`; join it to another mass or to a support, or leave it out",
+        "neither a spring nor a dashpot nor a contact nor a stop touches the mass `{name}`; join it to another mass or to a support, or leave it out",
     IdleJoinedBase {} =>
-        "the base moves, but no spring, dashpot or contact joins a mass to it, so nothing is excited; join a mass to `base`, or put a force on a mass",
+        "the base moves, but no spring, dashpot, contact or stop joins a mass to it, so nothing is excited; join a mass to `base`, or put a force on a mass",
     LawOfEachContact { field: String, example: String } =>
         "with `contacts`, each contact has its own `{field}`; write it in braces after the sides of a contact, for example `m1 - wall {{ {field}: {example} }}`",
     StribeckAllElastic {} =>

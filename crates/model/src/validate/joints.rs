@@ -7,14 +7,15 @@ use super::error::SceneError;
 use super::names::{is_keyword, is_name, is_reserved};
 use super::path::Path;
 use super::springs::pair_of;
+use super::stops;
 use crate::scene::{CONTACT, Excitation, FrictionLaw, NamedContact, Node, Scene};
 
 /// Largest number of contacts of a scene.
 pub const MOST_CONTACTS: usize = 16;
-/// Largest number of masses of a scene with `contacts` or `dampers`.
+/// Largest number of masses of a scene with `contacts`, `dampers`, `stops` or `constant`.
 pub const MOST_JOINED: usize = 64;
 
-/// Reports errors in contacts and dashpots, and fields that are incompatible with them.
+/// Reports errors in contacts, dashpots, stops and constant forces, and fields that are incompatible with them.
 pub(super) fn check(scene: &Scene, checks: &Checks, errors: &mut Vec<SceneError>) {
     check_sizes(scene, checks, errors);
     let contacts = &scene.joints.contacts;
@@ -24,8 +25,8 @@ pub(super) fn check(scene: &Scene, checks: &Checks, errors: &mut Vec<SceneError>
         check_law(contact, index, errors);
     }
     sound &= check_dampers(scene, errors);
-    sound &= super::stops::check(scene, errors);
-    super::stops::check_constant(scene, errors);
+    sound &= stops::check(scene, errors);
+    stops::check_constant(scene, errors);
     check_fields(scene, errors);
     // If an entry is faulty, `check_touched` might report that a mass has no connection, although this entry connects
     // it.
@@ -44,14 +45,6 @@ fn check_sizes(scene: &Scene, checks: &Checks, errors: &mut Vec<SceneError>) {
             limit: MOST_CONTACTS,
         });
     }
-    let all = count + scene.joints.stops.len();
-    if count <= MOST_CONTACTS && all > MOST_CONTACTS {
-        errors.push(SceneError::TooManyStops {
-            path: Path::StopName(MOST_CONTACTS - count),
-            count: all,
-            limit: MOST_CONTACTS,
-        });
-    }
     let count = scene.masses.len();
     if (MOST_JOINED + 1..=checks.most_masses).contains(&count) {
         errors.push(SceneError::TooManyMasses {
@@ -65,17 +58,12 @@ fn check_sizes(scene: &Scene, checks: &Checks, errors: &mut Vec<SceneError>) {
 /// Reports errors in the names of the contacts. The name `contact` of a single contact needs no check.
 pub(super) fn check_names(scene: &Scene, checks: &Checks, errors: &mut Vec<SceneError>) {
     let contacts = scene.named_contacts();
-    let stops = scene.joints.stops.iter().enumerate();
-    let stops = stops.map(|(index, stop)| (&stop.name, Path::StopName(index)));
-    let names = contacts.iter().enumerate();
-    let names = names.map(|(index, contact)| (&contact.name, Path::JointName(index)));
-    let names: Vec<_> = names.chain(stops).collect();
-    for (index, &(name, path)) in names.iter().enumerate() {
+    for (index, contact) in contacts.iter().enumerate() {
         let single = scene.joints.contacts.is_empty();
-        if index == 0 && single && name == CONTACT {
-            continue;
+        if single && contact.name == CONTACT {
+            return;
         }
-        let name = name.clone();
+        let (name, path) = (contact.name.clone(), Path::JointName(index));
         if checks.emitted && is_keyword(&name) {
             errors.push(SceneError::ContactKeyword { path, name });
         } else if is_reserved(&name, checks.emitted) {
@@ -84,7 +72,7 @@ pub(super) fn check_names(scene: &Scene, checks: &Checks, errors: &mut Vec<Scene
             errors.push(SceneError::ContactNotAName { path, name });
         } else if scene.masses.iter().any(|mass| mass.name == name) {
             errors.push(SceneError::ContactNamedAsMass { path, name });
-        } else if names.iter().take(index).any(|(other, _)| **other == name) {
+        } else if contacts.iter().take(index).any(|other| other.name == name) {
             errors.push(SceneError::DuplicateContact { path, name });
         }
     }
@@ -130,7 +118,7 @@ fn check_sides(
 
 /// Returns `words` followed by the sum as text. Returns an empty text if a term of the sum is unreadable in the
 /// description.
-fn told(sum: f64, words: &str) -> String {
+pub(super) fn told(sum: f64, words: &str) -> String {
     if sum.is_finite() {
         format!("{words} {sum:?}")
     } else {
@@ -138,7 +126,7 @@ fn told(sum: f64, words: &str) -> String {
     }
 }
 
-fn is_mass(node: Node) -> bool {
+pub(super) fn is_mass(node: Node) -> bool {
     matches!(node, Node::Mass(_))
 }
 
@@ -167,13 +155,6 @@ fn check_law(contact: &NamedContact, index: usize, errors: &mut Vec<SceneError>)
     } else if value > LARGEST {
         errors.push(SceneError::OutOfScale { path, what, value });
     }
-    let (value, path) = (law.speed, Path::JointSpeed(index));
-    let what = format!("the speed of the contact `{name}`");
-    if !value.is_finite() {
-        errors.push(SceneError::NotFinite { path, what, value });
-    } else if value != 0.0 && !(SMALLEST..=LARGEST).contains(&value.abs()) {
-        errors.push(SceneError::OutOfScale { path, what, value });
-    }
     let (value, path) = (law.share, Path::JointShare(index));
     let what = format!("the share of the contact `{name}`");
     if !value.is_finite() {
@@ -184,6 +165,8 @@ fn check_law(contact: &NamedContact, index: usize, errors: &mut Vec<SceneError>)
     } else if !(SMALLEST..=LARGEST).contains(&value) {
         errors.push(SceneError::OutOfScale { path, what, value });
     }
+    let what = format!("the speed of the contact `{name}`");
+    stops::check_signed(law.speed, Path::JointSpeed(index), what, errors);
 }
 
 /// Reports errors in the dashpots. Returns true if the ends of all dashpots are valid.
@@ -322,7 +305,7 @@ fn path(tree: &[(usize, usize, usize)], from: usize, to: usize) -> Option<Vec<us
     None
 }
 
-/// Reports masses without any spring, contact or dashpot, and a moving base that is connected to no mass.
+/// Reports masses without any spring, contact, dashpot or stop, and a moving base that is connected to no mass.
 fn check_touched(scene: &Scene, checks: &Checks, errors: &mut Vec<SceneError>) {
     if !checks.contact {
         return;
@@ -331,12 +314,10 @@ fn check_touched(scene: &Scene, checks: &Checks, errors: &mut Vec<SceneError>) {
     let dampers = scene.joints.dampers.iter();
     let dampers = dampers.map(|damper| [damper.from, damper.to]);
     let contacts = scene.named_contacts();
-    let contacts = contacts.iter();
-    let contacts = contacts.map(|contact| [contact.sides.from, contact.sides.to]);
-    let stops = scene.joints.stops.iter();
-    let stops = stops.map(|stop| [stop.sides.from, stop.sides.to]);
-    let joints = dampers.chain(contacts).chain(stops);
-    let touched: Vec<Node> = springs.chain(joints).flatten().collect();
+    let contacts = contacts.iter().map(|contact| contact.sides);
+    let stops = scene.joints.stops.iter().map(|stop| stop.sides);
+    let sides = contacts.chain(stops).map(|sides| [sides.from, sides.to]);
+    let touched: Vec<Node> = springs.chain(dampers).chain(sides).flatten().collect();
     for (index, mass) in scene.masses.iter().enumerate() {
         if !touched.contains(&Node::Mass(index)) {
             errors.push(SceneError::Untouched {

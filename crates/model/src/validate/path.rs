@@ -72,8 +72,14 @@ pub enum Path {
     JointStiction(usize),
     /// The share of the contact with this index.
     JointShare(usize),
-    /// The speed of the surface of the contact with this index.
+    /// The speed of the second side of the contact with this index.
     JointSpeed(usize),
+    /// The coefficient of the dashpot with this index.
+    Damper(usize),
+    /// The first end of the dashpot with this index.
+    DamperFrom(usize),
+    /// The second end of the dashpot with this index.
+    DamperTo(usize),
     /// The name of the stop with this index.
     StopName(usize),
     /// The side of the stop with this index that the description writes first.
@@ -88,16 +94,10 @@ pub enum Path {
     StopDamping(usize),
     /// The coefficient of restitution of the stop with this index.
     StopRestitution(usize),
-    /// The constant force with this index.
+    /// The value of the constant force with this index.
     Constant(usize),
-    /// The mass of the constant force with this index.
+    /// The mass on which the constant force with this index acts.
     ConstantMass(usize),
-    /// The coefficient of the dashpot with this index.
-    Damper(usize),
-    /// The first end of the dashpot with this index.
-    DamperFrom(usize),
-    /// The second end of the dashpot with this index.
-    DamperTo(usize),
     /// The list of masses on which a force may act in the stepper. `None` means the whole list, and a number is the
     /// index of one entry.
     Force(Option<usize>),

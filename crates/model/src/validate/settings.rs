@@ -141,7 +141,7 @@ pub(super) fn item_name(item: &Provide) -> &'static str {
 /// Reports fields about tables in a scene that cannot have tables. Returns true if the scene can have tables.
 fn check_tabled(scene: &Scene, checks: &Checks, errors: &mut Vec<SceneError>) -> bool {
     let cause = if checks.joined(scene) {
-        "`contacts` or `dampers`"
+        "`contacts`, `dampers`, `stops` or `constant`"
     } else if scene.stiffness.is_some_and(|value| value != f64::INFINITY) {
         "`stiffness`"
     } else {

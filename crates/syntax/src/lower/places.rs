@@ -51,6 +51,7 @@ impl Places<'_> {
         let joint = |index: usize| self.contacts.get(index);
         let damper = |index: usize| self.dampers.get(index);
         let stop = |index: usize| self.stops.get(index);
+        let constant = |index: usize| self.constant.get(index);
         match path {
             Path::Scene => None,
             Path::Masses => fields.masses.given().map(|masses| masses.place),
@@ -76,6 +77,9 @@ impl Places<'_> {
             Path::JointStiction(index) => joint(index)?.stiction.map(|number| number.place),
             Path::JointShare(index) => joint(index)?.share.map(|number| number.place),
             Path::JointSpeed(index) => joint(index)?.speed.map(|number| number.place),
+            Path::Damper(index) => damper(index).map(|entry| entry.stiffness.place),
+            Path::DamperFrom(index) => damper(index).map(|entry| entry.from.place),
+            Path::DamperTo(index) => damper(index).map(|entry| entry.to.place),
             Path::StopName(index) => stop(index).map(|entry| entry.name.place),
             Path::StopFrom(index) => stop(index).map(|entry| entry.from.place),
             Path::StopTo(index) => stop(index).map(|entry| entry.to.place),
@@ -83,11 +87,8 @@ impl Places<'_> {
             Path::StopStiffness(index) => stop(index)?.stiffness.map(|number| number.place),
             Path::StopDamping(index) => stop(index)?.damping.map(|number| number.place),
             Path::StopRestitution(index) => stop(index)?.restitution.map(|number| number.place),
-            Path::Constant(index) => self.constant.get(index).map(|entry| entry.value.place),
-            Path::ConstantMass(index) => self.constant.get(index).map(|entry| entry.name.place),
-            Path::Damper(index) => damper(index).map(|entry| entry.stiffness.place),
-            Path::DamperFrom(index) => damper(index).map(|entry| entry.from.place),
-            Path::DamperTo(index) => damper(index).map(|entry| entry.to.place),
+            Path::Constant(index) => constant(index).map(|entry| entry.value.place),
+            Path::ConstantMass(index) => constant(index).map(|entry| entry.name.place),
             Path::Excitation => fields.excitation.given().map(|name| name.place),
             Path::Damping(index) => self.damping(index),
             Path::DampingFrom => fields.damping_from.given().map(|choice| choice.place),

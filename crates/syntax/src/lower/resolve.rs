@@ -117,7 +117,7 @@ fn report_missing(syntax: &Syntax, problems: &mut Problems) {
     let mass = entries
         .first()
         .map_or("m1", |entry| entry.name.text.as_str());
-    // Only with the field `contacts` may a chain have no springs.
+    // Only with a field for several contacts, dashpots, stops or constant forces may a chain have no springs.
     let free = fields.contact.given().map_or(String::new(), |one| {
         let (from, to) = (&one.from.text, &one.to.text);
         format!("; for masses that nothing holds, write the contact as `contacts: {{ contact: {from} - {to} }}`")
@@ -129,9 +129,7 @@ fn report_missing(syntax: &Syntax, problems: &mut Problems) {
             "masses: { m1: 1.0 }".to_owned(),
         ),
         (
-            fields.springs.is_missing()
-                && fields.contacts.is_missing()
-                && fields.dampers.is_missing(),
+            fields.springs.is_missing() && !fields.may_lack_springs(),
             "springs",
             format!("springs: {{ base - {mass}: 1.0 }}"),
         ),
@@ -281,9 +279,7 @@ impl<'s> Lowering<'s, '_> {
     fn springs(&mut self, fields: &'s Fields) -> (Vec<Spring>, Vec<&'s SpringEntry>) {
         let (mut springs, mut entries) = (Vec::new(), Vec::new());
         let Some(written) = fields.springs.given() else {
-            // A chain with several contacts or dashpots needs no spring.
-            let joined = !(fields.contacts.is_missing() && fields.dampers.is_missing());
-            self.checks.springs = joined && fields.springs.is_missing();
+            self.checks.springs = fields.may_lack_springs() && fields.springs.is_missing();
             return (springs, entries);
         };
         self.checks.springs = written.list.complete;

@@ -25,7 +25,7 @@ pub(crate) fn masses(
     )
 }
 
-pub(crate) fn mass(
+fn mass(
     reader: &mut TokenReader<'_>,
     problems: &mut Problems,
 ) -> Result<Read<MassEntry>, Reported> {

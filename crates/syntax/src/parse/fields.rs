@@ -9,6 +9,7 @@ use super::forms;
 use super::joints;
 use super::reader::{Name, Read, TokenReader};
 use super::stepping;
+use super::stops;
 use super::suggest;
 use super::syntax::{Fields, RustPath, Slot};
 use super::token::{Token, TokenKind};
@@ -146,13 +147,13 @@ fn field(
             problems,
             joints::dampers,
         ),
-        Field::Stops => store(&mut fields.stops, &word, reader, problems, joints::stops),
+        Field::Stops => store(&mut fields.stops, &word, reader, problems, stops::stops),
         Field::Constant => store(
             &mut fields.constant,
             &word,
             reader,
             problems,
-            joints::constant,
+            stops::constant,
         ),
         Field::Excitation => store(
             &mut fields.excitation,

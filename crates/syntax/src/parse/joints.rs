@@ -1,20 +1,23 @@
-//! Parses the fields `contacts` (several contacts), `dampers` (dashpots), `stops` and `constant` (constant forces) of a
-//! description.
+//! Parses the fields `contacts` (several contacts) and `dampers` (dashpots) of a description, and the properties of an
+//! entry in braces.
 
-use super::chain::{braces, ends, link, mass};
+use super::chain::{braces, ends, link};
 use super::number::{Number, number};
-use super::reader::{Name, Read, TokenReader};
+use super::reader::{Read, TokenReader};
 use super::suggest;
-use super::syntax::{JointEntry, MassEntry, Placed, SpringEntry, StopEntry};
+use super::syntax::{JointEntry, Placed, SpringEntry};
 use super::token::Delimiter;
-use crate::diagnostics::{Problems, Reported};
+use crate::diagnostics::{Problems, Reported, TokenPosition};
 
-/// Names of the properties that a contact of the field `contacts` may have.
-const PROPERTIES: [&str; 4] = ["stiffness", "stiction", "share", "speed"];
-/// Names of the properties that a stop may have.
-const STOP_PROPERTIES: [&str; 4] = ["gap", "stiffness", "damping", "restitution"];
+/// The properties that a contact of the field `contacts` may have.
+const PROPERTIES: Properties<4> = Properties {
+    owner: "contact",
+    names: ["stiffness", "stiction", "share", "speed"],
+    example: "share: 0.5",
+};
 
-/// Parses the field `contacts`: `{ name: node - node { stiffness: number, share: number, … }, … }`.
+/// Parses the field `contacts`: `{ name: node - node { stiffness: number, stiction: number, share: number, speed:
+/// number }, … }`.
 pub(crate) fn contacts(
     reader: &mut TokenReader<'_>,
     problems: &mut Problems,
@@ -66,7 +69,11 @@ pub(crate) fn dampers(
 }
 
 /// Returns the list, and reports the error `message` if the list is empty.
-fn filled<T>(read: Read<Placed<T>>, problems: &mut Problems, message: &str) -> Read<Placed<T>> {
+pub(crate) fn filled<T>(
+    read: Read<Placed<T>>,
+    problems: &mut Problems,
+    message: &str,
+) -> Read<Placed<T>> {
     match &read.value {
         Some(placed) if placed.list.entries.is_empty() && placed.list.complete => {
             problems.report(placed.place, message);
@@ -83,9 +90,26 @@ fn contact(
     reader: &mut TokenReader<'_>,
     problems: &mut Problems,
 ) -> Result<Read<JointEntry>, Reported> {
-    let (name, (from, to)) = named(reader, problems, "contact", "pads")?;
-    let (values, complete) = properties(reader, problems, "contact", PROPERTIES);
-    let [stiffness, stiction, share, speed] = values;
+    let place = reader.place();
+    let Some(name) = reader.take_word() else {
+        let message = format!(
+            "the name of a contact belongs here, not {}; write, for example, `pads: m1 - wall`",
+            reader.found()
+        );
+        return Err(problems.report(place, message));
+    };
+    if reader.is_punct(0, '-') {
+        let message = format!(
+            "each of several contacts needs a name before its sides; write, for example, `pads: {} - wall`",
+            name.text
+        );
+        return Err(problems.report(place, message));
+    }
+    reader.take_colon(problems, "the name of a contact and its sides")?;
+    let (from, to) = ends(reader, problems, "the contact", "m1 - wall")?;
+    let (values, complete) = PROPERTIES.read(reader, problems);
+    let [stiffness, stiction, share, speed] =
+        values.map(|value| value.map(|Property { number, .. }| number));
     Ok(Read::clean(JointEntry {
         name,
         from,
@@ -98,167 +122,86 @@ fn contact(
     }))
 }
 
-/// Parses the field `stops`: `{ name: node - node { gap: number, stiffness: number, … }, … }`.
-pub(crate) fn stops(
-    reader: &mut TokenReader<'_>,
-    problems: &mut Problems,
-) -> Read<Placed<StopEntry>> {
-    let begins = |reader: &TokenReader<'_>| reader.is_word(0) && reader.is_punct(1, ':');
-    let read = braces(
-        reader,
-        problems,
-        "the stops must be in braces",
-        "{ bumper: m1 - wall { gap: 0.01, stiffness: 1e6 } }",
-        |inner, problems| {
-            inner.list(problems, begins, begins, |reader, problems| {
-                stop(reader, problems).unwrap_or_else(|Reported| Read::lost())
-            })
-        },
-    );
-    filled(
-        read,
-        problems,
-        "`stops` lists no stop; write, for example, `bumper: m1 - wall { gap: 0.01, stiffness: 1e6 }`, or leave the field out",
-    )
+/// The properties that an entry of a list may have in braces: their names, and words for messages.
+pub(crate) struct Properties<const N: usize> {
+    /// Word for the entry.
+    pub(crate) owner: &'static str,
+    pub(crate) names: [&'static str; N],
+    /// A valid property.
+    pub(crate) example: &'static str,
 }
 
-fn stop(
-    reader: &mut TokenReader<'_>,
-    problems: &mut Problems,
-) -> Result<Read<StopEntry>, Reported> {
-    let (name, (from, to)) = named(reader, problems, "stop", "bumper")?;
-    let (values, complete) = properties(reader, problems, "stop", STOP_PROPERTIES);
-    let [gap, stiffness, damping, restitution] = values;
-    Ok(Read::clean(StopEntry {
-        name,
-        from,
-        to,
-        gap,
-        stiffness,
-        damping,
-        restitution,
-        complete,
-    }))
+/// A property of an entry, with the position of its name.
+#[derive(Clone, Copy)]
+pub(crate) struct Property {
+    pub(crate) place: TokenPosition,
+    pub(crate) number: Number,
 }
 
-/// Parses the field `constant`: `{ mass: number, … }`.
-pub(crate) fn constant(
-    reader: &mut TokenReader<'_>,
-    problems: &mut Problems,
-) -> Read<Placed<MassEntry>> {
-    let begins = |reader: &TokenReader<'_>| reader.is_word(0) && reader.is_punct(1, ':');
-    let read = braces(
-        reader,
-        problems,
-        "the constant forces must be in braces",
-        "{ m1: 9.81 }",
-        |inner, problems| {
-            inner.list(problems, begins, begins, |reader, problems| {
-                mass(reader, problems).unwrap_or_else(|Reported| Read::lost())
-            })
-        },
-    );
-    filled(
-        read,
-        problems,
-        "`constant` lists no force; write, for example, `m1: 9.81`, or leave the field out",
-    )
-}
-
-/// Parses the name and the two sides of a contact or a stop: `name: node - node`. `what` is "contact" or "stop".
-fn named(
-    reader: &mut TokenReader<'_>,
-    problems: &mut Problems,
-    what: &str,
-    example: &str,
-) -> Result<(Name, (Name, Name)), Reported> {
-    let place = reader.place();
-    let Some(name) = reader.take_word() else {
-        let message = format!(
-            "the name of a {what} belongs here, not {}; write, for example, `{example}: m1 - wall`",
-            reader.found()
-        );
-        return Err(problems.report(place, message));
-    };
-    if reader.is_punct(0, '-') {
-        let each = if what == "contact" {
-            "each of several contacts"
-        } else {
-            "each stop"
+impl<const N: usize> Properties<N> {
+    /// Parses the properties in braces, `{ name: number, … }`, if an opening brace follows. Returns them in the order of
+    /// `names`, and true if the parser could read all of them.
+    pub(crate) fn read(
+        &self,
+        reader: &mut TokenReader<'_>,
+        problems: &mut Problems,
+    ) -> ([Option<Property>; N], bool) {
+        let mut values = [None; N];
+        let Some(mut inside) = reader.take_group(Delimiter::Brace) else {
+            return (values, true);
         };
-        let message = format!(
-            "{each} needs a name before its sides; write, for example, `{example}: {} - wall`",
-            name.text
-        );
-        return Err(problems.report(place, message));
+        let begins = |reader: &TokenReader<'_>| reader.is_word(0) && reader.is_punct(1, ':');
+        let list = inside
+            .reader
+            .list(problems, begins, begins, |reader, problems| {
+                self.one(reader, problems, &mut values)
+                    .unwrap_or_else(|Reported| Read::lost())
+            });
+        (values, list.complete)
     }
-    reader.take_colon(problems, &format!("the name of a {what} and its sides"))?;
-    let sides = ends(reader, problems, &format!("the {what}"), "m1 - wall")?;
-    Ok((name, sides))
-}
 
-/// Parses the properties in the braces after the sides of a contact or a stop: `{ name: number, … }`. Returns the number
-/// of each property in `names`, and true if the parser could read all of them.
-fn properties<const N: usize>(
-    reader: &mut TokenReader<'_>,
-    problems: &mut Problems,
-    what: &str,
-    names: [&'static str; N],
-) -> ([Option<Number>; N], bool) {
-    let mut values = [None; N];
-    let Some(mut inside) = reader.take_group(Delimiter::Brace) else {
-        return (values, true);
-    };
-    let begins = |reader: &TokenReader<'_>| reader.is_word(0) && reader.is_punct(1, ':');
-    let list = inside
-        .reader
-        .list(problems, begins, begins, |reader, problems| {
-            property(reader, problems, (what, names), &mut values)
-                .unwrap_or_else(|Reported| Read::lost())
-        });
-    (values, list.complete)
-}
-
-/// Parses one property of a contact or a stop: `name: number`.
-fn property<const N: usize>(
-    reader: &mut TokenReader<'_>,
-    problems: &mut Problems,
-    (what, names): (&str, [&'static str; N]),
-    values: &mut [Option<Number>; N],
-) -> Result<Read<()>, Reported> {
-    let place = reader.place();
-    let Some(word) = reader.take_word() else {
-        let example = if what == "contact" {
-            "share: 0.5"
-        } else {
-            "gap: 0.01"
+    /// Parses one property: `name: number`.
+    fn one(
+        &self,
+        reader: &mut TokenReader<'_>,
+        problems: &mut Problems,
+        values: &mut [Option<Property>; N],
+    ) -> Result<Read<()>, Reported> {
+        let (owner, place) = (self.owner, reader.place());
+        let Some(word) = reader.take_word() else {
+            let message = format!(
+                "a property of a {owner} belongs here, not {}; write, for example, `{}`",
+                reader.found(),
+                self.example
+            );
+            return Err(problems.report(place, message));
         };
-        let message = format!(
-            "a property of a {what} belongs here, not {}; write, for example, `{example}`",
-            reader.found()
-        );
-        return Err(problems.report(place, message));
-    };
-    let mut slots = names.into_iter().zip(values);
-    let Some((_, slot)) = slots.find(|(name, _)| *name == word.text) else {
-        let hint = suggest::hint(&word.text, names, || {
-            let quoted: Vec<_> = names.iter().map(|name| format!("`{name}`")).collect();
-            let (last, others) = quoted
-                .split_last()
-                .map_or(("", &[][..]), |(last, others)| (last, others));
-            format!("write {} or {last}", others.join(", "))
-        });
-        return Err(problems.report(place, format!("a {what} has no `{}`{hint}", word.text)));
-    };
-    if slot.is_some() {
-        let message = format!("`{}` is given twice; keep one of the two", word.text);
-        return Err(problems.report(place, message));
+        let mut slots = self.names.iter().zip(values);
+        let Some((_, slot)) = slots.find(|(name, _)| **name == word.text) else {
+            let text = word.text.as_str();
+            let hint = suggest::hint(text, self.names, || format!("write {}", self.all()));
+            return Err(problems.report(place, format!("a {owner} has no `{text}`{hint}")));
+        };
+        if slot.is_some() {
+            let message = format!("`{}` is given twice; keep one of the two", word.text);
+            return Err(problems.report(place, message));
+        }
+        reader.take_colon(problems, &format!("a property of a {owner} and its value"))?;
+        let value: Read<Number> = number(reader, problems);
+        *slot = value.value.map(|number| Property { place, number });
+        Ok(Read {
+            value: value.value.map(|_| ()),
+            clean: value.clean,
+        })
     }
-    reader.take_colon(problems, &format!("a property of a {what} and its value"))?;
-    let value: Read<Number> = number(reader, problems);
-    *slot = value.value;
-    Ok(Read {
-        value: value.value.map(|_| ()),
-        clean: value.clean,
-    })
+
+    /// Returns the names of all properties, joined by commas and a final "or".
+    fn all(&self) -> String {
+        let names = self.names.map(|name| format!("`{name}`"));
+        match names.split_last() {
+            Some((last, [])) => last.clone(),
+            Some((last, others)) => format!("{} or {last}", others.join(", ")),
+            None => String::new(),
+        }
+    }
 }

@@ -13,6 +13,7 @@ mod lex;
 pub(crate) mod number;
 pub(crate) mod reader;
 mod stepping;
+mod stops;
 pub(crate) mod suggest;
 pub(crate) mod syntax;
 pub(crate) mod token;

@@ -32,7 +32,12 @@ pub(crate) fn closest<'c>(
             let abbreviates = SHORTEST <= length && candidate.starts_with(word);
             (steps <= allowed || abbreviates) && steps < candidate.chars().count()
         })
-        .min_by_key(|&(steps, _)| steps)
+        // At the same distance, a letter that is missing or surplus at the end is the likeliest mistake: `stop` means
+        // `stops`, and `steps` means `step`.
+        .min_by_key(|&(steps, candidate)| {
+            let begins_same = candidate.starts_with(word) || word.starts_with(candidate);
+            (steps, !begins_same)
+        })
         .map(|(_, candidate)| candidate)
 }
 

@@ -247,6 +247,17 @@ impl Syntax {
     }
 }
 
+impl Fields {
+    /// Returns true if the description has a field of a scene with several contacts, dashpots, stops or constant
+    /// forces, even with errors. A chain with such a field needs no spring.
+    pub(crate) fn may_lack_springs(&self) -> bool {
+        !(self.contacts.is_missing()
+            && self.dampers.is_missing()
+            && self.stops.is_missing()
+            && self.constant.is_missing())
+    }
+}
+
 #[derive(Default)]
 pub(crate) struct Fields {
     pub(crate) masses: Slot<Placed<MassEntry>>,
