@@ -195,6 +195,8 @@ const _: () = {
                     },
                     stiction: 1.0,
                     stiffness: ::core::option::Option::Some(5000000.0),
+                    speed: 0.0,
+                    stop: ::core::option::Option::None,
                 },
                 ::frictiongen::kernel::joints::Contact {
                     plus: 1,
@@ -208,6 +210,8 @@ const _: () = {
                     },
                     stiction: 1.2,
                     stiffness: ::core::option::Option::None,
+                    speed: 0.0,
+                    stop: ::core::option::Option::None,
                 },
             ],
             law: [],
