@@ -3,8 +3,9 @@
 
 use super::*;
 use crate::scene::{
-    Accuracy, CONTACT, ContactSides, Damping, Declared, FrictionLaw, Mass, Precision, Provide,
-    Range, Spring, StepperOptions,
+    Accuracy, CONTACT, ConstantForce, ContactSides, Damping, Declared, FrictionLaw, Impact,
+    JointLaw, Mass, NamedContact, NamedStop, Precision, Provide, Range, Spring, StepperOptions,
+    StopLaw,
 };
 
 fn mass(name: &str, value: f64) -> Mass {
@@ -244,4 +245,119 @@ fn a_loaded_mass_has_no_name_of_the_input() {
         validate_known(&scene, &emitted),
         Err(vec![SceneError::Reserved { path, name }])
     );
+}
+
+fn stop(name: &str, from: Node, to: Node, gap: f64, impact: Impact) -> NamedStop {
+    NamedStop {
+        name: name.to_owned(),
+        sides: ContactSides { from, to },
+        law: StopLaw { gap, impact },
+    }
+}
+
+#[test]
+fn faults_of_stops_belts_and_constant_forces_have_their_paths() {
+    let mut scene = chain(2);
+    let spring = |stiffness, damping| Impact::Spring { stiffness, damping };
+    let (mass, wall) = (Node::Mass(1), Node::Wall);
+    scene.provide = vec![Provide::Orbit];
+    scene.joints.contacts = vec![NamedContact {
+        name: "belt".to_owned(),
+        sides: scene.contact,
+        law: JointLaw {
+            speed: f64::NAN,
+            ..JointLaw::default()
+        },
+    }];
+    scene.joints.stops = vec![
+        stop(
+            "a",
+            mass,
+            Node::Mass(7),
+            f64::INFINITY,
+            spring(f64::NAN, 0.0),
+        ),
+        stop("b", mass, wall, 0.0, spring(f64::INFINITY, f64::NAN)),
+        stop("c", mass, wall, 0.0, Impact::Restitution(f64::NAN)),
+        stop("d", wall, mass, 0.0, Impact::Restitution(1.0)),
+        stop("belt", mass, wall, -1e-61, Impact::Restitution(0.0)),
+    ];
+    let force = |mass, force| ConstantForce { mass, force };
+    scene.joints.constant = vec![force(9, 1.0), force(0, f64::NAN), force(0, 1.0)];
+    let paths: Vec<_> = messages(&scene).into_iter().map(|(path, _)| path).collect();
+    assert_eq!(
+        paths,
+        [
+            Path::StopName(4),
+            Path::JointSpeed(0),
+            Path::StopTo(0),
+            Path::StopGap(0),
+            Path::StopStiffness(0),
+            Path::StopStiffness(1),
+            Path::StopDamping(1),
+            Path::StopRestitution(2),
+            Path::StopFrom(4),
+            Path::StopGap(4),
+            Path::ConstantMass(0),
+            Path::Constant(1),
+            Path::ConstantMass(2),
+        ]
+    );
+    assert_eq!(
+        messages(&scene)[12].1,
+        "there is already a constant force on the mass `m0`; constant forces on one mass act as one, so add them and write a single force"
+    );
+}
+
+/// Checks that a stop joins a mass to the chain, although it does not hold it, and that a constant force does not.
+#[test]
+fn a_stop_touches_a_mass() {
+    let mut scene = chain(2);
+    scene.masses.push(mass("loose", 1.0));
+    scene.provide = vec![Provide::Orbit];
+    scene.joints.constant = vec![ConstantForce {
+        mass: 2,
+        force: 1.0,
+    }];
+    assert_eq!(messages(&scene)[0].0, Path::MassName(2));
+    let rigid = Impact::Restitution(0.5);
+    scene.joints.stops = vec![stop("bumper", Node::Mass(1), Node::Mass(2), 0.1, rigid)];
+    assert_eq!(validate(&scene), Ok(()));
+}
+
+#[test]
+fn only_a_contact_alone_becomes_the_single_contact() {
+    let mut scene = chain(1);
+    let contact = |speed| NamedContact {
+        name: "pads".to_owned(),
+        sides: ContactSides {
+            from: Node::Mass(0),
+            to: Node::Wall,
+        },
+        law: JointLaw {
+            speed,
+            ..JointLaw::default()
+        },
+    };
+    let unites = |scene: &Scene| {
+        let mut united = scene.clone();
+        united.unite();
+        united.joints.is_empty()
+    };
+    scene.joints.contacts = vec![contact(0.0)];
+    assert!(unites(&scene));
+    for speed in [0.1, -0.1, f64::NAN] {
+        scene.joints.contacts = vec![contact(speed)];
+        assert!(!unites(&scene), "{speed}");
+    }
+    scene.joints.contacts = vec![contact(0.0)];
+    let mut other = scene.clone();
+    let rigid = Impact::Restitution(0.5);
+    other.joints.stops = vec![stop("bumper", Node::Mass(0), Node::Wall, 0.1, rigid)];
+    assert!(!unites(&other));
+    scene.joints.constant = vec![ConstantForce {
+        mass: 0,
+        force: 0.0,
+    }];
+    assert!(!unites(&scene));
 }

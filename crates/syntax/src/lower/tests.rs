@@ -1,7 +1,9 @@
 //! Tests that one contact is the same scene in the fields `contact` and `contacts`.
 
 use crate::read_scene;
-use frictiongen_model::scene::{CONTACT, Scene};
+use frictiongen_model::scene::{
+    CONTACT, ConstantForce, ContactSides, Impact, NamedStop, Node, Scene, StopLaw,
+};
 
 fn read(fields: &str) -> Scene {
     let text = format!(
@@ -47,6 +49,9 @@ fn several_contacts_stay_in_the_list() {
     for fields in [
         "contacts: { pads: b - wall { share: 0.5 } }",
         "contacts: { pads: b - wall }, dampers: { a - b: 1 }",
+        "contacts: { pads: b - wall { speed: 0.2 } }",
+        "contacts: { pads: b - wall }, stops: { bumper: b - a { gap: 0, restitution: 1 } }",
+        "contacts: { pads: b - wall }, constant: { a: 3 }",
         "contacts: { pads: b - wall, brace: base - a { stiffness: 40 } }",
     ] {
         assert!(read(fields).is_joined(), "{fields}");
@@ -63,4 +68,95 @@ fn several_contacts_stay_in_the_list() {
             "{text}"
         );
     }
+}
+
+#[test]
+fn stops_and_constant_forces_keep_their_order_and_numbers() {
+    let scene = read(
+        "contact: b - wall, constant: { b: -3, a: 4 }, stops: { soft: a - b { gap: 0.1, damping: 5, stiffness: 6 },
+         rigid: wall - b { restitution: 0, gap: -0.2 } }",
+    );
+    let stop = |name: &str, from, to, gap, impact| NamedStop {
+        name: name.to_owned(),
+        sides: ContactSides { from, to },
+        law: StopLaw { gap, impact },
+    };
+    let spring = Impact::Spring {
+        stiffness: 6.0,
+        damping: 5.0,
+    };
+    let [a, b] = [0, 1].map(Node::Mass);
+    assert_eq!(
+        scene.joints.stops,
+        [
+            stop("soft", a, b, 0.1, spring),
+            stop("rigid", Node::Wall, b, -0.2, Impact::Restitution(0.0)),
+        ]
+    );
+    let forces = [(1, -3.0), (0, 4.0)].map(|(mass, force)| ConstantForce { mass, force });
+    assert_eq!(scene.joints.constant, forces);
+    assert!(scene.joints.contacts.is_empty() && scene.is_joined());
+}
+
+#[test]
+fn a_length_of_its_own_is_that_of_friction_belts_stops_and_constant_forces() {
+    for (fields, has_length) in [
+        ("contact: b - wall", false),
+        ("contact: b - wall, dampers: { a - b: 1 }", false),
+        ("contact: b - wall, stiffness: 40, stiction: 1.2", false),
+        (
+            "contacts: { pads: b - wall { share: 0.5, speed: 0 } }",
+            false,
+        ),
+        ("contact: b - wall, friction: stribeck(0.1: 0.8)", true),
+        ("contacts: { pads: b - wall { speed: -0.2 } }", true),
+        (
+            "contact: b - wall, stops: { bumper: b - a { gap: 0, restitution: 1 } }",
+            true,
+        ),
+        ("contact: b - wall, constant: { a: 3 }", true),
+    ] {
+        assert_eq!(read(fields).has_length(), has_length, "{fields}");
+    }
+}
+
+/// Checks that a speed of 0 is the default, so that the contact is a single contact.
+#[test]
+fn a_contact_with_the_speed_0_is_a_single_contact() {
+    assert_eq!(
+        read("contacts: { contact: b - wall { speed: 0 } }"),
+        read("contact: b - wall")
+    );
+}
+
+/// Checks line, column and text of errors that end the parsing of an entry.
+#[test]
+fn every_error_of_stops_and_constant_forces_has_its_place() {
+    let text = "struct Chain {
+    masses: { a: 2, b: 3 },
+    springs: { base - a: 5, a - b: 6 },
+    contacts: { a_b: a - b { speed: fast }, pads: b - wall { speeds: 1 } },
+    stops: {
+        one: a - c { gap: 0.1, stiffness: 1e6 },
+        two: a - b { gap: 0.1, restitution: 2, stiffness: 3 },
+        two: b - b { gap: x, stiffness: 3 },
+        a - b { gap: 0.1, stiffness: 1 },
+        four: a - b { gpa: 0.1 },
+    },
+    constant: { a: 1, a: 2, base: 3, c: 4 },
+    excitation: a,
+}";
+    let told = read_scene(text).unwrap_err().to_string();
+    let places: Vec<&str> = told
+        .lines()
+        .map(|line| line.split(": ").next().unwrap())
+        .collect();
+    assert_eq!(
+        places,
+        [
+            "4:37", "4:62", "6:18", "7:32", "8:9", "8:18", "8:27", "9:9", "10:23", "12:23",
+            "12:29", "12:38"
+        ],
+        "{told}"
+    );
 }
