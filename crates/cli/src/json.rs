@@ -16,11 +16,11 @@ pub struct JsonWriter<'a> {
 }
 
 impl<'a> JsonWriter<'a> {
-    /// Begins the JSON object, and writes all fields that come before the points.
+    /// Begins the JSON object, and writes all fields that come before the points. `name` is that of the list of points.
     pub fn begin(
         out: &'a mut dyn Write,
         summary: &Summary,
-        head: &[(String, Json)],
+        (head, name): (&[(String, Json)], &str),
     ) -> io::Result<Self> {
         let list = |values: &[f64]| numbers(values.iter().copied());
         writeln!(out, "{{")?;
@@ -42,7 +42,7 @@ impl<'a> JsonWriter<'a> {
         for (name, value) in head {
             writeln!(out, "\"{name}\": {value},")?;
         }
-        write!(out, "\"points\": [")?;
+        write!(out, "\"{name}\": [")?;
         Ok(Self { out, empty: true })
     }
 
@@ -53,9 +53,13 @@ impl<'a> JsonWriter<'a> {
         write!(self.out, "{comma}\n{point}")
     }
 
-    /// Ends the list of points and the JSON object.
-    pub fn end(self) -> io::Result<()> {
-        writeln!(self.out, "\n]\n}}")
+    /// Ends the list of points and the JSON object, which may end with one more field.
+    pub fn end(self, tail: Option<(&str, String)>) -> io::Result<()> {
+        write!(self.out, "\n]")?;
+        if let Some((name, text)) = tail {
+            write!(self.out, ",\n\"{name}\": {}", Json::from(text))?;
+        }
+        writeln!(self.out, "\n}}")
     }
 }
 

@@ -30,6 +30,7 @@ mod interrupt;
 mod joined;
 mod json;
 mod layout;
+mod limit_cycle;
 mod limits;
 mod map;
 mod measure;
@@ -107,6 +108,7 @@ pub fn run(
     let arguments = Arguments::try_parse_from(arguments).map_err(refused)?;
     Ok(match &arguments.command {
         Command::Limits(arguments) => limits::run(arguments, out),
+        Command::LimitCycle(arguments) => limit_cycle::run(arguments, out),
         Command::Response(arguments) => response::run(arguments, out),
         Command::Orbit(arguments) => orbit::run(arguments, out),
         Command::Periodic(arguments) => periodic::run(arguments, out),

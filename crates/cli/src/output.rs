@@ -50,6 +50,14 @@ pub trait ResultTable {
     fn more(&self, _row: &Self::Row) -> Option<(&'static str, serde_json::Value)> {
         None
     }
+    /// Returns the name of the list of rows in JSON.
+    fn list(&self) -> &'static str {
+        "points"
+    }
+    /// Returns the name and the text of a remark that follows the rows in JSON and in a printed table.
+    fn tail(&self) -> Option<(&'static str, String)> {
+        None
+    }
     /// Returns a note on a row, which a printed table contains below its rows, or `None`.
     fn note(&self, _row: &Self::Row) -> Option<String> {
         None
@@ -75,7 +83,8 @@ pub fn write<T: ResultTable>(
     let mut progress = Progress::new(report.len(), "points");
     let (columns, layout) = (report.columns(), report.layout());
     if form == OutputFormat::Json {
-        let mut writer = json::JsonWriter::begin(&mut out, summary, &report.head())?;
+        let mut writer =
+            json::JsonWriter::begin(&mut out, summary, (&report.head(), report.list()))?;
         report.each(&mut |row| {
             progress.step();
             let motions = report.has_motions(row);
@@ -85,7 +94,7 @@ pub fn write<T: ResultTable>(
             }
             Ok(writer.point(&point)?)
         })?;
-        writer.end()?;
+        writer.end(report.tail())?;
     } else if let OutputFormat::Csv(extras) = form {
         if extras.comments {
             summary.comment(&mut out, &report.preamble())?;
@@ -128,6 +137,7 @@ pub fn write<T: ResultTable>(
         if more > 0 {
             notes.push(format!("{more} more lines have a note of this kind."));
         }
+        notes.extend(report.tail().map(|(_, text)| text));
         for note in notes {
             fit.wrapped(&format!("\n{note}\n"), &mut out)?;
         }

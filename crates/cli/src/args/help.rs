@@ -13,6 +13,20 @@ Grids:
 Exit status:
   0 without errors. Otherwise 2, with one line on standard error for each error.";
 
+pub const CYCLES: &str = "\
+Motion:
+  The motion starts from rest with undeformed springs, or from the state --from x1,...;v1,... in m and m/s. The
+  search follows it until the states at which a contact starts to slide repeat. A base that drives the scene is at
+  rest. Without a contact with a `speed`, every motion comes to rest.
+
+Quantities:
+  period_s, frequency_hz  duration of a cycle, and its inverse
+  amplitude       largest |x| of a motion, or largest relative displacement of a contact, in a cycle
+  stops, reversals, stuck_fraction, slip, force, energy  as of `orbit`, for one cycle
+
+Exit status:
+  0 without errors, also if no cycle exists. Otherwise 2, with one line on standard error for each error.";
+
 pub const UNITS: &str = "\
 Units:
   The units are those of the scene. With masses in kg and springs in N/m, forces are in N, lengths

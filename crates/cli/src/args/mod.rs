@@ -23,12 +23,12 @@ pub use desk::{
 #[cfg(feature = "pictures")]
 pub use desk::{LogAxes, ShadeArgument};
 use help::{
-    CURVES, DIFFERENCES, EXPORTS, FEATURES, FROM, GRIDS, GRIDS_IN_TIME, LIMITS, MAPS, ONE_POINT,
-    OPTIMA, ORBITS, RANGES, RESPONSES, SENSITIVITIES, STATES, TABLES, TIMES, UNITS,
+    CURVES, CYCLES, DIFFERENCES, EXPORTS, FEATURES, FROM, GRIDS, GRIDS_IN_TIME, LIMITS, MAPS,
+    ONE_POINT, OPTIMA, ORBITS, RANGES, RESPONSES, SENSITIVITIES, STATES, TABLES, TIMES, UNITS,
 };
 use periodic::PERIODICS;
 pub use periodic::PeriodicArguments;
-pub use points::{LimitsArguments, OrbitArguments, ResponseArguments};
+pub use points::{LimitCycleArguments, LimitsArguments, OrbitArguments, ResponseArguments};
 pub use recorded::{
     Also, By, DriveArguments, FitArguments, IdentifyArguments, RecordingArguments,
     TransmissibilityArguments,
@@ -62,6 +62,9 @@ pub enum Command {
     /// Print the steady state at each frequency and friction, in every regime
     #[command(after_help = format!("{ORBITS}{STATES}{FROM}{UNITS}{GRIDS_IN_TIME}"))]
     Orbit(OrbitArguments),
+    /// Print the periodic motion that a moving surface keeps up without a load (stick-slip on a belt)
+    #[command(after_help = CYCLES)]
+    LimitCycle(LimitCycleArguments),
     /// Print the steady state under any periodic load, given as a table of one period or as harmonics
     #[command(after_help = PERIODICS)]
     Periodic(PeriodicArguments),

@@ -1,7 +1,8 @@
 //! Arguments of the commands that compute at each point of a grid: limits, responses and steady states.
 
 use super::shared::{
-    FileArgument, FormatArguments, FrequencyArguments, FromArguments, LoadArguments, PointArguments,
+    FileArgument, FormatArguments, FrequencyArguments, FrictionArguments, FromArguments,
+    LoadArguments, PointArguments,
 };
 use clap::Args;
 use std::path::PathBuf;
@@ -21,6 +22,30 @@ pub struct LimitsArguments {
     /// Arguments for the format of the output.
     #[command(flatten)]
     pub format: FormatArguments,
+}
+
+/// Arguments of `frictiongen limit-cycle`.
+#[derive(Debug, Args)]
+pub struct LimitCycleArguments {
+    /// Argument for the scene description.
+    #[command(flatten)]
+    pub file: FileArgument,
+    /// Options for the frictions.
+    #[command(flatten)]
+    pub friction: FrictionArguments,
+    /// Option for the initial state.
+    #[command(flatten)]
+    pub from: FromArguments,
+    /// Print this motion: a mass, a difference of two masses such as `roof-first`, accel(...), vel(...), spring(a-b),
+    /// shear; may be given more than once [default: every mass]
+    #[arg(long, value_name = "NAME")]
+    pub of: Vec<String>,
+    /// Arguments for the format of the output.
+    #[command(flatten)]
+    pub format: FormatArguments,
+    /// Write to this file. The file extension sets the format: .csv or .json
+    #[arg(short, long, value_name = "OUT")]
+    pub output: Option<PathBuf>,
 }
 
 /// Arguments of `frictiongen response`.

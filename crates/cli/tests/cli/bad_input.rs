@@ -198,7 +198,7 @@ fn a_friction_law_without_a_constant_level() {
     );
     let default = stribeck.replace(", provide: [stepper]", "");
     let told = "frictiongen: <stdin>: the exact response needs a constant kinetic level, but this scene has `friction: stribeck`; use `frictiongen orbit`, `curve`, `map` or `time`, or write `friction: coulomb`";
-    let units = "frictiongen: `friction: stribeck` has speeds in the units of the scene, so that the amplitude of the load is needed; give the frequency in Hz or rad/s, the load in N or m and the friction in N";
+    let units = "frictiongen: the scene has lengths, speeds or constant forces, so that the amplitude of the load is needed; give the frequency in Hz or rad/s, the load in N or m and the friction in N";
     let commands: [(&[&str], &str); 10] = [
         (&["limits", "--r", "1"], told),
         (&["compile", "--accuracy", "1e-2", "--r", "0.5:2"], told),
@@ -221,7 +221,7 @@ fn a_friction_law_without_a_constant_level() {
             assert_eq!(failure(&default, arguments), [told], "{arguments:?}");
         }
     }
-    let without = "frictiongen: <stdin>: `friction: stribeck` has speeds in the units of the scene, so that the load is needed; give it by --force";
+    let without = "frictiongen: <stdin>: the scene has lengths, speeds or constant forces, so that the load is needed; give it by --force";
     let time = ["time", "--r", "1", "--beta", "1"];
     assert_eq!(failure(&stribeck, &time), [without]);
     let expanded = run_with(&stribeck, &["expand"]);

@@ -122,7 +122,7 @@ fn refused() {
     let told = |line: &str| told(line).replace("frictiongen: ", "");
     assert_eq!(
         told("time --r 1 --beta 0.3"),
-        "<stdin>: `friction: stribeck` has speeds in the units of the scene, so that the load is needed; give it by --base"
+        "<stdin>: the scene has lengths, speeds or constant forces, so that the load is needed; give it by --base"
     );
     assert!(told("time --r 1 --beta 0.3 --steady").contains("the amplitude of the load is needed"));
     assert!(told("time --r 1 --beta 0.3 --base 0").contains("above 0 and finite"));

@@ -79,6 +79,22 @@ pub struct Steady<S: Float, Z: Size> {
 }
 
 impl<S: Float, Z: Size> Steady<S, Z> {
+    /// Returns the results of a period of a motion that follows no load. The search knows no multipliers of it.
+    #[cfg(any(test, feature = "std"))]
+    pub fn of_cycle(state: State<S, Z>, cycle: Cycle<S, Z>, size: &Z) -> Self {
+        let zero = S::constant(0.0);
+        Self {
+            period: 1,
+            state,
+            neutral: 0,
+            multipliers: size.unknowns(Complex::new(zero, zero)),
+            count: 0,
+            marginal: size.contacts(false),
+            cycle,
+            residual: zero,
+        }
+    }
+
     /// Returns the Floquet multipliers of a period, in the order of decreasing absolute value. The list does not
     /// contain the multipliers 1 of the contacts in `marginal` and of the motions that `neutral` counts.
     pub fn multipliers(&self) -> &[Complex<S>] {

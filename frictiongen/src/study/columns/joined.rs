@@ -202,6 +202,22 @@ impl<'a> JoinedTable<'a> {
         (frequency, friction): (Frequency, FrictionSetting),
         orbit: &JoinedOrbit<'_>,
     ) -> Result<JoinedRow, JoinedError> {
+        Ok(JoinedRow {
+            frequency,
+            friction,
+            regime: words::regime(orbit.regime()),
+            state: if orbit.is_marginal() {
+                "marginal"
+            } else {
+                "stable"
+            },
+            stuck: limit(at),
+            steady: Some(self.numbers(orbit)?),
+        })
+    }
+
+    /// Returns the numbers of a steady state or of a limit cycle.
+    fn numbers(&self, orbit: &JoinedOrbit<'_>) -> Result<SteadyNumbers, JoinedError> {
         let contacts = orbit.contacts().map(|contact| ContactNumbers {
             amplitude: contact.displacement(),
             contact: Some(ContactPart {
@@ -222,23 +238,12 @@ impl<'a> JoinedTable<'a> {
             contact: None,
         });
         let multipliers = orbit.multipliers().iter().map(|value| value.norm());
-        Ok(JoinedRow {
-            frequency,
-            friction,
-            regime: words::regime(orbit.regime()),
-            state: if orbit.is_marginal() {
-                "marginal"
-            } else {
-                "stable"
-            },
-            stuck: limit(at),
-            steady: Some(SteadyNumbers {
-                regime: orbit.regime(),
-                period: orbit.period(),
-                multiplier: multipliers.reduce(f64::max),
-                marginal: orbit.marginal_contacts().join(" "),
-                parts: contacts.chain(motions).collect(),
-            }),
+        Ok(SteadyNumbers {
+            regime: orbit.regime(),
+            period: orbit.period(),
+            multiplier: multipliers.reduce(f64::max),
+            marginal: orbit.marginal_contacts().join(" "),
+            parts: contacts.chain(motions).collect(),
         })
     }
 
@@ -284,6 +289,27 @@ impl<'a> JoinedTable<'a> {
             Some(row.steady.as_ref()?.marginal.as_str())
         });
         columns.show(Shown::Everywhere);
+        self.part_columns(&mut columns);
+        columns.done()
+    }
+
+    /// Returns the columns of the table of limit cycles.
+    #[must_use]
+    pub fn cycle_columns(&self) -> Vec<Column<'a, JoinedRow>> {
+        let mut columns = Columns::new(&self.setting.measure);
+        self.setting.friction(&mut columns);
+        columns.number(
+            Head::of("period", PhysicalQuantity::Time),
+            |row: &JoinedRow| Some(1.0 / row.frequency.hertz),
+        );
+        columns.number("frequency_hz", |row| Some(row.frequency.hertz));
+        columns.word("regime", "continuous", |row: &JoinedRow| Some(row.regime));
+        self.part_columns(&mut columns);
+        columns.done()
+    }
+
+    /// Adds the columns of all contacts, and of the motions of the table.
+    fn part_columns(&self, columns: &mut Columns<'a, JoinedRow>) {
         let contacts = self.joined.contact_names().len();
         for (index, name) in self.parts().iter().enumerate() {
             if index < contacts {
@@ -316,7 +342,27 @@ impl<'a> JoinedTable<'a> {
             });
         }
         columns.end_parts();
-        columns.done()
+    }
+
+    /// Computes the row of the limit cycle that the motion without a load reaches. Returns `None` if it reaches none.
+    ///
+    /// # Errors
+    /// Same errors as [`Joined::limit_cycle`].
+    pub fn cycle(&self, friction: FrictionSetting) -> Result<Option<JoinedRow>, JoinedError> {
+        let Some(orbit) = self.joined.limit_cycle(friction.force())? else {
+            return Ok(None);
+        };
+        let system = self.setting.system;
+        let frequency = Frequency::at(system, orbit.omega() / system.angular_frequency(1.0));
+        let steady = self.numbers(&orbit)?;
+        Ok(Some(JoinedRow {
+            frequency,
+            friction,
+            regime: words::regime(orbit.regime()),
+            state: "",
+            stuck: None,
+            steady: Some(steady),
+        }))
     }
 }
 

@@ -7,7 +7,7 @@ use super::scene::Joined;
 use super::simulation::JoinedSimulation;
 use super::units::AnswerUnits;
 use crate::study::joints::{
-    Chain, JointError, Motion, Place, Steady, Wave, steady_state, steady_state_from,
+    Chain, JointError, Motion, Place, Steady, Wave, limit_cycle, steady_state, steady_state_from,
     steady_state_soon, stuck_response,
 };
 use crate::{Given, OutOfDomain};
@@ -128,6 +128,50 @@ impl<'a> Joined<'a> {
         };
         let at = JoinedAt::new(self.clone(), self.chain().clone(), 1.0, units);
         at.simulation_from(friction, state)
+    }
+
+    /// Returns the limit cycle that a motion without a load reaches: a periodic motion that a moving surface drives, with a
+    /// moving base at rest. The motion starts from rest, or from the initial state of the system. `friction` is the common
+    /// friction F in N, and all results are in the units of the scene description. The angular frequency
+    /// [`omega`](JoinedOrbit::omega) of the result is that of the cycle. Returns `None` if the motion comes to rest, slides
+    /// steadily, or does not repeat.
+    ///
+    /// # Errors
+    /// [`OutOfDomain`] for a friction that is negative or not finite. [`JoinedError::Engine`] if the motion has too many
+    /// events.
+    ///
+    /// ```
+    /// use frictiongen::System;
+    ///
+    /// fn main() -> Result<(), Box<dyn std::error::Error>> {
+    ///     let belt: System = "struct Belt {
+    ///         masses: { block: 1 }, springs: { block - wall: 1 },
+    ///         contacts: { pads: block - wall { speed: 0.3, stiction: 2 } },
+    ///     }".parse()?;
+    ///     let joined = belt.joined()?;
+    ///     let cycle = joined.limit_cycle(1.0)?.ok_or("no cycle")?;
+    ///     let period = std::f64::consts::TAU / cycle.omega();
+    ///     // The block slips about x = F/k between two instants of the speed V, and sticks in between.
+    ///     let slips = std::f64::consts::TAU - 2.0 * 1.0_f64.atan2(0.3);
+    ///     assert!((period - slips - 2.0 / 0.3).abs() < 1e-10);
+    ///     Ok(())
+    /// }
+    /// ```
+    pub fn limit_cycle(&self, friction: f64) -> Result<Option<JoinedOrbit<'a>>, JoinedError> {
+        let units = AnswerUnits {
+            force: 1.0,
+            length: 1.0,
+            speed: 1.0,
+        };
+        let at = JoinedAt::new(self.clone(), self.chain().clone(), 1.0, units);
+        let start = self.start().map(|start| start.at(1.0));
+        let start = start.as_ref().map(|(x, v)| (&x[..], &v[..]));
+        let chain = at.chain(friction)?;
+        let found = limit_cycle(at.started(&chain, start)?)?;
+        Ok(found.map(|(steady, period)| {
+            let omega = std::f64::consts::TAU / period;
+            JoinedOrbit::new(self.clone(), chain, (omega, units), steady)
+        }))
     }
 
     fn loaded(&self, omega: f64, amplitude: f64, units: AnswerUnits) -> JoinedAt<'a> {

@@ -112,6 +112,12 @@ impl<'a> JoinedOrbit<'a> {
         }
     }
 
+    /// Returns the angular frequency of the load in rad/s. Without a load, it is that of the limit cycle.
+    #[must_use]
+    pub fn omega(&self) -> f64 {
+        self.omega
+    }
+
     /// Returns the period of the motion in cycles of the load, at most 64.
     #[must_use]
     pub fn period(&self) -> usize {

@@ -10,6 +10,7 @@
 //! steady states. Emitted code uses the same functions. This module checks a chain, and computes its damping matrix.
 
 mod damping;
+mod limit_cycle;
 mod model;
 mod run;
 mod steady;
@@ -19,6 +20,7 @@ mod stuck;
 mod tests;
 
 pub use frictiongen_kernel::joints::Heap;
+pub use limit_cycle::limit_cycle;
 pub use run::{MAX_EVENTS, MAX_STRETCHES, Motion, Transition};
 pub use steady::{
     MAX_PERIOD, Place, Steady, steady_state, steady_state_from, steady_state_near,

@@ -48,6 +48,11 @@ impl Steady {
         }
     }
 
+    /// Returns the cycle of a motion without a load.
+    pub(super) fn of_cycle(state: State, cycle: Cycle, size: &Heap) -> Self {
+        Self::new(joints::Steady::of_cycle(state, cycle, size))
+    }
+
     /// Returns true if every small deviation decays. The method ignores deviations of contacts that never slide
     /// (`marginal`), and of parts of the chain without springs to a support (`neutral`).
     pub fn is_stable(&self) -> bool {
