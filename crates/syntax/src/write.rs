@@ -83,7 +83,10 @@ fn fields(scene: &Scene) -> Vec<(&'static str, String)> {
         let stops = stops.map(|stop| {
             let law = stop.law;
             let impact = match law.impact {
-                Impact::Spring { stiffness, damping } if damping == 0.0 => {
+                Impact::Spring {
+                    stiffness,
+                    damping: 0.0,
+                } => {
                     format!("stiffness: {stiffness:?}")
                 }
                 Impact::Spring { stiffness, damping } => {

@@ -290,3 +290,53 @@ fn word(name: &str, text: impl Into<String>) -> DescriptionField {
         number: None,
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::changes;
+    use frictiongen::System;
+
+    /// Checks that each number of belts, stops and constant forces is a parameter.
+    #[test]
+    fn parameters_of_stops_and_constant_forces() {
+        let read = |fields: &str| {
+            let text = format!(
+                "struct S {{ masses: {{ a: 1, b: 2 }}, springs: {{ base - a: 1, a - b: 1 }}, excitation: a, {fields} }}"
+            );
+            let system: System = text.parse().unwrap();
+            system.scene().clone()
+        };
+        let old = read(
+            "contacts: { pads: b - wall { speed: 0.1 } }, constant: { a: 1 },
+            stops: { soft: a - b { gap: 1, stiffness: 2, damping: 3 }, hard: b - a { gap: 1, restitution: 0.5 } }",
+        );
+        let new = read(
+            "contacts: { pads: b - wall { speed: 0.2 } }, constant: { a: 2, b: 3 },
+            stops: { soft: b - a { gap: 2, stiffness: 3 }, hard: b - a { gap: 1, restitution: 0.6 } }",
+        );
+        let told = changes(&old, &new).into_iter().map(|change| {
+            let text = |field: Option<super::DescriptionField>| {
+                field.map_or("none".to_owned(), |field| field.text)
+            };
+            format!(
+                "{}: {}, {}",
+                change.name,
+                text(change.old),
+                text(change.new)
+            )
+        });
+        assert_eq!(
+            told.collect::<Vec<_>>(),
+            [
+                "speed of pads: 0.1, 0.2",
+                "stop soft: a - b, b - a",
+                "gap of soft: 1.0, 2.0",
+                "stiffness of soft: 2.0, 3.0",
+                "damping of soft: 3.0, none",
+                "restitution of hard: 0.5, 0.6",
+                "constant force on a: 1.0, 2.0",
+                "constant force on b: none, 3.0",
+            ]
+        );
+    }
+}

@@ -109,6 +109,39 @@ fn every_field_counts() {
     }
 }
 
+/// Checks that each number of a belt, of stops and of constant forces counts, and that a speed of 0 does not.
+#[test]
+fn stops_and_constant_forces_count() {
+    let scene = |fields: &str| {
+        format!(
+            "struct S {{ masses: {{ a: 1, b: 2 }}, springs: {{ base - a: 1, a - b: 1 }}, excitation: a,
+            provide: [stepper], {fields} }}"
+        )
+    };
+    let mut seen = HashSet::new();
+    for fields in [
+        "contacts: { p: b - wall { share: 2 } }",
+        "contacts: { p: b - wall { share: 2, speed: 0.1 } }",
+        "contacts: { p: b - wall { share: 2, speed: -0.1 } }",
+        "contact: b - wall, dampers: { a - b: 1 }",
+        "contact: b - wall, stops: { s: a - b { gap: 1, stiffness: 1 } }",
+        "contact: b - wall, stops: { t: a - b { gap: 1, stiffness: 1 } }",
+        "contact: b - wall, stops: { s: b - a { gap: 1, stiffness: 1 } }",
+        "contact: b - wall, stops: { s: a - b { gap: 2, stiffness: 1 } }",
+        "contact: b - wall, stops: { s: a - b { gap: 1, stiffness: 2 } }",
+        "contact: b - wall, stops: { s: a - b { gap: 1, stiffness: 1, damping: 1 } }",
+        "contact: b - wall, stops: { s: a - b { gap: 1, restitution: 1 } }",
+        "contact: b - wall, stops: { s: a - b { gap: 1, restitution: 0 } }",
+        "contact: b - wall, constant: { a: 1 }",
+        "contact: b - wall, constant: { b: 1 }",
+        "contact: b - wall, constant: { a: 2 }",
+    ] {
+        assert!(seen.insert(fingerprint(&scene(fields))), "{fields}");
+    }
+    let still = scene("contacts: { p: b - wall { share: 2, speed: 0 } }");
+    assert!(seen.contains(&fingerprint(&still)));
+}
+
 #[test]
 fn the_layout_does_not_count() {
     let same = format!("/// A scene.\npub {}", SCENE.replace(", ", ",\n"))
