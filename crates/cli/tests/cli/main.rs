@@ -33,6 +33,7 @@ mod records;
 mod report;
 mod response;
 mod sensitivity;
+mod stops;
 mod time;
 mod time_refused;
 mod time_stribeck;
