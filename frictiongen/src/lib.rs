@@ -72,6 +72,8 @@
 //! | `contact` | `mass - wall`, `mass - mass`, `mass - base` | required, or `contacts` |
 //! | `contacts` | `{ name: node - node { stiffness: k, stiction: μ, share: s }, … }`: one contact with a name, or several. For several, the macro emits only `stepper`, `simulation`, `stuck` and `orbit` | |
 //! | `dampers` | `{ node - node: c, … }`: dashpots in N·s/m. The macro then emits only `stepper`, `simulation`, `stuck` and `orbit` | |
+//! | `stops` | `{ name: a - b { gap: g, stiffness: k, damping: c }, … }`, acts while x_a − x_b > g; `restitution: e` in place of `stiffness` | |
+//! | `constant` | `{ mass: force, … }`: constant forces in N | |
 //! | `excitation` | a mass, or `base` | required |
 //! | `damping` | `none`, `modal(ζ)`, `modal[ζ₁, …]`, `rayleigh(a, b)` | `none` |
 //! | `damping_from` | `rest` (damping acts on absolute velocities), `base` (on velocities relative to the moving base) | `rest` |
