@@ -3,7 +3,7 @@
 use crate::measure::{self, Measure};
 use crate::number::computed;
 use frictiongen::System;
-use frictiongen::study::scene::{CONTACT, Damping, DampingFrom, Excitation, Scene};
+use frictiongen::study::scene::{CONTACT, Damping, DampingFrom, Excitation, Node, Scene};
 use frictiongen::study::units;
 use std::io::{self, Write};
 
@@ -123,8 +123,12 @@ fn joints(scene: &Scene, masses: &str, loaded: bool) -> String {
         let stiffness = contact.law.stiffness.map_or_else(String::new, |stiffness| {
             format!(", stiffness {stiffness:?}")
         });
+        let speed = match contact.law.speed {
+            0.0 => String::new(),
+            speed => format!(", speed {speed:?}"),
+        };
         format!(
-            "{} ({}{stiffness}, stiction {:?}, share {:?})",
+            "{} ({}{stiffness}, stiction {:?}, share {:?}{speed})",
             contact.name,
             ends(contact.sides.from, contact.sides.to),
             contact.law.stiction,
@@ -136,7 +140,18 @@ fn joints(scene: &Scene, masses: &str, loaded: bool) -> String {
         let ends = ends(damper.from, damper.to);
         format!("dashpot {ends} of {:?}", damper.coefficient)
     });
-    let parts = contacts.chain(dampers).chain([excitation(scene, loaded)]);
+    let stops = scene.joints.stops.iter();
+    let stops = stops.map(|stop| {
+        let ends = ends(stop.sides.from, stop.sides.to);
+        format!("{} (stop {ends}, gap {:?})", stop.name, stop.law.gap)
+    });
+    let constant = scene.joints.constant.iter();
+    let constant = constant.map(|own| {
+        let mass = scene.node_name(Node::Mass(own.mass));
+        format!("constant force {:?} on {mass}", own.force)
+    });
+    let parts = contacts.chain(dampers).chain(stops).chain(constant);
+    let parts = parts.chain([excitation(scene, loaded)]);
     format!("{masses}, {}", parts.collect::<Vec<_>>().join(", "))
 }
 

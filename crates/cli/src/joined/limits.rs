@@ -8,6 +8,7 @@ use crate::output::{self, ResultTable, Visitor};
 use crate::summary::Summary;
 use frictiongen::System;
 use frictiongen::study::columns::{Column, JoinedLimitsRow, JoinedTable, Setting};
+use frictiongen::study::joined::JoinedError;
 use std::io::Write;
 
 /// Writes the limits of continuous motion and of sliding over frequency.
@@ -18,6 +19,9 @@ pub fn write(
     out: &mut dyn Write,
 ) -> Result<(), Failure> {
     let joined = system.joined().map_err(Failure::new)?;
+    if !system.scene().has_linear_states() {
+        return Err(Failure::new(JoinedError::NotLinear));
+    }
     let setting = Setting {
         frequencies: frequencies.given(),
         ..Setting::new(system, measure, frequencies.unit())

@@ -24,7 +24,7 @@ const BELT: &str = "struct Belt { masses: { block: 2.0 }, springs: { block - wal
 fn commands_with_a_load_agree() {
     let line = "--hz 1 --force 2 --friction 0.5 --of load --csv";
     let orbit = output(GEAR, &words(&format!("orbit {line}")));
-    for command in ["response", "map", "curve"] {
+    for command in ["response", "map"] {
         let other = output(GEAR, &words(&format!("{command} {line}")));
         let name = "load.amplitude_m";
         assert_eq!(

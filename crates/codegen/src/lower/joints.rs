@@ -11,23 +11,17 @@ pub(super) const MOST_CONTACTS: usize = 4;
 /// emits no code.
 pub(super) fn check(located: &Located<'_>, problems: &mut Problems) {
     let scene = &located.scene;
-    let count = scene.joints.contacts.len();
-    let stops = scene.joints.stops.len();
-    if count <= MOST_CONTACTS && count + stops > MOST_CONTACTS {
-        let message = format!(
-            "the macro emits code for at most {MOST_CONTACTS} contacts and stops, and this scene has {}; leave some out, or solve this scene at run time with `frictiongen::System`",
-            count + stops
-        );
-        problems.report(
-            located.place(Path::StopName(MOST_CONTACTS - count)),
-            message,
-        );
-    }
+    let contacts = scene.joints.contacts.len();
+    let count = contacts + scene.joints.stops.len();
     if count > MOST_CONTACTS {
         let message = format!(
-            "the macro emits code for at most {MOST_CONTACTS} contacts, and this scene has {count}; leave some out, or solve this scene at run time with `frictiongen::System`"
+            "the macro emits code for at most {MOST_CONTACTS} contacts and stops, and this scene has {count}; leave some out, or solve this scene at run time with `frictiongen::System`"
         );
-        problems.report(located.place(Path::JointName(MOST_CONTACTS)), message);
+        let path = match MOST_CONTACTS.checked_sub(contacts) {
+            Some(stop) => Path::StopName(stop),
+            None => Path::JointName(MOST_CONTACTS),
+        };
+        problems.report(located.place(path), message);
     }
     for (index, provide) in scene.provide.iter().enumerate() {
         let place = located.place(Path::Provide(Some(index)));
