@@ -40,8 +40,8 @@ pub fn damping_matrix(scene: &Scene, modal: &Modal) -> Vec<Vec<f64>> {
     matrix.into_iter().map(rounded).collect()
 }
 
-/// Returns the chain of a scene without loads, friction, stops and moving surfaces. `loaded` contains the indices of the masses on which a load
-/// can act. `modal` is the result of [`at_rest`].
+/// Returns the chain of a scene without loads, friction, stops and moving surfaces. `loaded` contains the indices of the
+/// masses on which a load can act. `modal` is the result of [`at_rest`].
 #[must_use]
 pub fn unloaded<S: Float>(scene: &Scene, modal: &Modal, loaded: &[usize]) -> Model<S, Heap> {
     let masses = scene.masses.len();

@@ -312,8 +312,7 @@ impl<S: Float, Z: Size> Decision<'_, S, Z> {
         let Some(contact) = self.model.contact(contact) else {
             return zero;
         };
-        let masses = self.model.masses();
-        let inverse = |node: usize| masses.get(node).map_or(zero, |m| S::constant(1.0) / *m);
+        let inverse = |node| self.model.inverse_mass(node);
         self.rounding() * (inverse(contact.plus) + inverse(contact.minus))
     }
 

@@ -160,7 +160,10 @@ impl<S: Float, Z: Size> Motion<S, Z> {
     ) -> (usize, i8) {
         let force = at(self.state.forces.as_ref(), contact);
         let level = at(decision.levels.as_ref(), contact);
-        let own = self.model.contact(contact).filter(|own| own.stop.is_none());
+        let own = self
+            .model
+            .contact(contact)
+            .filter(|_| !self.model.is_stop(contact));
         let rests = own.is_some_and(|own| force.abs() == own.stiction * level);
         if !rests || !speed.is_zero() || self.state.phase(contact) != STUCK {
             return (0, 0);

@@ -26,7 +26,7 @@ impl<S: Float, Z: Size> Motion<S, Z> {
         let (x, v) = self.nodes();
         let base = self.model.base_node();
         for (j, contact) in self.model.contacts().iter().enumerate() {
-            if contact.is_free() || contact.minus != base || contact.stop.is_some() {
+            if contact.is_free() || contact.minus != base || self.model.is_stop(j) {
                 continue;
             }
             let speed = self.model.slip(contact, v.as_ref());

@@ -23,7 +23,7 @@ const BEYOND: f64 = 64.0;
 impl<S: Float, Z: Size> Model<S, Z> {
     /// Returns true if the kinetic friction of a contact depends on its sliding speed.
     pub(super) fn has_lines(&self, contact: &Contact<S>) -> bool {
-        contact.is_rigid() && contact.stop.is_none() && !self.law.as_ref().is_empty()
+        contact.is_rigid() && !self.law.as_ref().is_empty()
     }
 
     /// Returns true if the energy of the difference between two motions under the same loads cannot grow. The energy
@@ -31,9 +31,8 @@ impl<S: Float, Z: Size> Model<S, Z> {
     pub(super) fn is_contraction(&self) -> bool {
         let one = S::constant(1.0);
         let mut contacts = self.contacts().iter();
-        contacts.all(|contact| {
-            contact.stiction == one && !self.has_lines(contact) && contact.stop.is_none()
-        })
+        !self.has_stops()
+            && contacts.all(|contact| contact.stiction == one && !self.has_lines(contact))
     }
 
     /// Returns the line of the friction law that contains the sliding speed of a contact.
@@ -86,12 +85,9 @@ impl<S: Float, Z: Size> Model<S, Z> {
     /// Returns an upper bound on the rate, in 1/time, at which the slope of the friction law alone makes the relative
     /// velocity of a sliding contact grow or decay.
     fn steepness(&self, contact: &Contact<S>, velocity: S, time: S) -> S {
-        let zero = S::constant(0.0);
-        let masses = self.masses();
-        let inverse = |node: usize| masses.get(node).map_or(zero, |m| S::constant(1.0) / *m);
         let level = largest(&contact.level, time, self.stretch);
         let slope = self.line(contact, velocity).slope.abs();
-        slope * level * (inverse(contact.plus) + inverse(contact.minus))
+        slope * level * (self.inverse_mass(contact.plus) + self.inverse_mass(contact.minus))
     }
 }
 

@@ -190,6 +190,12 @@ impl<S: Float, Z: Size> Model<S, Z> {
         self.masses.as_ref()
     }
 
+    /// Returns the inverse of the mass of a node, which is 0 for the wall and the base.
+    pub(super) fn inverse_mass(&self, node: usize) -> S {
+        let mass = self.masses().get(node);
+        mass.map_or(S::constant(0.0), |mass| S::constant(1.0) / *mass)
+    }
+
     /// Returns the contacts of the chain, in the order of the scene description.
     pub fn contacts(&self) -> &[Contact<S>] {
         self.contacts.as_ref()

@@ -48,12 +48,6 @@ impl<S: Float, Z: Size> Model<S, Z> {
         let factor = change / (plus + minus);
         (factor * plus, factor * minus)
     }
-
-    /// Returns the inverse of the mass of a node, which is 0 for the wall and the base.
-    fn inverse_mass(&self, node: usize) -> S {
-        let mass = self.masses().get(node);
-        mass.map_or(S::constant(0.0), |mass| S::constant(1.0) / *mass)
-    }
 }
 
 /// Returns the force of the spring of a stop, for the relative displacement of its nodes.

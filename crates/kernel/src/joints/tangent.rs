@@ -231,7 +231,7 @@ impl<'m, S: Float, Z: Size> Tangent<'m, S, Z> {
             set(self.accelerations.as_mut(), mass, step);
         }
         for column in 0..self.width {
-            let watched = if contact.stop.is_some() {
+            let watched = if self.model.is_stop(j) {
                 self.across(contact, 0, column)
             } else if was != STUCK {
                 self.across(contact, masses, column)

@@ -84,7 +84,7 @@ impl<S: Float, Z: Size> Unknowns<'_, S, Z> {
         moved.restart(state);
         let mut state = moved.state().clone();
         for (j, contact) in contacts() {
-            let Some(stiffness) = contact.stiffness.filter(|_| contact.stop.is_none()) else {
+            let Some(stiffness) = contact.stiffness.filter(|_| !model.is_stop(j)) else {
                 continue;
             };
             let slider = if self.moves(j) {

@@ -111,6 +111,17 @@ pub enum Impact {
     Restitution(f64),
 }
 
+impl Impact {
+    /// Returns the stiffness, which a rigid stop does not have, the damping and the coefficient of restitution.
+    #[must_use]
+    pub fn numbers(self) -> (Option<f64>, f64, f64) {
+        match self {
+            Self::Spring { stiffness, damping } => (Some(stiffness), damping, 0.0),
+            Self::Restitution(restitution) => (None, 0.0, restitution),
+        }
+    }
+}
+
 /// A constant force on a mass.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]

@@ -92,11 +92,7 @@ impl<'a> Joined<'a> {
         if !(amplitude > 0.0 && amplitude.is_finite()) {
             return Err(JoinedError::Amplitude(Given::of(amplitude)));
         }
-        let units = AnswerUnits {
-            force: 1.0,
-            length: 1.0,
-            speed: 1.0,
-        };
+        let units = AnswerUnits::OF_SCENE;
         let mut at = self.loaded(omega, amplitude, units);
         let length = match self.scene().excitation {
             Excitation::Force(_) => amplitude / self.scene().first_stiffness(),
@@ -121,11 +117,7 @@ impl<'a> Joined<'a> {
         friction: f64,
         state: GivenState<'_>,
     ) -> Result<JoinedSimulation<'a>, JoinedError> {
-        let units = AnswerUnits {
-            force: 1.0,
-            length: 1.0,
-            speed: 1.0,
-        };
+        let units = AnswerUnits::OF_SCENE;
         let at = JoinedAt::new(self.clone(), self.chain().clone(), 1.0, units);
         at.simulation_from(friction, state)
     }
@@ -158,11 +150,7 @@ impl<'a> Joined<'a> {
     /// }
     /// ```
     pub fn limit_cycle(&self, friction: f64) -> Result<Option<JoinedOrbit<'a>>, JoinedError> {
-        let units = AnswerUnits {
-            force: 1.0,
-            length: 1.0,
-            speed: 1.0,
-        };
+        let units = AnswerUnits::OF_SCENE;
         let at = JoinedAt::new(self.clone(), self.chain().clone(), 1.0, units);
         let start = self.start().map(|start| start.at(1.0));
         let start = start.as_ref().map(|(x, v)| (&x[..], &v[..]));

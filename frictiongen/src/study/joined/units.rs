@@ -12,6 +12,13 @@ pub struct AnswerUnits {
 }
 
 impl AnswerUnits {
+    /// The units of the scene description.
+    pub(super) const OF_SCENE: Self = Self {
+        force: 1.0,
+        length: 1.0,
+        speed: 1.0,
+    };
+
     /// Returns the unit of energies, the unit of force times the unit of length.
     #[must_use]
     pub fn energy(&self) -> f64 {

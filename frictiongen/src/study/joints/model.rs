@@ -2,7 +2,7 @@
 
 use super::{Chain, EndStop, Heap, Joint, JointError, MAX_CONTACTS, MAX_MASSES, Model, Wave};
 use frictiongen_kernel::joints::{Contact, Link, Short, Stop};
-use frictiongen_model::scene::{ContactSides, Impact, Node};
+use frictiongen_model::scene::{ContactSides, Node};
 
 impl Chain {
     /// Checks the chain and numbers its nodes for the solver.
@@ -105,10 +105,7 @@ fn is_turned(masses: usize, (from, to): (Node, Node)) -> bool {
 /// Converts a stop of the chain to a stop between numbered nodes.
 fn stop_of(masses: usize, own: &EndStop) -> Result<Contact<f64>, JointError> {
     let (plus, minus) = ends(masses, own.ends, "a stop")?;
-    let (stiffness, damping, restitution) = match own.law.impact {
-        Impact::Spring { stiffness, damping } => (Some(stiffness), damping, 0.0),
-        Impact::Restitution(restitution) => (None, 0.0, restitution),
-    };
+    let (stiffness, damping, restitution) = own.law.impact.numbers();
     let side = if is_turned(masses, own.ends) {
         -1.0
     } else {

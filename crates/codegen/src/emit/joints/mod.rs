@@ -17,7 +17,7 @@ use frictiongen_kernel::number::dd::Dd;
 use frictiongen_model::joined::{at_rest, damping_matrix, is_turned, numbered};
 use frictiongen_model::modal::Modal;
 use frictiongen_model::scene::{
-    Damping, Excitation, Impact, NamedContact, NamedStop, Node, Precision, Provide, Scene,
+    Damping, Excitation, NamedContact, NamedStop, Node, Precision, Provide, Scene,
 };
 use proc_macro2::{Ident, Literal, TokenStream};
 use quote::format_ident;
@@ -136,22 +136,21 @@ impl<'a> JointsEmission<'a> {
         })
     }
 
+    /// Emits a number that may be missing, as an `Option`.
+    fn optional(&self, value: Option<f64>) -> TokenStream {
+        match value.map(|value| self.number(value)) {
+            None => code!(::core::option::Option::None),
+            Some(value) => code!(::core::option::Option::Some(#value)),
+        }
+    }
+
     /// Emits a stop as a contact without a friction force.
     fn stop(&self, own: &NamedStop) -> TokenStream {
         let engine = &self.engine;
         let [plus, minus] = self.ends(own.sides.from, own.sides.to);
         let (level, zero, one) = (self.constant(0.0), self.number(0.0), self.number(1.0));
-        let option = |value: Option<f64>| match value {
-            None => code!(::core::option::Option::None),
-            Some(value) => {
-                let value = self.number(value);
-                code!(::core::option::Option::Some(#value))
-            }
-        };
-        let (stiffness, damping, restitution) = match own.law.impact {
-            Impact::Spring { stiffness, damping } => (option(Some(stiffness)), damping, 0.0),
-            Impact::Restitution(restitution) => (option(None), 0.0, restitution),
-        };
+        let (stiffness, damping, restitution) = own.law.impact.numbers();
+        let stiffness = self.optional(stiffness);
         let masses = self.description.scene.masses.len();
         let side = self.number(if is_turned(masses, own.sides) {
             -1.0
@@ -216,13 +215,7 @@ impl<'a> JointsEmission<'a> {
                 _ => contact.law.speed,
             };
             let speed = self.number(speed);
-            let stiffness = contact.law.stiffness.map_or_else(
-                || code!(::core::option::Option::None),
-                |stiffness| {
-                    let stiffness = self.number(stiffness);
-                    code!(::core::option::Option::Some(#stiffness))
-                },
-            );
+            let stiffness = self.optional(contact.law.stiffness);
             code!(#engine::Contact {
                 plus: #plus,
                 minus: #minus,

@@ -73,7 +73,8 @@ impl<S: Float> Sums<S> {
         }
         for (j, contact) in model.contacts().iter().enumerate() {
             let sides = contact.sides();
-            if let Some(speed) = Some(sides.speed).filter(|speed| !speed.is_zero()) {
+            let speed = model.speed(j);
+            if !speed.is_zero() {
                 // The moving surface works on the chain, too.
                 let force = integral(&series.force_terms(j), end);
                 self.add_load(-speed * length * force);
@@ -86,12 +87,12 @@ impl<S: Float> Sums<S> {
                 }
                 (side, _) if contact.has_constant_level() && !model.has_lines(contact) => {
                     let slid = moved(&series.place_terms(sides.plus, sides.minus));
-                    let slid = slid - sides.speed * length * end;
+                    let slid = slid - speed * length * end;
                     self.add_contact(sign::<S>(side) * contact.level.constant * slid);
                 }
                 _ => {
-                    let speed = series.slip_terms(sides);
-                    self.add_contact(work(&series.force_terms(j), &speed, length, end));
+                    let ends = (sides.plus, sides.minus);
+                    self.add_contact(series.work(j, (ends, speed), end));
                 }
             }
         }
@@ -262,11 +263,7 @@ impl<S: Float, Z: Size, T: AsRef<[S]>> Stepper<S, Z, T> {
         let contacts = model.contacts().iter().zip(forces.as_ref()).enumerate();
         let contacts = contacts.fold(S::constant(0.0), |sum, (j, (contact, force))| {
             let spring = at(state.forces.as_ref(), j);
-            let force = if contact.stop.is_some() {
-                &spring
-            } else {
-                force
-            };
+            let force = if model.is_stop(j) { &spring } else { force };
             let energy = contact.stiffness.map(|k| half * *force * *force / k);
             sum + energy.unwrap_or(S::constant(0.0))
         });
