@@ -6,6 +6,7 @@
 
 mod args;
 mod asked;
+mod branch;
 mod check;
 mod compile;
 mod curve;
@@ -89,7 +90,7 @@ fn refused(error: clap::Error) -> Ended {
             if error.kind() == ErrorKind::UnknownArgument && option == "--from" =>
         {
             Failure::new(
-                "--from: only `orbit`, `response`, `curve`, `map`, `time` and `optimum` take an initial state; leave it out of this command",
+                "--from: only `orbit`, `response`, `curve`, `map`, `time`, `optimum`, `branch` and `limit-cycle` take an initial state; leave it out of this command",
             )
             .into()
         }
@@ -111,6 +112,7 @@ pub fn run(
         Command::LimitCycle(arguments) => limit_cycle::run(arguments, out),
         Command::Response(arguments) => response::run(arguments, out),
         Command::Orbit(arguments) => orbit::run(arguments, out),
+        Command::Branch(arguments) => branch::run(arguments, out),
         Command::Periodic(arguments) => periodic::run(arguments, out),
         Command::Sensitivity(arguments) => sensitivity::run(arguments, out),
         Command::Curve(arguments) => curve::run(arguments, out),

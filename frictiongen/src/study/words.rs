@@ -1,6 +1,7 @@
 //! Words for regimes, results, events and features. Tables, files and bindings for other programming languages use
 //! the same words.
 
+use super::joined::{BranchEnd, BranchEvent};
 use super::{
     StudyError, SystemAt,
     features::{Certainty, Condition, Edge, InvariantPoint, InvariantQuantity},
@@ -272,5 +273,34 @@ pub fn certainty(certainty: Certainty) -> &'static str {
     match certainty {
         Certainty::Proven => "all",
         Certainty::Sampled { .. } => "sampled",
+    }
+}
+
+/// Returns the words for what changes at a point of a branch. `contacts` has the names of the contacts.
+pub fn branch_event(event: BranchEvent, contacts: &[String]) -> String {
+    let name = |index: usize| contacts.get(index).map_or("", String::as_str);
+    let word = match event {
+        BranchEvent::Fold => "fold",
+        BranchEvent::PeriodDoubling => "period doubling",
+        BranchEvent::SymmetryBreaking => "symmetry breaking",
+        BranchEvent::Crossing => "crossing of branches",
+        BranchEvent::Torus => "torus",
+        BranchEvent::Jump => "jump of stability",
+        BranchEvent::Stops(contact) => return format!("stops of {} change", name(contact)),
+        BranchEvent::Slides(contact) => {
+            return format!("{} begins or ceases to slide", name(contact));
+        }
+    };
+    word.to_owned()
+}
+
+/// Returns the words for the reason why a branch ends.
+pub fn branch_end(end: BranchEnd) -> &'static str {
+    match end {
+        BranchEnd::Bound => "bound of the parameter",
+        BranchEnd::Closed => "closed",
+        BranchEnd::Symmetric => "meets symmetric states",
+        BranchEnd::Lost => "no further state",
+        BranchEnd::Points => "largest number of points",
     }
 }

@@ -27,6 +27,28 @@ Quantities:
 Exit status:
   0 without errors, also if no cycle exists. Otherwise 2, with one line on standard error for each error.";
 
+pub const BRANCHES: &str = "\
+Search:
+  A branch starts at the steady state that motion from rest reaches at the first value A, or that motion from the state
+  --from reaches. It follows the state, also where it is unstable, until the parameter leaves the interval, the branch
+  closes, or no further state is found. Branches without a connection to a known one are not found.
+
+Parameters:
+  hz, r, omega, friction, beta, load, and the numbers of the description by the symbols of `sensitivity`, with dots for
+  blanks: m.upper, k.base-lower, zeta.1, c.a-b, mu.pads, stiffness.pads, share.pads, speed.pads
+
+Events:
+  fold                    the parameter turns back
+  symmetry breaking       two asymmetric states begin, mirror images of each other
+  crossing of branches    another branch passes through this state
+  period doubling         a state with twice the period begins
+  torus                   two complex multipliers leave or enter the unit circle
+  jump of stability       a multiplier jumps across the unit circle where a stop appears or vanishes
+  stops of C change       a stop or a reversal of the contact C appears or vanishes
+  C begins or ceases to slide
+
+";
+
 pub const UNITS: &str = "\
 Units:
   The units are those of the scene. With masses in kg and springs in N/m, forces are in N, lengths

@@ -23,12 +23,15 @@ pub use desk::{
 #[cfg(feature = "pictures")]
 pub use desk::{LogAxes, ShadeArgument};
 use help::{
-    CURVES, CYCLES, DIFFERENCES, EXPORTS, FEATURES, FROM, GRIDS, GRIDS_IN_TIME, LIMITS, MAPS,
-    ONE_POINT, OPTIMA, ORBITS, RANGES, RESPONSES, SENSITIVITIES, STATES, TABLES, TIMES, UNITS,
+    BRANCHES, CURVES, CYCLES, DIFFERENCES, EXPORTS, FEATURES, FROM, GRIDS, GRIDS_IN_TIME, LIMITS,
+    MAPS, ONE_POINT, OPTIMA, ORBITS, RANGES, RESPONSES, SENSITIVITIES, STATES, TABLES, TIMES,
+    UNITS,
 };
 use periodic::PERIODICS;
 pub use periodic::PeriodicArguments;
-pub use points::{LimitCycleArguments, LimitsArguments, OrbitArguments, ResponseArguments};
+pub use points::{
+    BranchArguments, LimitCycleArguments, LimitsArguments, OrbitArguments, ResponseArguments,
+};
 pub use recorded::{
     Also, By, DriveArguments, FitArguments, IdentifyArguments, RecordingArguments,
     TransmissibilityArguments,
@@ -65,6 +68,9 @@ pub enum Command {
     /// Print the periodic motion that a moving surface keeps up without a load (stick-slip on a belt)
     #[command(after_help = CYCLES)]
     LimitCycle(LimitCycleArguments),
+    /// Follow steady states, stable or not, along a parameter through folds, with every bifurcation
+    #[command(after_help = format!("{BRANCHES}{UNITS}"))]
+    Branch(BranchArguments),
     /// Print the steady state under any periodic load, given as a table of one period or as harmonics
     #[command(after_help = PERIODICS)]
     Periodic(PeriodicArguments),

@@ -48,6 +48,60 @@ pub struct LimitCycleArguments {
     pub output: Option<PathBuf>,
 }
 
+/// Arguments of `frictiongen branch`.
+#[derive(Debug, Args)]
+pub struct BranchArguments {
+    /// Argument for the scene description.
+    #[command(flatten)]
+    pub file: FileArgument,
+    /// The parameter that varies, and its first and last value; for example hz 1:7, friction 0.1:2, mu.pads 1:1.5,
+    /// k.base-lower 1000:1400
+    #[arg(long, num_args = 2, value_names = ["PARAMETER", "A:B"], required = true, allow_hyphen_values = true)]
+    pub along: Vec<String>,
+    /// Frequency ratio r, unless the frequency varies
+    #[arg(long, value_name = "R", allow_hyphen_values = true)]
+    pub r: Option<String>,
+    /// Frequency in Hz, instead of --r
+    #[arg(long, value_name = "HZ", allow_hyphen_values = true)]
+    pub hz: Option<String>,
+    /// Angular frequency in rad/s, instead of --r
+    #[arg(long, value_name = "OMEGA", allow_hyphen_values = true)]
+    pub omega: Option<String>,
+    /// Friction ratio, unless the friction varies
+    #[arg(long, value_name = "BETA", allow_hyphen_values = true)]
+    pub beta: Option<String>,
+    /// Kinetic friction force F in N, instead of --beta; needs --force or --base
+    #[arg(long, value_name = "F", allow_hyphen_values = true)]
+    pub friction: Option<String>,
+    /// Options for the amplitude of the load.
+    #[command(flatten)]
+    pub load: LoadArguments,
+    /// Start a branch at every steady state that `orbit --states` finds at the first value. Without this option, only
+    /// at the one that motion from rest reaches
+    #[arg(long)]
+    pub states: bool,
+    /// Follow also the branches that begin at bifurcations, and those on them, to this depth
+    #[arg(long, value_name = "N", default_value_t = 0)]
+    pub switch: usize,
+    /// Largest number of points on a branch
+    #[arg(long, value_name = "N", default_value_t = 1000)]
+    pub points: usize,
+    /// Print this motion: a mass, a difference of two masses such as `roof-first`, accel(...), vel(...), spring(a-b),
+    /// shear; may be given more than once [default: every mass]
+    #[arg(long, value_name = "NAME")]
+    pub of: Vec<String>,
+    /// Option for the initial state.
+    #[command(flatten)]
+    pub start: FromArguments,
+    /// Arguments for the format of the output.
+    #[command(flatten)]
+    pub format: FormatArguments,
+    /// Write to this file. The file extension sets the format: .csv, .json, .svg, or .png if the program has the
+    /// feature png. A picture shows the amplitudes over the parameter
+    #[arg(short, long, value_name = "OUT")]
+    pub output: Option<PathBuf>,
+}
+
 /// Arguments of `frictiongen response`.
 #[derive(Debug, Args)]
 pub struct ResponseArguments {

@@ -221,7 +221,7 @@ fn scaled(row: &JoinedRow, (index, part): (usize, &MovingPart), scales: &Scales)
 }
 
 /// Converts the amplitude of a motion at the frequency ratio r to the unit of its axis.
-pub(super) fn in_unit(size: f64, part: &MovingPart, (r, scales): (f64, &Scales)) -> f64 {
+pub fn in_unit(size: f64, part: &MovingPart, (r, scales): (f64, &Scales)) -> f64 {
     let scales = scales.showing(part.of);
     match part.size {
         MotionQuantity::Displacement => scales.length_at(r, size),

@@ -29,7 +29,7 @@ use sensitivity::SensitivityReport;
 use std::io::Write;
 
 #[cfg(feature = "pictures")]
-pub use draw::Picture;
+pub use draw::{Picture, in_unit};
 pub use limits::write as limits;
 #[cfg(feature = "report")]
 pub use page::write as write_page;

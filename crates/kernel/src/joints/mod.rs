@@ -37,6 +37,8 @@ mod model;
 mod neutral;
 mod now;
 mod orbit;
+#[cfg(any(test, feature = "std"))]
+mod period;
 mod poly;
 mod rates;
 mod roots;
@@ -73,6 +75,8 @@ pub use heap::{Heap, KeptTables, Short, refine, settle, settle_from, settle_soon
 pub use model::{Contact, Link, Model, Stop};
 pub use now::{ContactState, MassState};
 pub use orbit::{At, ContactOrbit, MassOrbit, Orbit, StuckState};
+#[cfg(any(test, feature = "std"))]
+pub use period::{Mapped, Period};
 pub use poly::{Poly, TERMS, slope, value};
 pub use roots::first_negative;
 pub use run::{Bounds, Motion, Observe};

@@ -140,7 +140,7 @@ impl<S: Float, Z: Size> Search<S, Z> {
 
     /// Returns the steady state that belongs to a periodic motion. `matrix` contains the derivatives of a shot. The
     /// function overwrites it.
-    fn found(
+    pub(super) fn found(
         &mut self,
         start: Motion<S, Z>,
         matrix: &mut Z::Square<S>,

@@ -1,6 +1,7 @@
 //! Figures of the results of a [`System`](frictiongen::System): curves, regimes, maps, motions over time, and a sketch
 //! of the system.
 
+mod branch;
 mod curves;
 mod joined;
 mod joined_map;
@@ -11,6 +12,7 @@ mod regimes;
 mod scales;
 mod sketch;
 
+pub use branch::{BranchCurve, branch_figure};
 pub use curves::{Drawn, Reading, curve_figure, keys, keys_of, lines, panel};
 pub use joined::{
     ContactTrack, JoinedCurve, JoinedMotion, joined_curve_figure, joined_motion_figure,

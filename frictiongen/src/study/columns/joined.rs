@@ -1,5 +1,6 @@
 //! Tables of the steady states of scenes with several contacts.
 
+use super::branch::BranchPlace;
 use super::builder::Columns;
 use super::column::{Column, Head, Shown};
 use super::measure::PhysicalQuantity;
@@ -24,6 +25,8 @@ pub struct JoinedRow {
     /// this friction.
     stuck: Option<(f64, String)>,
     steady: Option<SteadyNumbers>,
+    /// The place on a branch, if the row belongs to a table of branches.
+    branch: Option<BranchPlace>,
 }
 
 /// Numbers of a steady state with several contacts.
@@ -94,6 +97,12 @@ impl JoinedRow {
     #[must_use]
     pub fn stuck_fraction(&self, index: usize) -> Option<f64> {
         Some(self.contact(index)?.stuck_fraction)
+    }
+
+    /// Returns the place of the row on a branch, if it belongs to a table of branches.
+    #[must_use]
+    pub fn branch(&self) -> Option<&BranchPlace> {
+        self.branch.as_ref()
     }
 
     fn part(&self, index: usize) -> Option<&ContactNumbers> {
@@ -193,6 +202,7 @@ impl<'a> JoinedTable<'a> {
             state: reason(error),
             stuck: limit(at),
             steady: None,
+            branch: None,
         }
     }
 
@@ -213,6 +223,25 @@ impl<'a> JoinedTable<'a> {
             },
             stuck: limit(at),
             steady: Some(self.numbers(orbit)?),
+            branch: None,
+        })
+    }
+
+    /// Returns the row of a point of a branch, with a word for its stability.
+    pub(super) fn on_branch(
+        &self,
+        (frequency, friction): (Frequency, FrictionSetting),
+        orbit: &JoinedOrbit<'_>,
+        (state, place): (&'static str, BranchPlace),
+    ) -> Result<JoinedRow, JoinedError> {
+        Ok(JoinedRow {
+            frequency,
+            friction,
+            regime: words::regime(orbit.regime()),
+            state,
+            stuck: None,
+            steady: Some(self.numbers(orbit)?),
+            branch: Some(place),
         })
     }
 
@@ -274,10 +303,7 @@ impl<'a> JoinedTable<'a> {
         self.setting.friction(&mut columns);
         columns.word("regime", "continuous", |row: &JoinedRow| Some(row.regime));
         columns.word("state", "unsettled", |row| Some(row.state));
-        let head = Head::new("period").titled(&["period", "(cycles)"]);
-        columns.count(head, |row| Some(row.steady.as_ref()?.period));
-        let head = Head::new("largest_multiplier").titled(&["multiplier", "(largest)"]);
-        columns.number(head, |row| row.steady.as_ref()?.multiplier);
+        self.state_columns(&mut columns);
         columns.number(Head::of("stuck_from", PhysicalQuantity::Force), |row| {
             Some(row.stuck.as_ref()?.0)
         });
@@ -291,6 +317,14 @@ impl<'a> JoinedTable<'a> {
         columns.show(Shown::Everywhere);
         self.part_columns(&mut columns);
         columns.done()
+    }
+
+    /// Adds the columns of the period and of the largest multiplier.
+    pub(super) fn state_columns(&self, columns: &mut Columns<'a, JoinedRow>) {
+        let head = Head::new("period").titled(&["period", "(cycles)"]);
+        columns.count(head, |row: &JoinedRow| Some(row.steady.as_ref()?.period));
+        let head = Head::new("largest_multiplier").titled(&["multiplier", "(largest)"]);
+        columns.number(head, |row| row.steady.as_ref()?.multiplier);
     }
 
     /// Returns the columns of the table of limit cycles.
@@ -309,7 +343,7 @@ impl<'a> JoinedTable<'a> {
     }
 
     /// Adds the columns of all contacts, and of the motions of the table.
-    fn part_columns(&self, columns: &mut Columns<'a, JoinedRow>) {
+    pub(super) fn part_columns(&self, columns: &mut Columns<'a, JoinedRow>) {
         let contacts = self.joined.contact_names().len();
         for (index, name) in self.parts().iter().enumerate() {
             if index < contacts {
@@ -362,6 +396,7 @@ impl<'a> JoinedTable<'a> {
             state: "",
             stuck: None,
             steady: Some(steady),
+            branch: None,
         }))
     }
 }

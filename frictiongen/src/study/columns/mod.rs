@@ -38,6 +38,7 @@
 //! # }
 //! ```
 
+mod branch;
 mod builder;
 mod cell;
 mod column;
@@ -63,6 +64,7 @@ mod sensitivity;
 mod setting;
 mod steady;
 
+pub use branch::BranchPlace;
 pub use builder::Columns;
 pub use cell::Cell;
 pub use column::{Column, ColumnAxis, ColumnKind, Head, Shown, TableRow};

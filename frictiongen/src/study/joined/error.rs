@@ -61,6 +61,8 @@ pub enum JoinedError {
     Stopped,
     /// The scene has no contact with the requested name.
     UnknownContact(UnknownContact),
+    /// Neither the scene nor its operating point has a parameter with this name. The list has the names of all parameters.
+    UnknownParameter(String, Vec<String>),
     /// The scene has no mass with the requested name.
     UnknownMass(UnknownMass),
     /// The steady state has no derivatives.
@@ -117,6 +119,11 @@ impl fmt::Display for JoinedError {
             ),
             Self::Stopped => write!(f, "the search stopped before it had compared two frictions"),
             Self::UnknownContact(error) => error.fmt(f),
+            Self::UnknownParameter(name, known) => write!(
+                f,
+                "there is no parameter `{name}`; the parameters are {}",
+                known.join(", ")
+            ),
             Self::UnknownMass(error) => error.fmt(f),
             Self::NoDerivative(error) => error.fmt(f),
             Self::Engine(error) => error.fmt(f),

@@ -34,6 +34,7 @@
 
 mod answers;
 mod at;
+mod branch;
 mod combination;
 mod error;
 mod history;
@@ -52,8 +53,10 @@ mod units;
 #[cfg(test)]
 mod tests;
 
+pub use crate::study::joints::{BranchEnd, BranchEvent};
 pub use answers::{LinearResponse, StuckState};
 pub use at::JoinedAt;
+pub use branch::{BranchRequest, JoinedBranch, JoinedBranchPoint, Parent};
 pub(in crate::study) use combination::Combination;
 pub use error::{JoinedError, UnknownContact};
 pub use history::JoinedHistory;

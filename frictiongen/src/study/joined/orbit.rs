@@ -260,6 +260,16 @@ impl<'a> JoinedOrbit<'a> {
         Ok(self.steady.is_symmetric(&self.chain, self.omega)?)
     }
 
+    /// Returns this orbit with results in other units.
+    pub(in crate::study) fn in_units(self, units: AnswerUnits) -> Self {
+        Self { units, ..self }
+    }
+
+    /// Returns the steady state in the units of the scene description.
+    pub(super) fn steady(&self) -> &Steady {
+        &self.steady
+    }
+
     /// Returns the scene, the angular frequency of the load, and the units of the results.
     pub(super) fn setting(&self) -> (&Joined<'a>, f64, AnswerUnits) {
         (&self.joined, self.omega, self.units)

@@ -19,6 +19,8 @@ pub enum JoinedParameter {
     ContactStiffness(usize),
     /// Ratio μ of the static to the kinetic friction force of a contact. The number is the index of the contact.
     Stiction(usize),
+    /// The velocity of the surface of a contact's second side. The number is the index of the contact.
+    Speed(usize),
     /// The common friction of all contacts. It is the force F at a physical operating point, and β at a non-dimensional
     /// operating point.
     Friction,
@@ -69,6 +71,7 @@ impl JoinedPoint {
                 JoinedParameter::Share(contact),
                 JoinedParameter::ContactStiffness(contact),
                 JoinedParameter::Stiction(contact),
+                JoinedParameter::Speed(contact),
             ]
         });
         let point = [
@@ -79,6 +82,35 @@ impl JoinedPoint {
         let all = quantities.chain(dashpots).chain(contacts).chain(point);
         all.filter(|parameter| self.value(*parameter).is_some())
             .collect()
+    }
+
+    /// Returns the parameter with this name: its symbol, also with dots, such as `m.upper` and `k.base-lower`. The names
+    /// `hz`, `friction` and `load` work too, and `mu`, `stiffness`, `share` and `speed` alone if there is one contact.
+    pub(super) fn named(&self, name: &str) -> Option<JoinedParameter> {
+        let plain = |text: &str| text.replace(" - ", "-").replace('.', " ");
+        let wanted = plain(name);
+        let is_single = self.scene.named_contacts().len() == 1;
+        self.parameters().into_iter().find(|parameter| {
+            let symbol = plain(&parameter.symbol(&self.scene, &self.point));
+            let short = symbol.split(' ').next().unwrap_or_default();
+            let other = match parameter {
+                JoinedParameter::Friction => "friction",
+                JoinedParameter::Load => "load",
+                JoinedParameter::Frequency if symbol != "r" => "hz",
+                parameter if is_single && parameter.is_of_contact() => short,
+                _ => "",
+            };
+            wanted == symbol || (wanted == other && !wanted.is_empty())
+        })
+    }
+
+    /// Returns this operating point with another value of a parameter.
+    pub(super) fn with(&self, parameter: JoinedParameter, value: f64) -> Self {
+        let mut changed = self.clone();
+        if let Some(number) = changed.number(parameter) {
+            *number = value;
+        }
+        changed
     }
 
     /// Returns the value of a parameter at this operating point, or `None` if the scene does not have the parameter.
@@ -115,6 +147,10 @@ impl JoinedPoint {
             }
             JoinedParameter::Stiction(_) if is_single => Some(&mut scene.stiction),
             JoinedParameter::Stiction(index) => Some(&mut contacts.get_mut(index)?.law.stiction),
+            JoinedParameter::Speed(index) => {
+                let speed = &mut contacts.get_mut(index)?.law.speed;
+                (*speed != 0.0).then_some(speed)
+            }
             JoinedParameter::Friction => Some(match point {
                 OperatingPoint::Groups { beta, .. } => beta,
                 OperatingPoint::Physical { friction, .. } => friction,
@@ -132,6 +168,14 @@ impl JoinedPoint {
 }
 
 impl JoinedParameter {
+    /// Returns true for a number of one contact.
+    fn is_of_contact(self) -> bool {
+        matches!(
+            self,
+            Self::Share(_) | Self::ContactStiffness(_) | Self::Stiction(_) | Self::Speed(_)
+        )
+    }
+
     /// Returns the corresponding parameter of a scene with a single contact, if there is one.
     fn single(self) -> Option<Parameter> {
         match self {
@@ -166,6 +210,7 @@ impl JoinedParameter {
             (Self::Share(index), _) => contact("share", index),
             (Self::ContactStiffness(index), _) => contact("stiffness", index),
             (Self::Stiction(index), _) => contact("mu", index),
+            (Self::Speed(index), _) => contact("speed", index),
             (Self::Friction | Self::Load | Self::Frequency, None) => String::new(),
         }
     }
@@ -177,6 +222,7 @@ impl JoinedParameter {
             (_, Some(single)) => single.unit(point),
             (Self::Dashpot(_), _) => "N s/m",
             (Self::ContactStiffness(_), _) => "N/m",
+            (Self::Speed(_), _) => "m/s",
             _ => "",
         }
     }

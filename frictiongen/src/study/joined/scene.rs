@@ -97,6 +97,11 @@ impl<'a> Joined<'a> {
         self.start.as_ref()
     }
 
+    /// Sets the initial state of the motions to steady states.
+    pub(super) fn set_start(&mut self, start: Option<InitialState>) {
+        self.start = start;
+    }
+
     /// Fails if the description has no field `excitation`.
     pub(super) fn check_load(&self) -> Result<(), OutOfDomain> {
         match self.is_loaded {

@@ -6,6 +6,7 @@
 //! two steps. A step is valid only if each contact stops and reverses as often in both changed states as in the known
 //! state.
 
+use super::at::JoinedAt;
 use super::error::JoinedError;
 use super::parameter::{JoinedParameter, JoinedPoint};
 use super::scene::Joined;
@@ -54,10 +55,10 @@ pub struct JoinedSensitivities {
 }
 
 /// Data of a scene at an operating point that the search for a steady state needs.
-struct Prepared {
-    chain: Chain,
-    omega: f64,
-    units: AnswerUnits,
+pub(super) struct Prepared {
+    pub(super) chain: Chain,
+    pub(super) omega: f64,
+    pub(super) units: AnswerUnits,
 }
 
 /// Amplitudes of the masses and energies of the contacts in a steady state, and the numbers of stops and reversals of
@@ -130,10 +131,27 @@ impl Joined<'_> {
 }
 
 /// Returns the chain of a scene at an operating point, with its load and with the friction force of each contact.
-fn prepare(setting: &JoinedPoint) -> Result<Prepared, JoinedError> {
-    let system = system(&setting.scene)?;
-    let joined = system.joined()?;
-    let (at, friction) = match setting.point {
+pub(super) fn prepare(setting: &JoinedPoint) -> Result<Prepared, JoinedError> {
+    prepare_on(&system(&setting.scene)?, setting.point)
+}
+
+/// Returns the chain of a system at an operating point, as [`prepare`] does.
+pub(super) fn prepare_on(system: &System, point: OperatingPoint) -> Result<Prepared, JoinedError> {
+    let (at, friction) = operating(system, &system.joined()?, point)?;
+    Ok(Prepared {
+        chain: at.chain(friction)?,
+        omega: at.omega(),
+        units: at.units(),
+    })
+}
+
+/// Evaluates a scene at an operating point, and returns the common friction there.
+pub(super) fn operating<'a>(
+    system: &System,
+    joined: &Joined<'a>,
+    point: OperatingPoint,
+) -> Result<(JoinedAt<'a>, f64), JoinedError> {
+    Ok(match point {
         OperatingPoint::Groups { r, beta } => (joined.at(r)?, beta),
         OperatingPoint::Physical {
             hertz,
@@ -144,16 +162,11 @@ fn prepare(setting: &JoinedPoint) -> Result<Prepared, JoinedError> {
             system.fits(load).map_err(JoinedError::Load)?;
             (joined.under(omega, load.at(omega).amplitude())?, friction)
         }
-    };
-    Ok(Prepared {
-        chain: at.chain(friction)?,
-        omega: at.omega(),
-        units: at.units(),
     })
 }
 
 /// Returns the system of a scene whose numbers differ slightly from those of a valid scene.
-fn system(scene: &Scene) -> Result<System, JoinedError> {
+pub(super) fn system(scene: &Scene) -> Result<System, JoinedError> {
     let system = System::try_from(scene.clone());
     system.map_err(|_| JoinedError::OutOfDomain(OutOfDomain::State))
 }
@@ -268,15 +281,11 @@ impl NeighbourSearch {
         parameter: JoinedParameter,
         value: f64,
     ) -> Result<Option<SteadyAmplitudes>, JoinedError> {
-        let mut setting = self.setting.clone();
-        if let Some(number) = setting.number(parameter) {
-            *number = value;
-        }
         let Prepared {
             chain,
             omega,
             units,
-        } = prepare(&setting)?;
+        } = prepare(&self.setting.with(parameter, value))?;
         let found = match steady_state_near(&chain, omega, &self.steady) {
             Ok(steady) => SteadyAmplitudes::of(&steady, units),
             Err(JointError::NotSteady) => return Ok(None),

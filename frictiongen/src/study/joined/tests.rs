@@ -1,6 +1,7 @@
 //! Tests of scenes with several contacts, from the text of the scene description to the results.
 
 mod balance;
+mod branch;
 mod free;
 mod reference;
 mod refused;

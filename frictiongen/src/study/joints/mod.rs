@@ -9,6 +9,7 @@
 //! [`frictiongen_kernel::joints`] computes the motion from event to event, the closed form of the stuck state, and the
 //! steady states. Emitted code uses the same functions. This module checks a chain, and computes its damping matrix.
 
+mod branch;
 mod damping;
 mod limit_cycle;
 mod model;
@@ -19,6 +20,8 @@ mod stuck;
 #[cfg(test)]
 mod tests;
 
+pub(super) use branch::Follower;
+pub use branch::{Branch, BranchEnd, BranchEvent, BranchPoint};
 pub use frictiongen_kernel::joints::Heap;
 pub use limit_cycle::limit_cycle;
 pub use run::{MAX_EVENTS, MAX_STRETCHES, Motion, Transition};

@@ -33,7 +33,7 @@ pub struct Steady {
 }
 
 impl Steady {
-    fn new(found: joints::Steady<f64, Heap>) -> Self {
+    pub(super) fn new(found: joints::Steady<f64, Heap>) -> Self {
         let marginal = found.marginal.iter().enumerate();
         let marginal = marginal.filter(|(_, marginal)| **marginal);
         Self {

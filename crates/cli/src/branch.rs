@@ -1,0 +1,323 @@
+//! `frictiongen branch`: follows steady states, stable or not, along a parameter.
+
+use crate::args::{BranchArguments, FrequencyArguments, FrictionArguments};
+use crate::asked;
+use crate::destination::Destination;
+#[cfg(feature = "pictures")]
+use crate::destination::OutputFormat;
+use crate::failure::Failure;
+use crate::frequency::Frequencies;
+use crate::friction::Frictions;
+use crate::from;
+use crate::layout::Layout;
+use crate::measure;
+use crate::output::{self, ResultTable, Visitor};
+use crate::summary::Summary;
+#[cfg(feature = "pictures")]
+use crate::{joined::in_unit, picture};
+use frictiongen::System;
+use frictiongen::study::columns::{Column, Frequency, JoinedRow, JoinedTable, Setting};
+use frictiongen::study::joined::{BranchRequest, JoinedBranch};
+use frictiongen::study::sensitivity::OperatingPoint;
+use frictiongen::study::words;
+use frictiongen_codegen::SizeLimits;
+#[cfg(feature = "pictures")]
+use frictiongen_plot::{
+    Label,
+    desk::{BranchCurve, branch_figure},
+};
+use serde_json::{Value as Json, json};
+use std::io::Write;
+
+/// Runs `frictiongen branch`.
+pub fn run(arguments: &BranchArguments, out: &mut dyn Write) -> Result<(), Failure> {
+    let (path, output) = (arguments.file.path(), arguments.output.as_deref());
+    let destination = Destination::of(output, path, &arguments.format, true)?;
+    let along = Along::of(arguments)?;
+    let frequencies = Frequencies::parse(&along.frequency(arguments)?, true)?;
+    let frictions = Frictions::parse(&along.friction(arguments)?, Some(&frequencies))?;
+    let system = System::try_from(arguments.file.any(&SizeLimits::RUN_TIME)?.scene);
+    let system = system.map_err(Failure::new)?;
+    frequencies.check(&system)?;
+    let measure = measure::of(&arguments.load, &system)?;
+    let system = from::started(arguments.start.from.as_deref(), system, &measure)?;
+    let parts = asked::motions(&system, &arguments.of)?;
+    let (frequencies, frictions) = (frequencies.under(&measure), frictions.under(&measure)?);
+    let joined = system.joined().map_err(Failure::new)?;
+    let table = JoinedTable {
+        setting: Setting {
+            frequencies: frequencies.given(),
+            frictions: frictions.given(),
+            forces: frictions.are_forces(),
+            parts: &parts,
+            ..Setting::new(&system, measure, frequencies.unit())
+        },
+        joined: &joined,
+    };
+    let (frequency, friction) = (frequencies.only(&system)?, frictions.only()?);
+    let point = table.setting.point(frequency, friction);
+    let parameter = joined.parameter_named(along.symbol(&point), point);
+    let parameter = parameter.map_err(|error| along.wrong(error))?;
+    let request = BranchRequest {
+        all_states: arguments.states,
+        switches: arguments.switch,
+        most: arguments.points,
+        ..BranchRequest::new(
+            point,
+            parameter,
+            along.interval(&frequencies, &table.setting),
+        )
+    };
+    let report = BranchReport {
+        table: &table,
+        name: parameter.symbol(system.scene(), &point),
+        unit: parameter.unit(&point),
+        branches: table.branches(&request).map_err(Failure::new)?,
+    };
+    let summary = Summary::of(&system, frequencies.are_physical(), measure);
+    destination.write(out, |out| {
+        #[cfg(feature = "pictures")]
+        if destination.form.is_picture() {
+            return draw(&report, frequencies.are_physical(), destination.form, out);
+        }
+        output::write(&report, &summary, destination.form, out)
+    })
+}
+
+/// The option `--along PARAMETER a:b`.
+struct Along<'t> {
+    name: &'t str,
+    from: f64,
+    to: f64,
+}
+
+impl<'t> Along<'t> {
+    fn of(arguments: &'t BranchArguments) -> Result<Self, Failure> {
+        let [name, interval] = arguments.along.as_slice() else {
+            return Err(Failure::new(
+                "--along: give a parameter and an interval a:b",
+            ));
+        };
+        let name = name.trim();
+        let wrong =
+            |problem: &str| Failure::new(format_args!("--along {name} {interval}: {problem}"));
+        let ends = interval.split_once(':');
+        let (from, to) = ends.ok_or_else(|| wrong("an interval a:b is needed"))?;
+        let [from, to] =
+            [from, to].map(|end| end.trim().parse::<f64>().ok().filter(|end| end.is_finite()));
+        let (Some(from), Some(to)) = (from, to) else {
+            return Err(wrong("a and b must be numbers"));
+        };
+        match from == to {
+            true => Err(wrong("a and b must differ")),
+            false => Ok(Self { name, from, to }),
+        }
+    }
+
+    fn wrong(&self, error: impl std::fmt::Display) -> Failure {
+        Failure::new(format_args!("--along {}: {error}", self.name))
+    }
+
+    fn is_frequency(&self) -> bool {
+        ["hz", "r", "omega"].contains(&self.name)
+    }
+
+    fn is_friction(&self) -> bool {
+        ["friction", "beta"].contains(&self.name)
+    }
+
+    /// Returns the option of the frequency, or the first frequency of the interval.
+    fn frequency(&self, arguments: &BranchArguments) -> Result<FrequencyArguments, Failure> {
+        let given = [&arguments.r, &arguments.hz, &arguments.omega];
+        let count = given.iter().filter(|text| text.is_some()).count();
+        if !self.is_frequency() {
+            return match count {
+                1 => Ok(FrequencyArguments {
+                    r: arguments.r.clone(),
+                    hz: arguments.hz.clone(),
+                    omega: arguments.omega.clone(),
+                }),
+                _ => Err(Failure::new("give one of --r, --hz and --omega")),
+            };
+        }
+        if count > 0 {
+            return Err(self.wrong("the frequency varies; leave --r, --hz and --omega out"));
+        }
+        let first = |name: &str| (self.name == name).then(|| format!("{:?}", self.from));
+        Ok(FrequencyArguments {
+            r: first("r"),
+            hz: first("hz"),
+            omega: first("omega"),
+        })
+    }
+
+    /// Returns the option of the friction, or the first friction of the interval.
+    fn friction(&self, arguments: &BranchArguments) -> Result<FrictionArguments, Failure> {
+        let given = [&arguments.beta, &arguments.friction];
+        let count = given.iter().filter(|text| text.is_some()).count();
+        if !self.is_friction() {
+            return match count {
+                1 => Ok(FrictionArguments {
+                    beta: arguments.beta.clone(),
+                    friction: arguments.friction.clone(),
+                }),
+                _ => Err(Failure::new("give one of --beta and --friction")),
+            };
+        }
+        if count > 0 {
+            return Err(self.wrong("the friction varies; leave --beta and --friction out"));
+        }
+        let first = |name: &str| (self.name == name).then(|| format!("{:?}", self.from));
+        Ok(FrictionArguments {
+            beta: first("beta"),
+            friction: first("friction"),
+        })
+    }
+
+    /// Returns the symbol of the parameter at an operating point, which has r and β, or Hz and N under a load.
+    fn symbol(&self, point: &OperatingPoint) -> &str {
+        match point {
+            OperatingPoint::Physical { .. } if self.is_frequency() => "hz",
+            OperatingPoint::Groups { .. } if self.is_frequency() => "r",
+            _ if self.is_friction() => "friction",
+            _ => self.name,
+        }
+    }
+
+    /// Returns the ends of the interval in the unit of the parameter.
+    fn interval(&self, frequencies: &Frequencies, setting: &Setting<'_>) -> (f64, f64) {
+        let converted = |value: f64| {
+            let load = setting.measure.scale();
+            if self.is_frequency() {
+                let frequency: Frequency = frequencies.unit().given(setting.system, value);
+                match load {
+                    Some(_) => frequency.hertz,
+                    None => frequency.r,
+                }
+            } else if let Some(load) = load.filter(|_| self.name == "beta") {
+                load.friction(value)
+            } else {
+                value
+            }
+        };
+        (converted(self.from), converted(self.to))
+    }
+}
+
+/// Draws the amplitude of each motion over the parameter.
+#[cfg(feature = "pictures")]
+fn draw(
+    report: &BranchReport<'_>,
+    in_hertz: bool,
+    form: OutputFormat,
+    out: &mut dyn Write,
+) -> Result<(), Failure> {
+    let setting = &report.table.setting;
+    let scales = picture::scales(setting.system, in_hertz, &setting.measure);
+    let contacts = report.table.joined.contact_names().len();
+    let titles = setting.parts.iter().map(|part| {
+        let label = scales.showing(part.of).size_label(part.size);
+        (Label::verbatim(&part.name), label)
+    });
+    let titles: Vec<(Label, Label)> = titles.collect();
+    let curves = report.branches.iter().enumerate();
+    let curves = curves.map(|(index, (branch, rows))| {
+        let values = setting.parts.iter().enumerate().map(|(place, part)| {
+            let sizes = rows.iter().map(|row| {
+                let size = row.amplitude(contacts + place).unwrap_or(f64::NAN);
+                in_unit(size, part, (row.frequency.r, &scales))
+            });
+            sizes.collect()
+        });
+        let points = branch.points.iter().enumerate();
+        let marked = points.filter(|(_, point)| {
+            let mut events = point.events.iter();
+            events.any(|event| event.is_bifurcation())
+        });
+        BranchCurve {
+            name: Label::verbatim(&format!("branch {index}")),
+            places: branch.points.iter().map(|point| point.value).collect(),
+            stable: rows
+                .iter()
+                .map(|row| row.branch().is_some_and(|at| at.is_stable))
+                .collect(),
+            bifurcations: marked.map(|(place, _)| place).collect(),
+            values: values.collect(),
+        }
+    });
+    let curves: Vec<BranchCurve> = curves.collect();
+    let parameter = match report.unit {
+        "" => report.name.clone(),
+        unit => format!("{} ({unit})", report.name),
+    };
+    let title = Label::verbatim(&setting.system.scene().name);
+    let figure = branch_figure(title, &Label::verbatim(&parameter), &titles, &curves);
+    let figure = picture::under_load(figure, &setting.measure, "");
+    picture::write(figure, setting.system, form, out)
+}
+
+/// Branches of steady states, with the options for the output.
+struct BranchReport<'s> {
+    table: &'s JoinedTable<'s>,
+    /// Symbol of the parameter.
+    name: String,
+    unit: &'static str,
+    branches: Vec<(JoinedBranch<'s>, Vec<JoinedRow>)>,
+}
+
+impl BranchReport<'_> {
+    /// Returns a sentence about where each branch begins and ends.
+    fn ends(&self) -> String {
+        let all = self.branches.iter().enumerate();
+        let all = all.map(|(index, (branch, _))| {
+            let begins = branch.parent.map_or(String::new(), |parent| {
+                format!(" begins on branch {}", parent.branch)
+            });
+            let points = branch.points.len();
+            format!(
+                "branch {index}:{begins} {points} points, ends: {}",
+                words::branch_end(branch.end)
+            )
+        });
+        all.collect::<Vec<_>>().join("; ")
+    }
+}
+
+impl ResultTable for BranchReport<'_> {
+    type Row = JoinedRow;
+
+    fn len(&self) -> usize {
+        self.branches.iter().map(|(_, rows)| rows.len()).sum()
+    }
+
+    fn each(&self, visit: Visitor<'_, JoinedRow>) -> Result<(), Failure> {
+        let mut rows = self.branches.iter().flat_map(|(_, rows)| rows);
+        rows.try_for_each(visit)
+    }
+
+    fn columns(&self) -> Vec<Column<'_, JoinedRow>> {
+        self.table.branch_columns((&self.name, self.unit))
+    }
+
+    fn layout(&self) -> Layout {
+        Layout::Lines
+    }
+
+    fn head(&self) -> Vec<(String, Json)> {
+        let branches = self.branches.iter().map(|(branch, _)| {
+            json!({
+                "points": branch.points.len(),
+                "end": words::branch_end(branch.end),
+                "parent": branch.parent.map(|parent| parent.branch),
+            })
+        });
+        vec![
+            ("along".to_owned(), json!(self.name)),
+            ("branches".to_owned(), branches.collect()),
+        ]
+    }
+
+    fn preamble(&self) -> Vec<(&'static str, String)> {
+        vec![("branches", self.ends())]
+    }
+}
