@@ -8,6 +8,7 @@ use super::response::SystemResponse;
 #[cfg(feature = "desk")]
 use super::start::InitialState;
 use crate::{Error, Given, NoOrbit, NotContinuous, OutOfDomain, Regime, StuckResonance};
+use frictiongen_kernel::orbit::Start;
 use frictiongen_kernel::oscillator::mode::{Kind, Mode};
 use frictiongen_kernel::response::Scene as _;
 
@@ -17,6 +18,9 @@ const ON_CIRCLE: f64 = 4096.0;
 /// Friction ratio β at which a contact sticks from its initial state on, except very close to a resonance of the stuck
 /// chain.
 const LOCKED: f64 = 1e12;
+
+/// Largest difference of two harmonics that are treated as the same, divided by the amplitude.
+const SAME: f64 = 1e-6;
 
 impl<'a> SystemAt<'a> {
     /// Returns the steady response at the friction ratio β = F/P, in any regime: the state in which the motion from
@@ -97,6 +101,50 @@ impl<'a> SystemAt<'a> {
             .unzip();
         let carried = InitialState::at_ratio(state, r, fall);
         Ok((self.told(orbit, motion)?, carried))
+    }
+
+    /// Returns every steady state that the search finds at the friction ratio β, stable or not: those of
+    /// [`states`](frictiongen_kernel::response::At::states), and with μ > 1 also unstable ones and mirror images. The
+    /// search is that of [`JoinedAt::states`](super::joined::JoinedAt::states).
+    ///
+    /// ```
+    /// # fn main() -> Result<(), Box<dyn std::error::Error>> {
+    /// let block: frictiongen::System = "struct Block {
+    ///     masses: { m: 1 }, springs: { base - m: 1 }, contact: m - base, excitation: base, stiction: 1.5,
+    /// }".parse()?;
+    /// let states = block.at(0.55)?.every_state(0.1)?;
+    /// let unstable = states.iter().find(|orbit| !orbit.is_stable()).ok_or("none")?;
+    /// assert!((unstable.contact().amplitude() - 0.436472360457).abs() < 1e-11);
+    /// # Ok(())
+    /// # }
+    /// ```
+    ///
+    /// # Errors
+    /// [`OutOfDomain`] for NaN, negative and infinite β.
+    pub fn every_state(&self, beta: f64) -> Result<Vec<SystemOrbit<'a>>, OutOfDomain> {
+        let mut all: Vec<SystemOrbit<'a>> = self.states(beta)?.collect();
+        let (system, r) = (*self.scene(), self.frequency_ratio());
+        if self.is_unique() || !self.has_cycles() {
+            return Ok(all);
+        }
+        let found = system
+            .joined()
+            .and_then(|joined| joined.at(r)?.states(beta));
+        // Where no motion settles, the first search has told the reason.
+        for state in found.unwrap_or_default() {
+            if state.is_marginal() {
+                continue;
+            }
+            let (x, v) = state.state();
+            let period = u32::try_from(state.period()).unwrap_or(u32::MAX);
+            let start = Start::Cycle(&x, &v, period);
+            let orbit = system.settled_from(r, beta, start, (self.sliding_limit(), false));
+            let Ok(orbit) = orbit else { continue };
+            if !all.iter().any(|known| are_alike(known, &orbit)) {
+                all.push(orbit);
+            }
+        }
+        Ok(all)
     }
 
     /// Returns the regime of the steady state `orbit` at this frequency ratio. Other steady states at the same β have
@@ -248,4 +296,12 @@ mod tests {
         let quarter = InitialState::at_ratio((x.clone(), v.clone()), 1.2, 2).at(doubled);
         assert_eq!(quarter, (vec![0.25 * x[0]], vec![0.5 * v[0]]));
     }
+}
+
+/// Returns true if the contact has the same mean and the same fundamental in two steady states of one period.
+fn are_alike(one: &SystemOrbit<'_>, other: &SystemOrbit<'_>) -> bool {
+    let (a, b) = (one.contact(), other.contact());
+    let size = a.amplitude().max(b.amplitude());
+    let near = |n: u32| (a.harmonic(n) - b.harmonic(n)).norm() <= SAME * size;
+    one.period() == other.period() && near(0) && near(1)
 }

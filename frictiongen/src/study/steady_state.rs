@@ -133,7 +133,9 @@ impl<S: Plain> System<S> {
             (Some((x, v)), Start::Rest) => Start::State(x, v),
             (_, start) => start,
         };
-        if let Start::State(displacements, velocities) = start {
+        if let Start::State(displacements, velocities)
+        | Start::Cycle(displacements, velocities, _) = start
+        {
             self.check_state((displacements, velocities))?;
         }
         let dynamics = self.dynamics_in_time()?;

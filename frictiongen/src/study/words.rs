@@ -1,7 +1,7 @@
 //! Words for regimes, results, events and features. Tables, files and bindings for other programming languages use
 //! the same words.
 
-use super::joined::{BranchEnd, BranchEvent};
+use super::joined::{BranchEnd, BranchEvent, FoundBy, JoinedOrbit};
 use super::{
     StudyError, SystemAt,
     features::{Certainty, Condition, Edge, InvariantPoint, InvariantQuantity},
@@ -15,7 +15,7 @@ use super::{
     curve::{CurvePoint, CurveStart},
     map::Pattern,
 };
-use crate::{Error, Given, NoOrbit, NotContinuous, OutOfDomain, Regime, Unsupported};
+use crate::{Complex, Error, Given, NoOrbit, NotContinuous, OutOfDomain, Regime, Unsupported};
 use frictiongen_kernel::simulation::{Contact, Event};
 #[cfg(feature = "desk")]
 use std::borrow::Cow;
@@ -273,6 +273,31 @@ pub fn certainty(certainty: Certainty) -> &'static str {
     match certainty {
         Certainty::Proven => "all",
         Certainty::Sampled { .. } => "sampled",
+    }
+}
+
+/// Returns the word for the stability of a steady state of several contacts.
+pub fn joined_state(orbit: &JoinedOrbit<'_>) -> &'static str {
+    // Rounding moves a multiplier of modulus 1 off the unit circle by less.
+    let grows = |multiplier: &Complex<f64>| multiplier.norm() > 1.0 + 1e-7;
+    if orbit.multipliers().iter().any(grows) {
+        "unstable"
+    } else if orbit.is_marginal() || !orbit.is_stable() {
+        "marginal"
+    } else {
+        "stable"
+    }
+}
+
+/// Returns the word for how a search has found a steady state.
+pub fn found_by(found: FoundBy) -> &'static str {
+    match found {
+        FoundBy::Rest => "rest",
+        FoundBy::Stuck => "stuck",
+        FoundBy::Linear => "linear",
+        FoundBy::Spread => "spread",
+        FoundBy::Newton => "newton",
+        FoundBy::Mirror => "mirror",
     }
 }
 

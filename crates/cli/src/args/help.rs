@@ -173,10 +173,11 @@ Quantities:
 
 pub const STATES: &str = "\
 Several states:
-  --states lists the stable steady states that a search finds. The search starts from rest or from --from,
-  from the stuck contact, from the closed form and from motions at neighbouring frictions. It may miss other
-  states. It looks neither for unstable states nor for the mirror image of an asymmetric state. In CSV and
-  JSON, from_rest marks the state that motion from rest or from --from reaches, and marginal marks a state of
+  --states lists the steady states that a search finds, stable or not. The search follows motions from rest or
+  from --from, from the stuck contact, from the closed form, from motions at neighbouring frictions and from 8
+  states that are spread over all directions. If several states may exist, it also applies Newton's method to
+  these states, and adds the mirror image of each asymmetric state. It may miss other states. In CSV and JSON,
+  from_rest marks the state that motion from rest or from --from reaches, and marginal marks a state of
   a continuum. If the search finds no state, the list has one line for the motion, whose state is the reason.
 
 ";

@@ -1,6 +1,7 @@
 //! Tests of the command line. Each test runs the program as a user would.
 
 mod bad_input;
+mod branch;
 mod common;
 mod compile;
 mod curve;

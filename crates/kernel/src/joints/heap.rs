@@ -182,3 +182,16 @@ pub fn refine(
 ) -> Result<Option<Steady<f64, Heap>>, Halt> {
     motion.refine(omega, near)
 }
+
+/// Searches for a steady state by [`Motion::refine_symmetric`].
+///
+/// # Errors
+///
+/// [`Halt`] if the motion exceeds a bound.
+pub fn refine_symmetric(
+    motion: &Motion<f64, Heap>,
+    omega: f64,
+    place: f64,
+) -> Result<Option<Steady<f64, Heap>>, Halt> {
+    motion.refine_symmetric(omega, place)
+}

@@ -71,7 +71,9 @@ pub use base::Curve;
 pub use cycle::{ContactCycle, Cycle, Watch};
 pub use decide::{Decision, MAX_PATTERNS};
 #[cfg(any(test, feature = "std"))]
-pub use heap::{Heap, KeptTables, Short, refine, settle, settle_from, settle_soon};
+pub use heap::{
+    Heap, KeptTables, Short, refine, refine_symmetric, settle, settle_from, settle_soon,
+};
 pub use model::{Contact, Link, Model, Stop};
 pub use now::{ContactState, MassState};
 pub use orbit::{At, ContactOrbit, MassOrbit, Orbit, StuckState};

@@ -225,6 +225,39 @@ impl<S: Float, Z: Size> Motion<S, Z> {
         };
         search.newton(&motion, span)
     }
+
+    /// Searches as [`refine`](Self::refine) does for a motion that has the opposite sign half a cycle later. Returns
+    /// `None` also if the loads or the chain permit no such motion.
+    ///
+    /// # Errors
+    ///
+    /// [`Halt`] if the motion exceeds a bound.
+    pub fn refine_symmetric(&self, omega: S, place: S) -> Result<Option<Steady<S, Z>>, Halt> {
+        let mut search = Search::new(self, omega, place);
+        if !search.is_odd(self.model()) {
+            return Ok(None);
+        }
+        search.newton(&self.clone().with_tables(), ShotSpan::Half)
+    }
+}
+
+#[cfg(any(test, feature = "std"))]
+impl Motion<f64, super::heap::Heap> {
+    /// Returns the mirror image of the motion: the motion half a cycle later, with the opposite sign. Returns `None` if
+    /// the loads or the chain permit no such motion.
+    ///
+    /// # Errors
+    ///
+    /// [`Halt`] if the motion exceeds a bound.
+    pub fn mirrored(&self, omega: f64) -> Result<Option<Self>, Halt> {
+        let search = Search::new(self, omega, 1.0);
+        if !search.is_odd(self.model()) {
+            return Ok(None);
+        }
+        let mut mirrored = self.clone();
+        search.pass(&mut mirrored, ShotSpan::Half, &mut ())?;
+        Ok(Some(mirrored))
+    }
 }
 
 /// Search for a periodic motion of a chain by the shooting method.

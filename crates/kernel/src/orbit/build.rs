@@ -2,7 +2,7 @@
 
 use super::candidate::{FoundState, ON_CIRCLE};
 use super::cycle_map::{CycleMap, MOST_EVENTS};
-use super::newton::{PeriodMap, Workspace, multipliers, same};
+use super::newton::{PeriodMap, Workspace, multipliers, newton, same};
 use super::question::OrbitQuestion;
 use super::record::{OrbitRecord, RecordedPeriod};
 use super::shooting::{FollowedMotion, Settled, settle};
@@ -239,6 +239,9 @@ fn reach<const AT_LENGTH: bool, S: Float, K: ContactChain<S>>(
         (true, Some(_)) => return Ok(Settled::Stuck(S::constant(0.0))),
         _ => {}
     }
+    if let Start::Cycle(.., period) = start {
+        return repeating(cycle_map, workspace, period);
+    }
     let most = start.most_cycles();
     let mut motion = FollowedMotion::new(holding, setting.law().is_contraction());
     let settled = settle(cycle_map, workspace, &mut motion, most, spare)?;
@@ -258,6 +261,28 @@ fn reach<const AT_LENGTH: bool, S: Float, K: ContactChain<S>>(
         }
         settled => Ok(settled),
     }
+}
+
+/// Refines a state from which the motion repeats after a number of cycles, stable or not.
+fn repeating<S: Float, K: ContactChain<S>>(
+    cycle_map: &mut CycleMap<'_, '_, S, K>,
+    workspace: &mut Workspace<'_, S>,
+    period: u32,
+) -> Result<Settled<S>, NoOrbit> {
+    let map = PeriodMap {
+        period,
+        symmetric: false,
+    };
+    cycle_map.save(workspace.state);
+    if newton(cycle_map, workspace, map)?.is_none() {
+        return Ok(Settled::Not(NoOrbit::Unsettled));
+    }
+    multipliers(cycle_map, workspace, map)?;
+    Ok(Settled::Found(FoundState {
+        settled: true,
+        period,
+        ..FoundState::NONE
+    }))
 }
 
 /// Follows the motion from the state that the search has reached, and records one period of the motion.

@@ -31,7 +31,7 @@ impl<S> Start<'_, S> {
     /// Returns the largest number of cycles that the search follows from this initial state.
     pub(super) fn most_cycles(&self) -> u32 {
         match self {
-            Self::Rest | Self::State(..) => MAX_CYCLES,
+            Self::Rest | Self::State(..) | Self::Cycle(..) => MAX_CYCLES,
             Self::Stuck | Self::ClosedForm(_) | Self::Neighbour(_) => MAX_CYCLES_NEAR,
         }
     }

@@ -19,6 +19,9 @@ pub enum Start<'s, S> {
     Rest,
     /// The masses have the given displacements x̄ (first slice) and velocities dx̄/dτ (second slice).
     State(&'s [S], &'s [S]),
+    /// The masses have the given displacements and velocities, as of [`State`](Self::State), and the motion repeats after
+    /// this number of cycles, stable or not. No motion is followed to it.
+    Cycle(&'s [S], &'s [S], u32),
     /// The contact sticks at z̄ = 0. This state exists for β ≥ β*_lim.
     Stuck,
     /// The state of the closed form at the given friction ratio. The search may have another β. The motion from this
@@ -39,7 +42,7 @@ impl<S: Float> Start<'_, S> {
         let (zero, setting) = (S::constant(0.0), cycle_map.setting);
         match self {
             Self::Rest | Self::Stuck => {}
-            Self::State(displacements, velocities) => {
+            Self::State(displacements, velocities) | Self::Cycle(displacements, velocities, _) => {
                 setting.check_state((displacements, velocities))?;
                 setting.load_state(displacements, velocities, cycle_map.modes);
                 cycle_map.contact_state = setting.contact_state(cycle_map.modes, zero);

@@ -15,7 +15,7 @@ pub struct BranchPlace {
     pub branch: usize,
     /// Value of the parameter in its own unit.
     pub value: f64,
-    /// True if every small deviation decays.
+    /// True if no small deviation grows.
     pub is_stable: bool,
     /// True if the motion repeats with the opposite sign after half a cycle.
     pub is_symmetric: bool,
@@ -60,12 +60,6 @@ impl<'a> JoinedTable<'a> {
                         FrictionSetting::of_ratio(friction, None)
                     }
                 };
-                let is_stable = orbit.is_stable();
-                let state = match is_stable {
-                    false => "unstable",
-                    true if orbit.is_marginal() => "marginal",
-                    true => "stable",
-                };
                 let events = point
                     .events
                     .iter()
@@ -73,11 +67,11 @@ impl<'a> JoinedTable<'a> {
                 let place = BranchPlace {
                     branch: index,
                     value: point.value,
-                    is_stable,
+                    is_stable: words::joined_state(orbit) != "unstable",
                     is_symmetric: point.is_symmetric,
                     events: events.collect::<Vec<_>>().join("; "),
                 };
-                self.on_branch((frequency, friction), orbit, (state, place))
+                self.on_branch((frequency, friction), orbit, place)
             });
             let rows: Result<Vec<JoinedRow>, JoinedError> = rows.collect();
             Ok((branch, rows?))

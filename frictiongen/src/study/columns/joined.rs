@@ -6,7 +6,7 @@ use super::column::{Column, Head, Shown};
 use super::measure::PhysicalQuantity;
 use super::setting::{AtFriction, Frequency, FrictionSetting, Setting, at};
 use crate::Regime;
-use crate::study::joined::{Joined, JoinedAt, JoinedError, JoinedOrbit};
+use crate::study::joined::{FoundBy, Joined, JoinedAt, JoinedError, JoinedOrbit};
 use crate::study::joints::JointError;
 use crate::study::words;
 
@@ -36,6 +36,7 @@ struct SteadyNumbers {
     period: usize,
     multiplier: Option<f64>,
     marginal: String,
+    found: FoundBy,
     parts: Vec<ContactNumbers>,
 }
 
@@ -216,29 +217,25 @@ impl<'a> JoinedTable<'a> {
             frequency,
             friction,
             regime: words::regime(orbit.regime()),
-            state: if orbit.is_marginal() {
-                "marginal"
-            } else {
-                "stable"
-            },
+            state: words::joined_state(orbit),
             stuck: limit(at),
             steady: Some(self.numbers(orbit)?),
             branch: None,
         })
     }
 
-    /// Returns the row of a point of a branch, with a word for its stability.
+    /// Returns the row of a point of a branch.
     pub(super) fn on_branch(
         &self,
         (frequency, friction): (Frequency, FrictionSetting),
         orbit: &JoinedOrbit<'_>,
-        (state, place): (&'static str, BranchPlace),
+        place: BranchPlace,
     ) -> Result<JoinedRow, JoinedError> {
         Ok(JoinedRow {
             frequency,
             friction,
             regime: words::regime(orbit.regime()),
-            state,
+            state: words::joined_state(orbit),
             stuck: None,
             steady: Some(self.numbers(orbit)?),
             branch: Some(place),
@@ -272,6 +269,7 @@ impl<'a> JoinedTable<'a> {
             period: orbit.period(),
             multiplier: multipliers.reduce(f64::max),
             marginal: orbit.marginal_contacts().join(" "),
+            found: orbit.found_by(),
             parts: contacts.chain(motions).collect(),
         })
     }
@@ -311,6 +309,9 @@ impl<'a> JoinedTable<'a> {
             Some(row.stuck.as_ref()?.1.as_str())
         });
         columns.show(Shown::Files);
+        columns.word("found_by", "linear", |row| {
+            Some(words::found_by(row.steady.as_ref()?.found))
+        });
         columns.word("marginal", "marginal", |row| {
             Some(row.steady.as_ref()?.marginal.as_str())
         });

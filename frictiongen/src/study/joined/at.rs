@@ -248,7 +248,7 @@ impl<'a> JoinedAt<'a> {
         Ok(self.settled(steady, chain))
     }
 
-    fn settled(&self, steady: Steady, chain: Chain) -> JoinedOrbit<'a> {
+    pub(super) fn settled(&self, steady: Steady, chain: Chain) -> JoinedOrbit<'a> {
         let units = (self.omega, self.units);
         JoinedOrbit::new(self.joined.clone(), chain, units, steady)
     }
@@ -274,7 +274,11 @@ impl<'a> JoinedAt<'a> {
     }
 
     /// Starts a motion from a given state, or from rest if no state is given.
-    fn started(&self, chain: &Chain, state: Option<GivenState<'_>>) -> Result<Motion, JoinedError> {
+    pub(super) fn started(
+        &self,
+        chain: &Chain,
+        state: Option<GivenState<'_>>,
+    ) -> Result<Motion, JoinedError> {
         let Some((x, v)) = state else {
             return Ok(Motion::from_rest(chain)?);
         };

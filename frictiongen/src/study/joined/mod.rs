@@ -60,7 +60,7 @@ pub use branch::{BranchRequest, JoinedBranch, JoinedBranchPoint, Parent};
 pub(in crate::study) use combination::Combination;
 pub use error::{JoinedError, UnknownContact};
 pub use history::JoinedHistory;
-pub use orbit::{ContactOrbit, JoinedOrbit};
+pub use orbit::{ContactOrbit, FoundBy, JoinedOrbit};
 pub use parameter::JoinedParameter;
 pub use scene::Joined;
 pub use sensitivity::{JoinedSensitivities, JoinedSensitivity};

@@ -18,6 +18,24 @@ pub struct JoinedOrbit<'a> {
     omega: f64,
     units: AnswerUnits,
     steady: Steady,
+    found: FoundBy,
+}
+
+/// How a search has found a steady state.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum FoundBy {
+    /// By the motion from rest, or from the initial state of the system.
+    Rest,
+    /// By the motion from the state in which no contact slides, or from a multiple of it.
+    Stuck,
+    /// By the motion from the response without friction, or from a multiple of it.
+    Linear,
+    /// By the motion from one of several states that are spread over all directions.
+    Spread,
+    /// By Newton's method. The state may be unstable.
+    Newton,
+    /// As the mirror image of an asymmetric state.
+    Mirror,
 }
 
 /// Motion of one contact over the period of a steady state with several contacts.
@@ -109,7 +127,19 @@ impl<'a> JoinedOrbit<'a> {
             omega,
             units,
             steady,
+            found: FoundBy::Rest,
         }
+    }
+
+    /// Sets how the search has found this state.
+    pub(super) fn with_found(self, found: FoundBy) -> Self {
+        Self { found, ..self }
+    }
+
+    /// Returns how the search has found this state.
+    #[must_use]
+    pub fn found_by(&self) -> FoundBy {
+        self.found
     }
 
     /// Returns the angular frequency of the load in rad/s. Without a load, it is that of the limit cycle.

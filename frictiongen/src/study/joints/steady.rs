@@ -109,6 +109,30 @@ pub fn steady_state_soon(
         .map_err(|cycle| cycle.amplitudes.into_vec()))
 }
 
+/// Returns the steady states that Newton's method finds from a motion, stable or not: one that has the opposite sign half
+/// a cycle later, and those with a period of one and of two cycles. `size` is that of the displacements.
+pub fn steady_states_near(motion: &Motion, omega: f64, size: f64) -> Vec<Steady> {
+    let motion = motion.clone().into_engine();
+    let symmetric = joints::refine_symmetric(&motion, omega, size);
+    let others = [1, 2].map(|period| joints::refine(&motion, omega, (period, size)));
+    // A guess whose motion exceeds a bound leads to no state.
+    let all = [symmetric].into_iter().chain(others);
+    all.filter_map(|found| found.ok().flatten())
+        .map(Steady::new)
+        .collect()
+}
+
+/// Returns the mirror image of a steady state: the motion half a cycle later, with the opposite sign. Returns `None` if
+/// the loads or the chain permit no such motion.
+pub fn mirror_image(chain: &Chain, omega: f64, of: &Steady) -> Option<Steady> {
+    let mut motion = Motion::from_rest(chain).ok()?;
+    motion.restart(of.state.clone());
+    let mirrored = motion.into_engine().mirrored(omega).ok()??;
+    let size = of.cycle.amplitudes.iter().copied().fold(0.0, f64::max);
+    let found = joints::refine(&mirrored, omega, (of.period, size)).ok()??;
+    Some(Steady::new(found))
+}
+
 /// Returns the steady state of a chain near a known steady state of a similar chain. Newton's method starts from the
 /// known state.
 ///

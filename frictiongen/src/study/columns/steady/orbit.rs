@@ -170,8 +170,9 @@ impl<'a> OrbitTable<'a> {
         friction: FrictionSetting,
     ) -> Result<Vec<OrbitRow>, OutOfDomain> {
         let under_load = friction.at(&self.setting.measure, frequency);
-        let states = at.states(under_load.beta)?;
-        let rows = states.map(|orbit| self.found(at, (frequency, under_load), &orbit));
+        let states = at.every_state(under_load.beta)?;
+        let states = states.iter();
+        let rows = states.map(|orbit| self.found(at, (frequency, under_load), orbit));
         let rows: Vec<OrbitRow> = rows.collect();
         if rows.is_empty() {
             return Ok(vec![self.row(at, frequency, friction)?]);
