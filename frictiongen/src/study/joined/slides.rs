@@ -73,16 +73,16 @@ impl Slides {
     }
 
     /// Sets the kinetic friction force of a contact to `level`, by a jump at the present instant. If the `force` of an
-    /// elastic contact exceeds `level`, the spring of the contact loses a part of its energy. The method adds this part
-    /// to the dissipated energy.
-    pub fn set_level(&mut self, index: usize, level: f64, force: f64) {
+    /// elastic contact exceeds `limit`, it falls to `level`. The method adds the energy that the spring of the contact
+    /// then loses to the dissipated energy.
+    pub fn set_level(&mut self, index: usize, level: f64, (force, limit): (f64, f64)) {
         let Some(slide) = self.contacts.get_mut(index) else {
             return;
         };
         if let Some(stiffness) = slide.stiffness
-            && level != slide.level
+            && limit < force.abs()
         {
-            slide.energy += (force * force - level * level).max(0.0) / (2.0 * stiffness);
+            slide.energy += (force * force - level * level) / (2.0 * stiffness);
         }
         (slide.level, slide.changes) = (level, false);
     }

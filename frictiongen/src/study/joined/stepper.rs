@@ -163,12 +163,14 @@ impl JoinedStepper<'_> {
         Ok(Ordered { forces, frictions })
     }
 
-    /// Adds to the dissipated energies what a jump of the friction forces dissipates. If the new friction force of an
-    /// elastic contact is below the present force in this contact, its spring loses a part of its energy.
+    /// Adds to the dissipated energies what a jump of the friction forces dissipates. If an elastic contact cannot keep
+    /// its present force, its spring loses a part of its energy.
     fn relax(&self, slides: &mut Slides, frictions: &[f64]) {
         for (index, friction) in frictions.iter().enumerate() {
-            let force = self.stepper.contact(index).force();
-            slides.set_level(index, *friction, force);
+            let now = self.stepper.contact(index);
+            let stiction = self.stepper.stiction(index).filter(|_| now.is_sticking());
+            let limit = stiction.unwrap_or(1.0) * friction;
+            slides.set_level(index, *friction, (now.force(), limit));
         }
     }
 
