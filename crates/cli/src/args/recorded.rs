@@ -170,18 +170,17 @@ Recording:
 Quantities:
   displacement, velocity  motion of a mass, or relative motion of the contact. If the base moves, the motion of
                   a mass is relative to the base by default (roof-base); `--of roof` gives the absolute motion
-  force           the friction force in N; while the contact sticks, the force that keeps it at rest
-  state           state of the contact at the sample: stuck, or the direction of sliding
-  events          number of stops, break-aways and reversals since the previous sample
-
-With the field `contacts`, --friction or the channel `friction` is the common force F, and each contact has its
-share of F. --of may name contacts. Each contact has these columns, in place of force and state:
-  force, sticks   the force in N, and whether the contact sticks
+  friction        the friction force in N; while the contact sticks, the force that keeps it at rest
+  state           stuck, or the direction of sliding
   slip, energy    distance that the slider has travelled, and energy that friction has dissipated since the start
-The first lines, and the JSON, contain the energy of each contact instead of the work.
+  force           the force in N of a stop, whose state is open or shut
+  events          number of stops, break-aways and reversals of all contacts since the previous sample
+With the field `contacts`, --friction or the channel `friction` is the common force F, each contact has its share of
+F, and --of may name contacts.
 
-The lines below the table, and the JSON, contain the work of the load and the energy that friction and
-damping dissipated, in J. They also contain the number of steps with more events than the stepper can follow.
+The lines above the table, and the JSON, contain the work of the load, the energy that friction and damping
+dissipated, and the friction energy of each contact, in J. They also contain the number of steps with more events
+than the stepper can follow.
 
 Response spectrum (--spectrum ZETA):
   The spectrum is the largest displacement of a linear oscillator relative to the base within the record,

@@ -7,7 +7,6 @@ mod drive;
 mod driven;
 mod fit;
 mod identify;
-mod joined;
 mod lines;
 mod read;
 mod spectrum;

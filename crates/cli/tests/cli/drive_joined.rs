@@ -1,8 +1,11 @@
-//! Tests `frictiongen drive` for scenes with several contacts.
+//! Tests the solver of `frictiongen drive`, and scenes with several contacts.
 #![allow(clippy::unwrap_used, reason = "a test fails by it")]
 #![allow(clippy::indexing_slicing, reason = "a test may fail")]
 
 use crate::common::{column, failure, file, json, output, texts};
+use frictiongen::answer::Contact;
+use frictiongen::measure::{CsvRequest, Inputs, Recording};
+use frictiongen::{Of, System};
 use std::fs;
 
 /// Returns a recording with samples at intervals of 0.01 s.
@@ -21,20 +24,12 @@ fn drive(scene: &str, path: &str, options: &[&str]) -> String {
     output(scene, &command)
 }
 
-/// A frame with one contact, with damping proportional to the stiffness, and with the same damping by dashpots. The two
-/// solvers are independent: the solver for one contact has modes in closed form, and the solver for several contacts and
-/// dashpots has power series.
+/// The command has the solver for several contacts, whose motion has power series. The stepper for one contact has modes
+/// in closed form.
 #[test]
-fn one_contact_moves_as_with_the_solver_of_one_contact() {
+fn one_contact_moves_as_with_the_stepper_of_one_contact() {
     let chain = "masses: { lower: 3.27, upper: 3.25 },
         springs: { base - lower: 1190.0, lower - upper: 1323.0 }, provide: [stepper]";
-    let dashpots = "dampers: { base - lower: 1.19, lower - upper: 1.323 }";
-    let rigid = "upper - wall, stiction: 1.2";
-    let listed = "pads: upper - wall { stiction: 1.2 }";
-    let elastic = (
-        "lower - upper, stiffness: 4.0e3",
-        "pads: lower - upper { stiffness: 4.0e3 }",
-    );
     let base = samples("time_s,base_m_s2", 300, |t| {
         format!("{}", 3.0 * (9.0 * t).sin() * f64::from(u8::from(t < 2.0)))
     });
@@ -42,79 +37,110 @@ fn one_contact_moves_as_with_the_solver_of_one_contact() {
     let force = samples("time_s,force_N,friction_N", 300, |t| {
         format!("{},{}", 9.0 * (8.0 * t).cos(), 4.0 + (3.0 * t).sin())
     });
-    let mut largest = 0.0_f64;
-    for (name, record, excitation, friction, contact) in [
-        ("base", &base, "base", Some("4"), (rigid, listed)),
-        ("base elastic", &base, "base", Some("6"), elastic),
-        ("force", &force, "upper", None, (rigid, listed)),
-        ("force elastic", &force, "lower", None, elastic),
+    let elastic = "contact: lower - upper, stiffness: 4.0e3, stiction: 1.3";
+    let falling = "contact: upper - wall, friction: stribeck(0.05: 0.7, 0.3: 0.5)";
+    let damped = "damping: rayleigh(0.1, 1e-3), damping_from: base, excitation: base";
+    // The stepper of one contact holds the friction during a step, also with linear input.
+    let pushed = "damping: modal(0.02), input: hold, excitation";
+    let (mut largest, mut events) = (0.0_f64, 0.0);
+    for (name, record, friction, fields) in [
+        (
+            "rigid",
+            &base,
+            Some(4.0),
+            format!("contact: upper - wall, stiction: 1.2, {damped}"),
+        ),
+        (
+            "reversed",
+            &base,
+            Some(1.0),
+            format!("contact: upper - lower, {damped}"),
+        ),
+        ("elastic", &base, Some(6.0), format!("{elastic}, {damped}")),
+        ("falling", &base, Some(4.0), format!("{falling}, {damped}")),
+        (
+            "force",
+            &force,
+            None,
+            format!("contact: upper - wall, stiction: 1.2, {pushed}: upper"),
+        ),
+        (
+            "force elastic",
+            &force,
+            None,
+            format!("{elastic}, {pushed}: lower"),
+        ),
     ] {
         let path = file(&name.replace(' ', "-"), record);
-        let mut options = vec![
-            "--csv",
-            "--of",
-            "upper",
-            "--of",
-            "lower",
-            "--of",
-            "upper-lower",
-        ];
-        options.extend(["--of", "spring(base-lower)", "--of", "shear"]);
-        options.extend(friction.into_iter().flat_map(|f| ["--friction", f]));
-        // The solver of one contact holds the friction during a step, also with linear input.
-        let input = if friction.is_none() { "hold" } else { "linear" };
-        let scene = |contact: &str| {
-            format!(
-                "struct Frame {{ {chain}, {contact}, input: {input}, excitation: {excitation} }}"
-            )
-        };
-        let (one, other) = contact;
-        let damped = match excitation {
-            "base" => "damping: rayleigh(0, 1e-3), damping_from: base",
-            _ => "damping: rayleigh(0, 1e-3)",
-        };
-        let one = scene(&format!("contact: {one}, {damped}"));
-        let one = drive(&one, &path, &options);
-        let many = scene(&format!("contacts: {{ {other} }}, {dashpots}"));
-        let many = drive(&many, &path, &options);
+        let scene = format!("struct Frame {{ {chain}, {fields} }}");
+        let given = friction.map_or(String::new(), |force| format!("--friction={force}"));
+        let options = ["--csv", "--of=upper", "--of=spring(base-lower)", &given];
+        let options = options.into_iter().filter(|option| !option.is_empty());
+        let csv = drive(&scene, &path, &options.collect::<Vec<_>>());
         fs::remove_file(path).unwrap();
-        // The solver of one contact counts a break-away before the first step as an event of this step. If the friction
-        // rises, it also counts that an elastic contact stops to slide at the start of a step.
-        let events = |csv: &str| {
-            column(csv, "events")
-                .into_iter()
-                .skip(2)
-                .collect::<Vec<f64>>()
-        };
-        if name != "force elastic" {
-            assert_eq!(events(&one), events(&many), "{name}");
-        }
-        let stops = column(&one, "events").into_iter().fold(0.0, f64::max);
-        assert!(0.0 < stops, "{name}: no events");
-        for (of_one, of_many) in [
-            ("upper.displacement_m", "upper.displacement_m"),
-            ("lower.velocity_m_s", "lower.velocity_m_s"),
-            ("upper-lower.displacement_m", "upper-lower.displacement_m"),
-            ("spring(base-lower).force_N", "spring(base-lower).force_N"),
-            ("shear.force_N", "shear.force_N"),
-            ("contact.friction_N", "pads.force_N"),
-        ] {
-            let (one, many) = (column(&one, of_one), column(&many, of_many));
-            let size = one.iter().copied().map(f64::abs).fold(0.0, f64::max);
-            for (sample, (one, many)) in one.iter().zip(&many).enumerate() {
-                let apart = (one - many).abs() / size;
+        let system: System = scene.parse().unwrap();
+        let recording = Recording::inputs_from_csv(record, &CsvRequest::default()).unwrap();
+        let inputs = Inputs::of(&recording, &system, friction).unwrap();
+        let mut step = inputs.stepper(&system).unwrap();
+        let sign = if name == "reversed" { -1.0 } else { 1.0 };
+        let shear = Of::Spring(0);
+        let found = [
+            ("upper.displacement_m", 0.1),
+            ("upper.velocity_m_s", 1.0),
+            ("spring(base-lower).force_N", 50.0),
+            ("contact.friction_N", 4.0),
+            ("contact.energy_J", 5.0),
+        ];
+        let found = found.map(|(name, size)| (name, size, column(&csv, name)));
+        for (sample, state) in texts(&csv, "contact.state").iter().enumerate() {
+            if 0 < sample {
+                step.advance(inputs.at(sample)).unwrap();
+            }
+            let upper = step.mass("upper").unwrap();
+            let expected = [
+                upper.displacement(),
+                upper.velocity(),
+                step.motion_of(shear).unwrap().0,
+                sign * step.contact().force(),
+                step.work().friction,
+            ];
+            for ((column, size, found), expected) in found.iter().zip(expected) {
+                let apart = (found[sample] - expected).abs() / size;
                 largest = largest.max(apart);
                 // The rounding of 300 steps of two different formulas.
-                assert!(apart < 1e-11, "{name}, {of_one}, {sample}: {one} {many}");
+                assert!(
+                    apart < 1e-11,
+                    "{name}, {column}, {sample}: {expected} {}",
+                    found[sample]
+                );
             }
+            let stuck = step.contact().contact() == Contact::Stuck;
+            assert_eq!(*state == "stuck", stuck, "{name}, {sample}: {state}");
         }
-        let stuck = texts(&one, "contact.state").into_iter();
-        let stuck: Vec<&str> = stuck
-            .map(|state| if state == "stuck" { "true" } else { "false" })
-            .collect();
-        assert_eq!(stuck, texts(&many, "pads.sticks"), "{name}");
+        events += column(&csv, "events").into_iter().sum::<f64>();
     }
-    println!("largest difference {largest:.1e}");
+    println!("{events} events, largest difference {largest:.1e}");
+    assert!(50.0 < events);
+}
+
+/// The friction of the record is a straight line between two samples, unless the scene holds its input.
+#[test]
+fn recorded_friction_changes_between_samples() {
+    let path = file(
+        "line.csv",
+        "time_s,force_N,friction_N\n0,2,0\n0.5,2,0.5\n1,2,1\n1.5,2,1.5\n2,2,2\n",
+    );
+    // Without a spring, the acceleration is 2 − t, and x = t² − t³/6. With held friction it is 2, 1.5, 1 and 0.5.
+    for (input, expected) in [("linear", 8.0 / 3.0), ("hold", 3.125)] {
+        let block = format!(
+            "struct Block {{ masses: {{ m: 1 }}, springs: {{}}, contacts: {{ pad: m - wall }},
+            excitation: m, input: {input} }}"
+        );
+        let csv = drive(&block, &path, &["--csv", "--of", "m"]);
+        let x = column(&csv, "m.displacement_m");
+        assert!((x[4] - expected).abs() < 1e-13, "{input}: {x:?}");
+    }
+    fs::remove_file(path).unwrap();
 }
 
 /// The friction of each contact is its share of the common friction. Slip, energy and displacements relative to the base
@@ -137,12 +163,15 @@ fn columns_for_each_contact() {
         head,
         "time_s,brace.displacement_m,brace.velocity_m_s,pads.displacement_m,pads.velocity_m_s,\
          lower-base.displacement_m,lower-base.velocity_m_s,upper-base.displacement_m,upper-base.velocity_m_s,\
-         brace.force_N,brace.slip_m,brace.energy_J,brace.sticks,pads.force_N,pads.slip_m,pads.energy_J,pads.sticks,events"
+         brace.friction_N,brace.state,brace.slip_m,brace.energy_J,pads.friction_N,pads.state,pads.slip_m,pads.energy_J,events"
     );
     for (name, friction) in [("brace", 5.0), ("pads", 3.0)] {
         let of = |quantity: &str| column(&csv, &format!("{name}.{quantity}"));
         let (slip, energy) = (of("slip_m"), of("energy_J"));
-        let most = of("force_N").into_iter().map(f64::abs).fold(0.0, f64::max);
+        let most = of("friction_N")
+            .into_iter()
+            .map(f64::abs)
+            .fold(0.0, f64::max);
         assert!((most - friction).abs() < 1e-12, "{name}: {most}");
         assert!(slip.windows(2).all(|pair| pair[0] <= pair[1]), "{name}");
         let (last, spent) = (slip.last().unwrap(), energy.last().unwrap());

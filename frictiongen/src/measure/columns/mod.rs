@@ -2,15 +2,13 @@
 //! with keys. All values are in SI units.
 
 mod driven;
-mod joined;
 mod lines;
 mod once;
 mod residuals;
 mod spectrum;
 mod transmissibility;
 
-pub use driven::{Driven, DrivenRow};
-pub use joined::{JoinedDriven, JoinedDrivenRow, JoinedPart};
+pub use driven::{DrivenSample, DrivenTable};
 pub use lines::{QuantityLine, decay_lines, fit_lines, identify_lines, line_columns, motion_lines};
 pub use once::{Keyed, SingleValue, decay_values, fit_values, identify_values};
 pub use residuals::{

@@ -7,6 +7,7 @@ use super::slides::Slides;
 use crate::study::joints::{Chain, Heap, Wave};
 use crate::{Given, OutOfDomain};
 use frictiongen_kernel::joints::{Sample, Stepper};
+use frictiongen_kernel::stepper::Work;
 use frictiongen_model::scene::{Excitation, StepInput};
 
 /// Input of one step of a stepper, in the units of the scene description.
@@ -89,7 +90,7 @@ impl JoinedStepper<'_> {
     /// Advances by one step. Returns the number of events in the step.
     ///
     /// # Errors
-    /// [`OutOfDomain`](crate::OutOfDomain) for a force or a base motion that is not finite, and for a base motion in a
+    /// [`OutOfDomain`](crate::OutOfDomain) for a force or a base motion whose square is not finite, and for a base motion in a
     /// scene that a force drives. [`OutOfDomain`](crate::OutOfDomain) also for a step in which the motion exceeds a
     /// bound of the solver. [`JoinedError::Friction`] for a friction force that is negative or not finite.
     /// [`JoinedError::UnknownMass`] and
@@ -144,11 +145,19 @@ impl JoinedStepper<'_> {
         if !on_base && (input.base != [0.0; 2] || input.start_velocity.is_some()) {
             return Err(OutOfDomain::BaseAtRest.into());
         }
+        // The energies contain the squares.
+        let is_large = |value: &&f64| !(**value * **value).is_finite();
+        if let Some(value) = input.base.iter().find(is_large) {
+            return Err(OutOfDomain::BaseMotion(Given::of(*value)).into());
+        }
         let mut forces = vec![0.0; self.joined.scene().masses.len()];
         for (name, force) in input.forces {
             if let Some(own) = forces.get_mut(self.joined.mass_index(name)?) {
                 *own += *force;
             }
+        }
+        if let Some(force) = forces.iter().find(is_large) {
+            return Err(OutOfDomain::Force(Given::of(*force)).into());
         }
         let mut frictions = self.frictions.clone();
         for (name, friction) in input.frictions {
@@ -174,16 +183,22 @@ impl JoinedStepper<'_> {
         }
     }
 
-    /// Returns the scene whose motion the stepper computes.
-    #[must_use]
-    pub fn joined(&self) -> &Joined<'_> {
-        &self.joined
-    }
-
     /// Returns the time since the start at the end of the last step, in s.
     #[must_use]
     pub fn time(&self) -> f64 {
         self.stepper.steps() as f64 * self.stepper.dt()
+    }
+
+    /// Returns the energy balance since the start, in the unit of force times the unit of length.
+    #[must_use]
+    pub fn work(&self) -> Work<f64> {
+        self.stepper.work()
+    }
+
+    /// Returns the number of steps with more events than the stepper follows.
+    #[must_use]
+    pub fn exceeded(&self) -> u64 {
+        self.stepper.exceeded()
     }
 
     /// Returns displacement and velocity of the mass called `name` at the end of the last step.
