@@ -197,7 +197,8 @@ Recordings:
   A CSV file has a line of names with units, then numbers, separated by commas, semicolons or tabs:
     time_s,base_mm,upper_m_s2
   The units can also be in a second line. base is the motion of the base, and force is the exciting
-  force. Other names are masses. Units are m, cm, mm, um, m_s, mm_s, m_s2, mm_s2, g, N, mN, kN, s, ms, us.
+  force. Other names are masses. Units are m, cm, mm, um, m_s, mm_s, m_s2, cm_s2, mm_s2,
+  in_s2, ft_s2, g, Gal, N, mN, kN, s, ms, us.
   Every channel needs a unit. Displacements, velocities and accelerations can be mixed.
   A universal file has a data set 58 for each channel, with the unit as label of its ordinate.
   --channel upper=AI1:mm  the column AI1 is the mass upper, in mm; the command ignores other columns

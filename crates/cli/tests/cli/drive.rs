@@ -1,7 +1,7 @@
 //! Tests `frictiongen drive`.
 #![allow(clippy::unwrap_used, reason = "a test fails by it")]
 
-use crate::common::{FRAME, failure, file, output};
+use crate::common::{FRAME, column, failure, file, output};
 use std::fs;
 
 /// Returns a recording of the base's acceleration with samples at intervals of 0.01 s. The base moves and then rests.
@@ -70,16 +70,42 @@ fn help_asks_for_no_driving_frequency() {
 /// A unit in the header of a column may be written as in a name or as in a text.
 #[test]
 fn units_as_in_a_text() {
-    let driven = |unit: &str| {
-        let record = shaken().replacen("m_s2", unit, 1);
-        let path = file("unit.csv", &record);
+    let driven_by = |record: &str| {
+        let path = file("unit.csv", record);
         let text = output("", &["drive", FRAME, &path, "--friction", "0.8", "--csv"]);
         fs::remove_file(path).unwrap();
         text
     };
+    let driven = |unit: &str| driven_by(&shaken().replacen("m_s2", unit, 1));
     let expected = driven("m_s2");
     for unit in ["m/s2", "m/s^2", "m/s²"] {
         assert_eq!(driven(unit), expected, "{unit}");
+    }
+    for (unit, size) in [
+        ("gal", 0.01),
+        ("Gal", 0.01),
+        ("cm/s²", 0.01),
+        ("cm_s2", 0.01),
+        ("in_s2", 0.0254),
+        ("in/s^2", 0.0254),
+        ("ft_s2", 0.3048),
+    ] {
+        let lower = |csv: &str| column(csv, "lower-base.displacement_m");
+        let record =
+            shaken()
+                .lines()
+                .skip(1)
+                .fold(format!("time_s,base_{unit}\n"), |text, line| {
+                    let (time, value) = line.split_once(',').unwrap();
+                    text + &format!("{time},{}\n", value.parse::<f64>().unwrap() / size)
+                });
+        let found = lower(&driven_by(&record));
+        for (found, expected) in found.iter().zip(lower(&expected)) {
+            assert!(
+                (found - expected).abs() < 1e-14,
+                "{unit}: {found} {expected}"
+            );
+        }
     }
 }
 
