@@ -135,9 +135,13 @@ pub struct DriveArguments {
     /// relative to the base if the base moves]
     #[arg(long, value_name = "NAME")]
     pub of: Vec<String>,
+    /// Follow the motion for S seconds after the record, where forces, velocities and accelerations are 0, and
+    /// displacements and friction keep their last value
+    #[arg(long, value_name = "S", allow_hyphen_values = true)]
+    pub after: Option<String>,
     /// Print the response spectrum of the recorded base motion instead of the motion, for the damping ratio ZETA, for
     /// example 0.05
-    #[arg(long, value_name = "ZETA", allow_hyphen_values = true, conflicts_with_all = ["friction", "of"])]
+    #[arg(long, value_name = "ZETA", allow_hyphen_values = true, conflicts_with_all = ["friction", "of", "after"])]
     pub spectrum: Option<String>,
     /// Arguments for the format of the output.
     #[command(flatten)]

@@ -26,6 +26,11 @@ pub fn run(arguments: &DriveArguments, out: &mut dyn Write) -> Result<(), Failur
         number_that("--friction", text, |force| 0.0 <= force, needed)
     });
     let friction = friction.transpose()?;
+    let after = arguments.after.as_deref().map(|text| {
+        let needed = "a time in s that is not negative";
+        number_that("--after", text, |seconds| 0.0 <= seconds, needed)
+    });
+    let after = after.transpose()?.unwrap_or(0.0);
     let system = read::any_scene(&files.scene)?;
     if system.scene().is_joined() {
         refused(&[(arguments.spectrum.is_some(), "--spectrum")])?;
@@ -53,7 +58,7 @@ pub fn run(arguments: &DriveArguments, out: &mut dyn Write) -> Result<(), Failur
     let parts = motions(&system, &names, &arguments.of)?;
     without_rates(&parts)?;
     let recording = files.inputs()?;
-    let inputs = read::drive(files, &recording, &system, friction)?;
+    let inputs = read::drive(files, &recording, &system, (friction, after))?;
     let table = DrivenTable {
         system: &system,
         parts: &parts,

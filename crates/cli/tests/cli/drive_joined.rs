@@ -143,6 +143,51 @@ fn recorded_friction_changes_between_samples() {
     fs::remove_file(path).unwrap();
 }
 
+/// The motion after a record is that under a longer record, whose further samples are 0 or repeat the last one.
+#[test]
+fn motion_after_the_record() {
+    let masses =
+        "struct Pair { masses: { a: 1.0, b: 1.0 }, springs: { base - a: 100.0, a - b: 100.0 }";
+    let contact = "contact: b - base, stiction: 1.2";
+    let wave = |time: f64| (2.0 * time + 0.3).sin();
+    for (excitation, column, size, rest) in [
+        ("base", "base_mm", 900.0, None),
+        ("base", "base_m_s", 1.0, Some(0.0)),
+        ("base", "base_m_s2", 3.0, Some(0.0)),
+        ("a", "force_N", 40.0, Some(0.0)),
+    ] {
+        for input in ["linear", "hold"] {
+            let record = |count: u32| {
+                let lines = (0..count).map(|sample| {
+                    let [time, last] =
+                        [sample, sample.min(9)].map(|sample| 0.25 * f64::from(sample));
+                    let value = rest.filter(|_| 9 < sample).unwrap_or(size * wave(last));
+                    format!("{time},{value},{}\n", 5.0 + last)
+                });
+                format!("time_s,{column},friction_N\n{}", lines.collect::<String>())
+            };
+            let scene = format!("{masses}, {contact}, excitation: {excitation}, input: {input} }}");
+            let [short, long] = [10, 18].map(|count| file("after.csv", &record(count)));
+            let found = drive(&scene, &short, &["--csv", "--after", "1.9"]);
+            assert_eq!(found, drive(&scene, &long, &["--csv"]), "{column} {input}");
+            for (after, told) in [
+                ("-1", "a time in s that is not negative is needed"),
+                ("1 s", "write `1`"),
+                (
+                    "1e9",
+                    "--after: the motion would have more than 10000000 samples",
+                ),
+            ] {
+                let lines = failure(&scene, &["drive", "-", &short, "--after", after]);
+                assert!(lines.len() == 1 && lines[0].contains(told), "{lines:?}");
+            }
+            for path in [short, long] {
+                fs::remove_file(path).unwrap();
+            }
+        }
+    }
+}
+
 /// The friction of each contact is its share of the common friction. Slip, energy and displacements relative to the base
 /// follow from their definitions.
 #[test]
