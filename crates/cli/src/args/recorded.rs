@@ -127,9 +127,13 @@ pub struct DriveArguments {
     /// Arguments for the description and the recordings.
     #[command(flatten)]
     pub recordings: RecordingArguments,
-    /// Kinetic friction force F in N, constant over time [default: the channel `friction` of the recording]
+    /// Kinetic friction force F in N, constant over time; with --peaks also a grid of forces [default: the channel
+    /// `friction` of the recording]
     #[arg(long, value_name = "F", allow_hyphen_values = true)]
     pub friction: Option<String>,
+    /// Print the largest value of each quantity and its instant, exact also between samples, and the value at the end
+    #[arg(long)]
+    pub peaks: bool,
     /// Print only this quantity: a mass, `contact`, a difference of two masses such as `roof-first`, a spring force
     /// `spring(a-b)`, the base shear `shear`; may be given more than once [default: the contact and every mass,
     /// relative to the base if the base moves]
@@ -141,7 +145,7 @@ pub struct DriveArguments {
     pub after: Option<String>,
     /// Print the response spectrum of the recorded base motion instead of the motion, for the damping ratio ZETA, for
     /// example 0.05
-    #[arg(long, value_name = "ZETA", allow_hyphen_values = true, conflicts_with_all = ["friction", "of", "after"])]
+    #[arg(long, value_name = "ZETA", allow_hyphen_values = true, conflicts_with_all = ["friction", "of", "after", "peaks"])]
     pub spectrum: Option<String>,
     /// Arguments for the format of the output.
     #[command(flatten)]
@@ -185,6 +189,14 @@ F, and --of may name contacts.
 The lines above the table, and the JSON, contain the work of the load, the energy that friction and damping
 dissipated, and the friction energy of each contact, in J. They also contain the number of steps with more events
 than the stepper can follow.
+
+Peaks (--peaks):
+  peak, time, end  the value with the largest absolute value, its first instant, and the value at the end
+  slip(pads), force(pads)  relative displacement and force of a contact or a stop
+  energy(pads)    energy that friction has dissipated in a contact
+  roof-base, roof-first  displacements relative to the base, and between two masses that a spring joins
+  accel(roof), shear  absolute acceleration of a mass, and base shear
+--of may also name other quantities, such as vel(roof-base).
 
 Response spectrum (--spectrum ZETA):
   The spectrum is the largest displacement of a linear oscillator relative to the base within the record,

@@ -22,22 +22,30 @@ pub struct DrivenReport<'s> {
     exceeded: u64,
 }
 
-/// Follows the motion of a scene under the recorded input. Calls `visit` at every sample with the stepper, the
-/// displacement and the velocity of the base, and the number of events since the previous sample.
-pub fn follow<'s>(
+/// Returns a stepper at the first sample of the recorded input.
+pub fn start<'s>(
     joined: &Joined<'s>,
     system: &System,
     inputs: &Inputs<'_>,
-    mut visit: impl FnMut(&JoinedStepper<'_>, [f64; 2], usize),
 ) -> Result<JoinedStepper<'s>, Failure> {
     let (displacements, velocities) = inputs.initial_state(system);
     let step = joined.stepper_from(inputs.dt(), (&displacements, &velocities));
-    let mut step = step.map_err(|_| {
+    step.map_err(|_| {
         Failure::new(format_args!(
             "the samples are {} s apart: too far for the fastest mode of the scene",
             computed(inputs.dt())
         ))
-    })?;
+    })
+}
+
+/// Follows the motion of a scene under the recorded input. Calls `visit` at every sample with the stepper, the
+/// displacement and the velocity of the base, and the number of events since the previous sample.
+pub fn follow(
+    step: &mut JoinedStepper<'_>,
+    system: &System,
+    inputs: &Inputs<'_>,
+    mut visit: impl FnMut(&JoinedStepper<'_>, [f64; 2], usize),
+) -> Result<(), Failure> {
     let scene = system.scene();
     let excited = match scene.excitation {
         Excitation::Force(mass) => scene.masses.get(mass).map(|mass| mass.name.as_str()),
@@ -66,9 +74,9 @@ pub fn follow<'s>(
         let events = events.map_err(|error| {
             Failure::new(format_args!("sample {sample} of the recording: {error}"))
         })?;
-        visit(&step, input.end, events);
+        visit(step, input.end, events);
     }
-    Ok(step)
+    Ok(())
 }
 
 impl<'s> DrivenReport<'s> {
@@ -81,7 +89,8 @@ impl<'s> DrivenReport<'s> {
         let signs = (0..table.names.len()).map(|contact| joined.sign(contact));
         let signs: Vec<f64> = signs.collect();
         let mut samples = Vec::with_capacity(inputs.len());
-        let step = follow(joined, table.system, inputs, |step, base, events| {
+        let mut step = start(joined, table.system, inputs)?;
+        follow(&mut step, table.system, inputs, |step, base, events| {
             let contacts = step.contacts().into_iter().zip(&signs);
             let contacts = contacts.map(|(now, sign)| now.signed(*sign)).collect();
             let instant = (step.time(), events);

@@ -8,6 +8,7 @@ mod driven;
 mod fit;
 mod identify;
 mod lines;
+mod peaks;
 mod read;
 mod spectrum;
 mod transmissibility;

@@ -253,6 +253,158 @@ fn columns_for_each_contact() {
     fs::remove_file(path).unwrap();
 }
 
+/// Peaks of a block under a force of 5 N from rest: it slides to 2(P − F)/k, back by 2(P − F) less than that, and sticks.
+#[test]
+fn peaks_of_a_block() {
+    let block = "struct Block { masses: { m: 1.0 }, springs: { base - m: 100.0 }, contact: m - wall, excitation: m }";
+    let path = file(
+        "step.csv",
+        &samples("time_s,force_N", 83, |_| "5".to_owned()),
+    );
+    let options = ["--of=m", "--of=contact", "--of=vel(m)", "--of=accel(m)"];
+    let options = [
+        &options[..],
+        &["--of=force(contact)", "--of=energy(contact)", "--peaks"],
+    ]
+    .concat();
+    let csv = drive(
+        block,
+        &path,
+        &[&options[..], &["--friction=1.2", "--csv"]].concat(),
+    );
+    assert!(
+        csv.starts_with("friction_N,quantity,peak,time_s,end,unit\n"),
+        "{csv}"
+    );
+    let half = std::f64::consts::PI / 10.0;
+    let expected = [
+        ("m", 0.076, half, 0.048, "m"),
+        ("contact", 0.076, half, 0.048, "m"),
+        ("vel(m)", 0.38, 0.5 * half, 0.0, "m/s"),
+        ("accel(m)", 3.8, 0.0, 0.0, "m/s2"),
+        ("force(contact)", 1.2, 0.0, 0.2, "N"),
+        ("energy(contact)", 1.2 * 0.104, 2.0 * half, 1.2 * 0.104, "J"),
+    ];
+    let [peaks, times, ends] = ["peak", "time_s", "end"].map(|name| column(&csv, name));
+    for (row, (name, peak, time, end, unit)) in expected.into_iter().enumerate() {
+        assert_eq!(
+            (texts(&csv, "quantity")[row], texts(&csv, "unit")[row]),
+            (name, unit)
+        );
+        for (found, expected) in [(peaks[row], peak), (times[row], time), (ends[row], end)] {
+            // The instant of a flat peak has the square root of the rounding error.
+            let apart = (found - expected).abs();
+            assert!(
+                apart < 1e-12 || (expected == time && apart < 1e-7),
+                "{name}: {csv}"
+            );
+        }
+    }
+    let several = json(&drive(
+        block,
+        &path,
+        &["--peaks", "--friction=0,1.2,9", "--json"],
+    ));
+    let rows = several["points"].as_array().unwrap();
+    // Slip, force and energy of the contact, displacement and acceleration of the mass, and the base shear.
+    assert_eq!(rows.len(), 3 * 6);
+    assert!(
+        rows.iter()
+            .any(|row| row["quantity"] == "shear" && row["friction_N"] == 9.0)
+    );
+    let drawn = format!("{path}.svg");
+    for (options, told) in [
+        (&["--friction=-1"][..], "--friction"),
+        (
+            &["--friction=1", "--of=zeta_eq"],
+            "a quantity is a displacement",
+        ),
+        (&["--friction=1", "--of=m2"], "the contacts are contact"),
+        (&["--friction=1", "-o", &drawn], ".svg"),
+    ] {
+        let lines = failure(
+            block,
+            &[&["drive", "-", &path, "--peaks"], options].concat(),
+        );
+        assert!(lines.len() == 1 && lines[0].contains(told), "{lines:?}");
+    }
+    fs::remove_file(path).unwrap();
+}
+
+/// The peaks are those of a record with 50 samples on each line between two samples, up to the curvature between these.
+#[test]
+fn peaks_between_samples() {
+    let frame = "struct Frame { masses: { lower: 2.0, upper: 1.5 },
+        springs: { base - lower: 1500.0, lower - upper: 1200.0 },
+        contacts: { brace: base - lower { stiffness: 4.0e3 }, pads: upper - lower { share: 0.6 } },
+        dampers: { lower - upper: 1.5 }, damping: modal(0.01), excitation: base }";
+    let at = |sample: u32| 6.0 * (0.33 * f64::from(sample)).sin();
+    let record = |parts: u32| {
+        let lines = (0..=40 * parts).map(|sample| {
+            let (whole, rest) = (sample / parts, f64::from(sample % parts) / f64::from(parts));
+            let value = (1.0 - rest) * at(whole) + rest * at(whole + 1);
+            format!("{},{value}\n", 0.03 * f64::from(sample) / f64::from(parts))
+        });
+        format!("time_s,base_m_s2\n{}", lines.collect::<String>())
+    };
+    let [rough, fine] = [1, 50].map(|parts| file("peaks.csv", &record(parts)));
+    let peaks = drive(frame, &rough, &["--peaks", "--friction=5", "--csv"]);
+    let csv = drive(
+        frame,
+        &fine,
+        &[
+            "--friction=5",
+            "--csv",
+            "--of=lower-base",
+            "--of=upper-base",
+            "--of=upper-lower",
+            "--of=shear",
+            "--of=brace",
+            "--of=pads",
+        ],
+    );
+    for path in [rough, fine] {
+        fs::remove_file(path).unwrap();
+    }
+    let mut compared = 0;
+    let rows = texts(&peaks, "quantity")
+        .into_iter()
+        .zip(column(&peaks, "peak"));
+    for ((name, peak), end) in rows.zip(column(&peaks, "end")) {
+        let of = match name.split(['(', ')']).collect::<Vec<_>>()[..] {
+            ["slip", contact, _] => format!("{contact}.displacement_m"),
+            ["force", contact, _] => format!("{contact}.friction_N"),
+            ["energy", contact, _] => format!("{contact}.energy_J"),
+            ["shear"] => "shear.force_N".to_owned(),
+            [motion] => format!("{motion}.displacement_m"),
+            _ => continue,
+        };
+        let values = column(&csv, &of);
+        let most = values.iter().copied().fold(0.0, |most: f64, value| {
+            if most.abs() < value.abs() {
+                value
+            } else {
+                most
+            }
+        });
+        assert!(
+            (peak - most).abs() < 1e-4 * most.abs(),
+            "{name}: {peak} {most}"
+        );
+        assert!(
+            most.abs() <= peak.abs() * (1.0 + 1e-12),
+            "{name}: {peak} {most}"
+        );
+        let last = values.last().unwrap();
+        assert!(
+            (end - last).abs() < 1e-10 * most.abs(),
+            "{name}: {end} {last}"
+        );
+        compared += 1;
+    }
+    assert_eq!(compared, 10);
+}
+
 /// Names, options and units that do not fit are refused in one line.
 #[test]
 fn what_does_not_fit_is_refused() {

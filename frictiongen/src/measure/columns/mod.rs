@@ -4,6 +4,7 @@
 mod driven;
 mod lines;
 mod once;
+mod peaks;
 mod residuals;
 mod spectrum;
 mod transmissibility;
@@ -11,6 +12,7 @@ mod transmissibility;
 pub use driven::{DrivenSample, DrivenTable};
 pub use lines::{QuantityLine, decay_lines, fit_lines, identify_lines, line_columns, motion_lines};
 pub use once::{Keyed, SingleValue, decay_values, fit_values, identify_values};
+pub use peaks::{PeakRow, peak_columns};
 pub use residuals::{
     ExtremeRow, FittedRow, MotionKnown, ResidualRow, extreme_columns, extremes, fitted,
     fitted_columns, residual_columns, residuals,

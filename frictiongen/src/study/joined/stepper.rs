@@ -1,11 +1,13 @@
 //! Motion of scenes with several contacts in time steps of equal length, under sampled forces.
 
 use super::error::{JoinedError, UnknownContact};
+use super::peaks::{Peak, Peaks};
 use super::scene::Joined;
 use super::simulation::JoinedContactNow;
 use super::slides::Slides;
 use crate::study::joints::{Chain, Heap, Wave};
-use crate::{Given, OutOfDomain};
+use crate::study::response::MotionQuantity;
+use crate::{Given, Of, OutOfDomain};
 use frictiongen_kernel::joints::{Sample, Stepper};
 use frictiongen_kernel::stepper::Work;
 use frictiongen_model::scene::{Excitation, StepInput};
@@ -102,6 +104,7 @@ impl JoinedStepper<'_> {
             self.stepper.set_base_velocity(velocity)?;
         }
         let mut slides = self.slides.clone();
+        slides.peaks.start = self.time();
         match self.joined.scene().stepping.input {
             StepInput::Hold => self.relax(&mut slides, &frictions),
             StepInput::Linear => {
@@ -187,6 +190,49 @@ impl JoinedStepper<'_> {
     #[must_use]
     pub fn time(&self) -> f64 {
         self.stepper.steps() as f64 * self.stepper.dt()
+    }
+
+    /// Follows the largest absolute values of quantities from the next step on: of a displacement, a velocity, an
+    /// acceleration, the force in a spring, or the displacement, the force or the energy of a contact or a stop. The third
+    /// entry is the index of this contact or stop. The values are exact between samples.
+    ///
+    /// ```
+    /// use frictiongen::study::{joined::JoinedInput, response::MotionQuantity};
+    /// use frictiongen::{Of, System};
+    ///
+    /// # fn main() -> Result<(), Box<dyn std::error::Error>> {
+    /// let block: System = "struct Block {
+    ///     masses: { m: 1.0 }, springs: { base - m: 100.0 }, contact: m - wall, excitation: m,
+    /// }".parse()?;
+    /// let joined = block.joined()?;
+    /// let mut step = joined.stepper(0.05)?;
+    /// step.follow_peaks(&[(Of::Mass(0), MotionQuantity::Displacement, 0)])?;
+    /// let input = JoinedInput { forces: &[("m", 5.0)], ..JoinedInput::default() };
+    /// step.begin(input)?;
+    /// for _ in 0..10 {
+    ///     step.advance(input)?;
+    /// }
+    /// // Without friction, x = P/k (1 − cos ωt) with ω = 10 rad/s.
+    /// let peak = step.peaks()[0];
+    /// assert!((peak.value - 0.1).abs() < 1e-12 && (peak.time - 0.314159).abs() < 1e-5);
+    /// # Ok(())
+    /// # }
+    /// ```
+    ///
+    /// # Errors
+    /// [`JoinedError::Quantity`] for a quantity that the scene does not have.
+    pub fn follow_peaks(
+        &mut self,
+        quantities: &[(Of, MotionQuantity, usize)],
+    ) -> Result<(), JoinedError> {
+        self.slides.peaks = Peaks::of(&self.joined, quantities)?;
+        Ok(())
+    }
+
+    /// Returns the peak of each quantity of [`follow_peaks`](Self::follow_peaks), in the units of the scene description.
+    #[must_use]
+    pub fn peaks(&self) -> Vec<Peak> {
+        self.slides.peaks.found()
     }
 
     /// Returns the energy balance since the start, in the unit of force times the unit of length.
