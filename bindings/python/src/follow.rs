@@ -5,12 +5,14 @@ use crate::columns::NamedArrays;
 use crate::errors::{domain, wrong_type};
 use crate::system::NativeSystem;
 use crate::work::without_lock;
-use frictiongen::measure::columns::Driven;
+use frictiongen::answer::Contact;
+use frictiongen::measure::columns::{DrivenSample, DrivenTable};
 use frictiongen::study::{
     SystemInput,
+    joined::JoinedContactNow,
     stepper::{SystemStepSaved, SystemStepper},
 };
-use frictiongen::{Stepping, System};
+use frictiongen::{Of, Stepping, System};
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
 
@@ -135,6 +137,33 @@ fn ready<'s>(
     Ok((stepper, goes_on))
 }
 
+/// Returns the motion at the present instant of a stepper.
+fn sample(table: &DrivenTable<'_>, stepper: &SystemStepper<'_>, events: usize) -> DrivenSample {
+    let masses = stepper.all_masses().into_iter();
+    let masses: Vec<_> = masses
+        .map(|mass| [mass.displacement(), mass.velocity()])
+        .collect();
+    let (base, contact) = (stepper.base(), stepper.contact());
+    let now = JoinedContactNow {
+        displacement: contact.displacement(),
+        velocity: contact.velocity(),
+        force: contact.force(),
+        slip: f64::NAN,
+        energy: f64::NAN,
+        is_sticking: contact.contact() == Contact::Stuck,
+    };
+    let sign = match table.system.contact_is_reversed() {
+        true => -1.0,
+        false => 1.0,
+    };
+    let base = [base.displacement(), base.velocity()];
+    table.sample(
+        (stepper.time(), events),
+        (base, &masses),
+        vec![now.signed(sign)],
+    )
+}
+
 /// Runs the stepper. Returns the motion at every sample, the work of the forces, and the end of the run.
 pub fn follow<'py, 'r>(
     system: &Bound<'py, NativeSystem>,
@@ -144,10 +173,17 @@ pub fn follow<'py, 'r>(
     let py = system.py();
     let (samples, parts) = (course.samples, &course.parts);
     check_size(samples, 4 + 2 * parts.len())?;
-    let turned = system.get().system.contact_is_reversed();
+    let of_system = &system.get().system;
+    let names = [of_system.name_of_motion(Of::Contact)];
+    let table = DrivenTable {
+        system: of_system,
+        parts,
+        names: &names,
+        has_slips: false,
+    };
     let (mut stepper, goes_on) = ready(py, system, &course)?;
-    let (followed, stepper) = without_lock(py, |stop| {
-        let mut followed = Driven::new(parts);
+    let (rows, stepper) = without_lock(py, |stop| {
+        let mut rows = Vec::new();
         for index in 0..samples {
             if index % PORTION == 0 && !stop.goes_on() {
                 break;
@@ -159,15 +195,13 @@ pub fn follow<'py, 'r>(
             };
             let events =
                 stepped.map_err(|error| domain(format_args!("sample {index}: {error}")))?;
-            followed.push(&stepper, parts, turned, events);
+            rows.push(sample(&table, &stepper, events as usize));
         }
-        Ok::<_, PyErr>((followed, stepper))
+        Ok::<_, PyErr>((rows, stepper))
     })??;
 
-    let columns = Driven::columns(&system.get().system, parts);
-    let rows: Vec<_> = followed.rows().collect();
     let mut arrays = NamedArrays::new(py, &[samples]);
-    arrays.table(&columns, &rows)?;
+    arrays.table(&table.columns(), &rows)?;
     let work = Stepping::work(&stepper);
     arrays.other(
         "work",

@@ -5,7 +5,6 @@ import re
 
 import numpy as np
 import pytest
-from conftest import hold
 
 import frictiongen
 from frictiongen import DomainError, Recording, System
@@ -180,10 +179,12 @@ def test_a_recording_drives_as_steps_do(frame, block, command, tmp_path):
     path.write_text("time_s,base_m_s2\n" + "".join(f"{a!r},{b!r}\n" for a, b in zip(t.tolist(), np.sin(9 * t).tolist(), strict=True)))
     ours = frame.drive(Recording.from_file(path, drives=True), friction=0.4).to_frame()
     theirs = command("drive", scene, path, "--friction", 0.4)
-    # The columns of the contact are first in Python, and last in the output of the command.
-    assert sorted(ours.columns) == sorted(theirs.columns)
-    hold(ours[theirs.columns], theirs, but=("time_s",))
-    np.testing.assert_allclose(ours.time_s, theirs.time_s, rtol=1e-12)
+    # The command has the solver for several contacts.  Its table also has slip and energy of the contact.
+    for name, column in ours.items():
+        if column.dtype.kind == "f":
+            np.testing.assert_allclose(column, theirs[name], rtol=0, atol=1e-10 * np.abs(column).max(), err_msg=name)
+        else:
+            assert column.tolist() == theirs[name].tolist(), name
 
 
 def test_what_cannot_be_gone_on_from(block, frame):

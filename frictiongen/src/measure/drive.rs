@@ -10,6 +10,8 @@ use crate::study::{StudyError, SystemInput};
 /// Largest difference between the velocities of the base in two steps that counts as rounding of the recorded
 /// displacements, as a multiple of the rounding unit.
 const ROUNDINGS: f64 = 4.0;
+/// Part of a sample interval that counts as rounding of a time after the recording.
+const WHOLE: f64 = 1e-9;
 
 /// Necessary quantity of a channel with the name of a mass, for a message.
 const ON_MASS: &str =
@@ -39,11 +41,12 @@ const ON_MASS: &str =
 /// }".parse()?;
 /// let text = "time_s,force_N\n0,0\n0.01,3\n0.02,5\n0.03,5\n";
 /// let recording = Recording::inputs_from_csv(text, &CsvRequest::default())?;
-/// let inputs = Inputs::of(&recording, &block, Some(1.5))?;
+/// let inputs = Inputs::of(&recording, &block, Some(1.5))?.followed_by(0.1)?;
 /// let mut step = inputs.stepper(&block)?;
 /// for sample in 1..inputs.len() {
 ///     step.advance(inputs.at(sample))?;
 /// }
+/// assert!((step.time() - 0.13).abs() < 1e-12);
 /// assert!(step.mass("plate")?.displacement() > 0.0);
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
@@ -53,7 +56,8 @@ pub struct Inputs<'r> {
     len: usize,
     /// True if each sample of a force acts until the next sample (`input: hold`).
     holds: bool,
-    base: Option<Vec<BaseStep>>,
+    /// The recorded motion of the base, and the motion in every step.
+    base: Option<(&'r Channel, Vec<BaseStep>)>,
     /// The recorded force on the excited mass, or `None` if it was not recorded.
     force: Option<SiChannel<'r>>,
     /// The recorded forces on other masses, each with the name of the mass.
@@ -131,7 +135,7 @@ impl<'r> Inputs<'r> {
             let is_mass = scene.masses.iter().any(|mass| mass.name == name);
             match name {
                 "friction" if !is_mass => recorded = Some(force(channel, needed)?),
-                "base" if moving => inputs.base = Some(base(channel, dt)?),
+                "base" if moving => inputs.base = Some((channel, base(channel, dt)?)),
                 "force" if !moving && !is_mass => inputs.force = Some(force(channel, needed)?),
                 _ if is_mass => inputs.others.push((name, force(channel, ON_MASS)?)),
                 _ => {
@@ -156,6 +160,26 @@ impl<'r> Inputs<'r> {
             return Err(MeasureError::NoDrive(if moving { "base" } else { "force" }));
         }
         Ok(inputs)
+    }
+
+    /// Returns these inputs with at least `seconds` after the last sample, at the same rate. At these samples forces are 0,
+    /// as are recorded velocities and accelerations of the base. A recorded displacement of the base and a recorded
+    /// friction force keep their last value.
+    ///
+    /// # Errors
+    /// Same errors as [`of`](Self::of).
+    pub fn followed_by(mut self, seconds: f64) -> Result<Self, MeasureError> {
+        self.len += (seconds / self.dt - WHOLE).ceil().max(0.0) as usize;
+        if let Some((channel, steps)) = &mut self.base {
+            let mut longer = channel.clone();
+            let rest = match longer.unit.dimension() {
+                Dimension::Displacement => longer.samples.last().copied(),
+                _ => None,
+            };
+            longer.samples.resize(self.len, rest.unwrap_or(0.0));
+            *steps = base(&longer, self.dt)?;
+        }
+        Ok(self)
     }
 
     /// Returns the time between two samples of the recording, in s.
@@ -245,13 +269,16 @@ impl<'r> Inputs<'r> {
                 .collect(),
             friction: match self.friction {
                 DriveFriction::Constant(force) => force,
-                DriveFriction::Recorded(track) => track.at(acting),
+                DriveFriction::Recorded(track) => {
+                    track.at(acting.min(track.samples.len().saturating_sub(1)))
+                }
             },
         }
     }
 
     fn base_step(&self, sample: usize) -> BaseStep {
-        let base = self.base.as_ref().and_then(|base| base.get(sample));
+        let base = self.base.as_ref();
+        let base = base.and_then(|(_, steps)| steps.get(sample));
         base.copied().unwrap_or_default()
     }
 }

@@ -187,7 +187,7 @@ impl std::fmt::Display for MeasureError {
             }
             Self::NoUnit(channel) => {
                 let unit = unit_of(channel);
-                // A word after the last `_` may be meant as a unit, as in `force_lbf` and `base_ft/s2`.
+                // A word after the last `_` may be meant as a unit, as in `force_lbf` and `base_yd/s2`.
                 match channel.rsplit_once('_') {
                     Some((name, word)) if word.contains('/') => {
                         let unit = if word.contains(['2', '²']) { "m/s2" } else { "m/s" };

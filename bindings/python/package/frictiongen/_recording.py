@@ -21,8 +21,8 @@ class Recording:
     """Samples of the excitation and of masses.  Each channel has a unit.
 
     :param channels: samples and unit of each channel, by the channel's name: `base`, `force` or the name of a mass.
-        Units are m, cm, mm, um, m/s, mm/s, m/s2, mm/s2, g, N, mN, kN.  Displacements, velocities and accelerations may
-        be mixed.
+        Units are m, cm, mm, um, m/s, mm/s, m/s2, cm/s2, mm/s2, in/s2, ft/s2, g, Gal, N, mN, kN.  Displacements,
+        velocities and accelerations may be mixed.
     :param rate: sampling rate, Hz.
     :param time_s: time of each sample, s, evenly spaced, instead of `rate`.
     :param drives: whether the channels are inputs of :meth:`System.drive`.  Then one channel is enough, and it may be

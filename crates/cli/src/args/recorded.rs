@@ -127,17 +127,25 @@ pub struct DriveArguments {
     /// Arguments for the description and the recordings.
     #[command(flatten)]
     pub recordings: RecordingArguments,
-    /// Kinetic friction force F in N, constant over time [default: the channel `friction` of the recording]
+    /// Kinetic friction force F in N, constant over time; with --peaks also a grid of forces [default: the channel
+    /// `friction` of the recording]
     #[arg(long, value_name = "F", allow_hyphen_values = true)]
     pub friction: Option<String>,
+    /// Print the largest value of each quantity and its instant, exact also between samples, and the value at the end
+    #[arg(long)]
+    pub peaks: bool,
     /// Print only this quantity: a mass, `contact`, a difference of two masses such as `roof-first`, a spring force
     /// `spring(a-b)`, the base shear `shear`; may be given more than once [default: the contact and every mass,
     /// relative to the base if the base moves]
     #[arg(long, value_name = "NAME")]
     pub of: Vec<String>,
+    /// Follow the motion for S seconds after the record, where forces, velocities and accelerations are 0, and
+    /// displacements and friction keep their last value
+    #[arg(long, value_name = "S", allow_hyphen_values = true)]
+    pub after: Option<String>,
     /// Print the response spectrum of the recorded base motion instead of the motion, for the damping ratio ZETA, for
     /// example 0.05
-    #[arg(long, value_name = "ZETA", allow_hyphen_values = true, conflicts_with_all = ["friction", "of"])]
+    #[arg(long, value_name = "ZETA", allow_hyphen_values = true, conflicts_with_all = ["friction", "of", "after", "peaks"])]
     pub spectrum: Option<String>,
     /// Arguments for the format of the output.
     #[command(flatten)]
@@ -170,18 +178,25 @@ Recording:
 Quantities:
   displacement, velocity  motion of a mass, or relative motion of the contact. If the base moves, the motion of
                   a mass is relative to the base by default (roof-base); `--of roof` gives the absolute motion
-  force           the friction force in N; while the contact sticks, the force that keeps it at rest
-  state           state of the contact at the sample: stuck, or the direction of sliding
-  events          number of stops, break-aways and reversals since the previous sample
-
-With the field `contacts`, --friction or the channel `friction` is the common force F, and each contact has its
-share of F. --of may name contacts. Each contact has these columns, in place of force and state:
-  force, sticks   the force in N, and whether the contact sticks
+  friction        the friction force in N; while the contact sticks, the force that keeps it at rest
+  state           stuck, or the direction of sliding
   slip, energy    distance that the slider has travelled, and energy that friction has dissipated since the start
-The first lines, and the JSON, contain the energy of each contact instead of the work.
+  force           the force in N of a stop, whose state is open or shut
+  events          number of stops, break-aways and reversals of all contacts since the previous sample
+With the field `contacts`, --friction or the channel `friction` is the common force F, each contact has its share of
+F, and --of may name contacts.
 
-The lines below the table, and the JSON, contain the work of the load and the energy that friction and
-damping dissipated, in J. They also contain the number of steps with more events than the stepper can follow.
+The lines above the table, and the JSON, contain the work of the load, the energy that friction and damping
+dissipated, and the friction energy of each contact, in J. They also contain the number of steps with more events
+than the stepper can follow.
+
+Peaks (--peaks):
+  peak, time, end  the value with the largest absolute value, its first instant, and the value at the end
+  slip(pads), force(pads)  relative displacement and force of a contact or a stop
+  energy(pads)    energy that friction has dissipated in a contact
+  roof-base, roof-first  displacements relative to the base, and between two masses that a spring joins
+  accel(roof), shear  absolute acceleration of a mass, and base shear
+--of may also name other quantities, such as vel(roof-base).
 
 Response spectrum (--spectrum ZETA):
   The spectrum is the largest displacement of a linear oscillator relative to the base within the record,
@@ -198,7 +213,8 @@ Recordings:
   A CSV file has a line of names with units, then numbers, separated by commas, semicolons or tabs:
     time_s,base_mm,upper_m_s2
   The units can also be in a second line. base is the motion of the base, and force is the exciting
-  force. Other names are masses. Units are m, cm, mm, um, m_s, mm_s, m_s2, mm_s2, g, N, mN, kN, s, ms, us.
+  force. Other names are masses. Units are m, cm, mm, um, m_s, mm_s, m_s2, cm_s2, mm_s2,
+  in_s2, ft_s2, g, Gal, N, mN, kN, s, ms, us.
   Every channel needs a unit. Displacements, velocities and accelerations can be mixed.
   A universal file has a data set 58 for each channel, with the unit as label of its ordinate.
   --channel upper=AI1:mm  the column AI1 is the mass upper, in mm; the command ignores other columns

@@ -2,14 +2,16 @@
 
 use super::driven::DrivenReport;
 use super::spectrum::ResponseSpectrumReport;
-use crate::asked::MovingPart;
 use crate::destination::OutputFormat;
 use crate::failure::Failure;
-use crate::picture::{self, over_time};
-use frictiongen::System;
-use frictiongen::measure::columns::SpectrumRow;
+use crate::output::ResultTable as _;
+use crate::picture;
+use frictiongen::measure::columns::{DrivenSample, SpectrumRow};
 use frictiongen::measure::{Identified, Observation, PeakResponse};
-use frictiongen_plot::desk::sketch_under_record;
+use frictiongen::{Of, System};
+use frictiongen_plot::desk::{
+    ContactTrack, JoinedMotion, joined_motion_figure, sketch_under_record,
+};
 use frictiongen_plot::{
     Across, Axis, Colour, Figure, Guide, Label, Line, Marker, Markers, Panel, Stroke,
 };
@@ -63,21 +65,53 @@ pub fn residuals(
     picture::write(figure, system, form, out)
 }
 
-/// Draws the displacements and the friction force under a recorded input over time.
+/// Draws displacements and forces under a recorded input over time, and a hysteresis loop of each contact.
 pub fn driven(
-    system: &System,
     driven: &DrivenReport<'_>,
     form: OutputFormat,
     out: &mut dyn Write,
 ) -> Result<(), Failure> {
-    let motions = driven.parts.iter().zip(&driven.motion.motions);
-    let motions: Vec<(&MovingPart, &[f64])> = motions
-        .map(|(part, [values, _])| (part, values.as_slice()))
+    let (table, samples) = (&driven.table, &driven.samples);
+    let track = |read: &dyn Fn(&DrivenSample) -> Option<f64>| -> Vec<f64> {
+        samples.iter().filter_map(read).collect()
+    };
+    let parts = table.parts.iter().enumerate();
+    let parts = parts.filter(|(_, part)| part.of != Of::Contact);
+    let named = parts.map(|(place, part)| {
+        let values = track(&|sample| sample.motions.get(place).map(|[value, _]| *value));
+        (part.of.is_force(), (part.name.clone(), values))
+    });
+    let (springs, masses): (Vec<_>, Vec<_>) = named.partition(|(is_force, _)| *is_force);
+    let tracks = |all: Vec<(bool, (String, Vec<f64>))>| {
+        let tracks = all.into_iter().map(|(_, track)| track);
+        tracks.collect()
+    };
+    let contacts = table.names.iter().enumerate().map(|(index, name)| {
+        let states = || samples.iter().filter_map(|all| all.contacts.get(index));
+        ContactTrack {
+            name: name.clone(),
+            displacement: states().map(|now| now.displacement).collect(),
+            force: states().map(|now| now.force).collect(),
+            sticks: states().map(|now| now.is_sticking).collect(),
+        }
+    });
+    let motion = JoinedMotion {
+        times: track(&|sample| Some(sample.time)),
+        time_label: "time (s)".into(),
+        displacement_label: "displacement (m)".into(),
+        force_label: "force (N)".into(),
+        masses: tracks(masses),
+        springs: tracks(springs),
+        contacts: contacts.collect(),
+    };
+    let scene = table.system.scene();
+    let said = driven.preamble().into_iter();
+    let said: Vec<String> = said
+        .map(|(title, text)| format!("{title}: {text}"))
         .collect();
-    let panels = over_time(&driven.motion.time, &motions, &driven.motion.force);
-    let title = Label::verbatim(&system.scene().name);
-    let figure = Figure::new("", title, 1, panels).with_caption(Label::verbatim(&driven.account()));
-    picture::write_with(figure, sketch_under_record(system.scene()), form, out)
+    let figure = joined_motion_figure(Label::verbatim(&scene.name), &motion)
+        .with_caption(Label::verbatim(&said.join("; ")));
+    picture::write_with(figure, sketch_under_record(scene), form, out)
 }
 
 /// Draws pseudo-acceleration and displacement of a response spectrum against the period. The picture also shows the

@@ -3,6 +3,7 @@
 use crate::args::{FileArgument, RecordingArguments};
 use crate::asked::number_that;
 use crate::failure::{Failure, reason};
+use crate::grid::MOST_POINTS;
 use frictiongen::System;
 use frictiongen::measure::{
     CsvColumn, CsvRequest, Inputs, MeasureError, Measured, Recording, Unit,
@@ -52,15 +53,22 @@ pub fn told(path: &Path, error: &MeasureError) -> Failure {
     Failure::new(format_args!("{}: {error}", path.display()))
 }
 
-/// Collects the inputs of a scene from a recording. Error messages contain the name of the file.
+/// Collects the inputs of a scene from a recording, and follows it for `after` seconds. Error messages contain the name of
+/// the file.
 pub fn drive<'r>(
     files: &RecordingArguments,
     recording: &'r Recording,
     system: &System,
-    friction: Option<f64>,
+    (friction, after): (Option<f64>, f64),
 ) -> Result<Inputs<'r>, Failure> {
     let path = files.recordings.first();
+    if MOST_POINTS as f64 <= after * recording.rate() {
+        return Err(Failure::new(format_args!(
+            "--after: the motion would have more than {MOST_POINTS} samples; give a shorter time"
+        )));
+    }
     let inputs = Inputs::of(recording, system, friction);
+    let inputs = inputs.and_then(|inputs| inputs.followed_by(after));
     inputs.map_err(|error| match path {
         Some(path) => told(path, &error),
         None => Failure::new(error),

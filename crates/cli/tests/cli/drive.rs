@@ -1,9 +1,7 @@
 //! Tests `frictiongen drive`.
 #![allow(clippy::unwrap_used, reason = "a test fails by it")]
 
-use crate::common::{FRAME, failure, file, output};
-use frictiongen::System;
-use frictiongen::study::SystemInput;
+use crate::common::{FRAME, column, failure, file, output};
 use std::fs;
 
 /// Returns a recording of the base's acceleration with samples at intervals of 0.01 s. The base moves and then rests.
@@ -22,67 +20,6 @@ fn shaken() -> String {
 }
 
 #[test]
-fn gives_what_the_stepper_gives() {
-    let path = file("same.csv", &shaken());
-    let text = output(
-        "",
-        &[
-            "drive",
-            FRAME,
-            &path,
-            "--friction",
-            "0.8",
-            "--of",
-            "upper",
-            "--csv",
-        ],
-    );
-    fs::remove_file(path).unwrap();
-    let mut lines = text.lines();
-    let names: Vec<&str> = lines.next().unwrap().split(',').collect();
-    let upper = names
-        .iter()
-        .position(|name| *name == "upper.displacement_m")
-        .unwrap();
-    let force = names
-        .iter()
-        .position(|name| *name == "contact.friction_N")
-        .unwrap();
-    let system: System = fs::read_to_string(FRAME).unwrap().parse().unwrap();
-    let mut step = system.stepper(0.01).unwrap();
-    let (mut place, mut velocity, mut last) = (0.0, 0.0, 0.0);
-    let mut largest = 0.0_f64;
-    for (sample, line) in lines.enumerate() {
-        let cells: Vec<&str> = line.split(',').collect();
-        if 0 < sample {
-            let time = 0.01 * f64::from(u32::try_from(sample).unwrap());
-            let now = if sample < 60 {
-                3.0 * (9.0 * time).sin()
-            } else {
-                0.0
-            };
-            // The acceleration varies linearly between samples, and is integrated twice.
-            place += 0.01 * velocity + 0.01 * 0.01 * (last / 3.0 + now / 6.0);
-            velocity += 0.01 * 0.5 * (last + now);
-            last = now;
-            step.advance(SystemInput::base(place, velocity).friction(0.8))
-                .unwrap();
-        }
-        let found: f64 = cells[upper].parse().unwrap();
-        let expected = step.mass("upper").unwrap().displacement();
-        // The tolerance covers the rounding of the integral, and of the mean step of the times.
-        assert!(
-            (found - expected).abs() < 1e-12,
-            "{sample}: {found} {expected}"
-        );
-        let found: f64 = cells[force].parse().unwrap();
-        assert!((found - step.contact().force()).abs() < 1e-9, "{sample}");
-        largest = largest.max(expected.abs());
-    }
-    assert!(1e-3 < largest, "{largest}");
-}
-
-#[test]
 fn tells_work_and_writes_pictures() {
     let path = file("work.csv", &shaken());
     let text = output("", &["drive", FRAME, &path, "--friction", "0.8", "--json"]);
@@ -91,6 +28,8 @@ fn tells_work_and_writes_pictures() {
     let left = work("load_J") - work("friction_J") - work("damping_J") - work("stored_J");
     assert!(left.abs() < 1e-12 * work("load_J"), "{left}");
     assert!(0.0 < work("friction_J") && 0.0 < work("damping_J"));
+    let energy = answer["friction_energy"]["contact_J"].as_f64().unwrap();
+    assert!((energy - work("friction_J")).abs() < 1e-12 * energy);
     let picture = format!("{path}.svg");
     output(
         "",
@@ -100,7 +39,7 @@ fn tells_work_and_writes_pictures() {
     for file in [path, picture] {
         fs::remove_file(file).unwrap();
     }
-    assert!(drawn.contains("friction force (N)"), "{drawn}");
+    assert!(drawn.contains("forces of the contacts"), "{drawn}");
     // The picture shows a base that moves as recorded, and springs with their own stiffnesses.
     let words = text_of(&drawn);
     assert!(words.contains("y(t)") && !words.contains("cos"), "{words}");
@@ -131,16 +70,42 @@ fn help_asks_for_no_driving_frequency() {
 /// A unit in the header of a column may be written as in a name or as in a text.
 #[test]
 fn units_as_in_a_text() {
-    let driven = |unit: &str| {
-        let record = shaken().replacen("m_s2", unit, 1);
-        let path = file("unit.csv", &record);
+    let driven_by = |record: &str| {
+        let path = file("unit.csv", record);
         let text = output("", &["drive", FRAME, &path, "--friction", "0.8", "--csv"]);
         fs::remove_file(path).unwrap();
         text
     };
+    let driven = |unit: &str| driven_by(&shaken().replacen("m_s2", unit, 1));
     let expected = driven("m_s2");
     for unit in ["m/s2", "m/s^2", "m/s²"] {
         assert_eq!(driven(unit), expected, "{unit}");
+    }
+    for (unit, size) in [
+        ("gal", 0.01),
+        ("Gal", 0.01),
+        ("cm/s²", 0.01),
+        ("cm_s2", 0.01),
+        ("in_s2", 0.0254),
+        ("in/s^2", 0.0254),
+        ("ft_s2", 0.3048),
+    ] {
+        let lower = |csv: &str| column(csv, "lower-base.displacement_m");
+        let record =
+            shaken()
+                .lines()
+                .skip(1)
+                .fold(format!("time_s,base_{unit}\n"), |text, line| {
+                    let (time, value) = line.split_once(',').unwrap();
+                    text + &format!("{time},{}\n", value.parse::<f64>().unwrap() / size)
+                });
+        let found = lower(&driven_by(&record));
+        for (found, expected) in found.iter().zip(lower(&expected)) {
+            assert!(
+                (found - expected).abs() < 1e-14,
+                "{unit}: {found} {expected}"
+            );
+        }
     }
 }
 

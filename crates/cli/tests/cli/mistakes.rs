@@ -159,9 +159,9 @@ fn of_columns() -> Vec<Mistake> {
         ),
         in_record(
             drive,
-            b"time_s,base_ft/s2\n0,0\n0.01,1\n",
+            b"time_s,base_yd/s2\n0,0\n0.01,1\n",
             &[
-                "convert the numbers from ft/s2 to m/s2 and write `base_m/s2`",
+                "convert the numbers from yd/s2 to m/s2 and write `base_m/s2`",
                 "the units are m, cm",
             ],
         ),
@@ -192,6 +192,11 @@ fn of_columns() -> Vec<Mistake> {
             "drive FORCED RECORD --friction 1",
             b"time_s,force_N\n0,0\n0.01,1e200\n",
             &["a force is too large; it must be finite, and its square"],
+        ),
+        in_record(
+            "drive FRAME RECORD --friction 1",
+            b"time_s,base_m\n0,0\n0.01,1e200\n",
+            &["the displacement or velocity of the base is too large"],
         ),
     ]
 }

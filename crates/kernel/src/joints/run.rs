@@ -258,6 +258,12 @@ impl<S: Float, Z: Size> Motion<S, Z> {
         let most = level.value(self.time, 0);
         let speed = self.model.slip(&c, v.as_ref());
         let phase = self.state.phase(contact);
+        // A contact that sticks keeps a force up to its static friction force.
+        let limit = if phase == STUCK {
+            c.stiction * most
+        } else {
+            most
+        };
         let slides = if speed < zero { -1 } else { 1 };
         let new = match (c.is_free(), c.stiffness) {
             (true, _) => FREE,
@@ -270,11 +276,11 @@ impl<S: Float, Z: Size> Motion<S, Z> {
                     force if force < zero => -1,
                     _ => slides,
                 };
-                let yields = force.abs() >= most && sign::<S>(side) * speed > c.creep();
+                let yields = force.abs() >= limit && sign::<S>(side) * speed > c.creep();
                 if yields { side } else { STUCK }
             }
         };
-        if c.stiffness.is_some() {
+        if c.stiffness.is_some() && force.abs() > limit {
             let kept = crate::Scalar::max(-most, crate::Scalar::min(force, most));
             set(self.state.forces.as_mut(), contact, kept);
         }

@@ -4,120 +4,120 @@ use crate::Of;
 use crate::study::columns::{
     Column, Columns, Head, Measure, MovingPart, PhysicalQuantity, TableRow,
 };
-use crate::study::{System, stepper::SystemStepper, words};
-use frictiongen_kernel::simulation::Contact;
+use crate::study::joined::JoinedContactNow;
+use crate::study::{System, words};
 
-/// The motion of the contact and of the requested masses at every sample of an input.
-#[derive(Clone, Debug, Default)]
-pub struct Driven {
-    /// Time of each sample, in s.
-    pub time: Vec<f64>,
-    /// Displacement in m and velocity in m/s at every sample, as a pair of lists for each requested mass or contact.
-    pub motions: Vec<[Vec<f64>; 2]>,
-    /// Friction force at each sample, in N.
-    pub force: Vec<f64>,
-    state: Vec<Contact>,
-    events: Vec<u32>,
+/// Row of the table: the motion at one sample of the input.
+#[derive(Clone, Debug)]
+pub struct DrivenSample {
+    /// Time of the sample, in s.
+    pub time: f64,
+    /// Displacement in m and velocity in m/s of each requested contact, mass or combination. For the force of a spring,
+    /// the force in N and its time derivative.
+    pub motions: Vec<[f64; 2]>,
+    /// Motion and force of every contact, and then of every stop, with the signs of the scene description.
+    pub contacts: Vec<JoinedContactNow>,
+    /// Number of events of all contacts since the previous sample.
+    pub events: usize,
 }
 
-/// Row of the table: the motion at one sample.
-#[derive(Clone, Copy, Debug)]
-pub struct DrivenRow<'d> {
-    driven: &'d Driven,
-    index: usize,
+impl TableRow for DrivenSample {}
+
+/// The motions that the table contains.
+#[derive(Clone, Debug)]
+pub struct DrivenTable<'s> {
+    /// The system that moves.
+    pub system: &'s System,
+    /// The requested contacts, masses and combinations. A contact has its own name.
+    pub parts: &'s [MovingPart],
+    /// Names of the contacts, and then of the stops.
+    pub names: &'s [String],
+    /// True if the table contains the slip and the energy of each contact.
+    pub has_slips: bool,
 }
 
-impl TableRow for DrivenRow<'_> {}
+impl DrivenTable<'_> {
+    /// Returns the index of the contact that a part names.
+    fn contact(&self, part: &MovingPart) -> Option<usize> {
+        let index = || self.names.iter().position(|name| *name == part.name);
+        // With a single contact, its name may also be `slip(contact)`.
+        (part.of == Of::Contact).then(|| index().unwrap_or(0))
+    }
 
-impl Driven {
-    /// Creates a table without samples.
+    /// Returns a row of the table. `base` and `masses` have displacements in m and velocities in m/s.
     #[must_use]
-    pub fn new(parts: &[MovingPart]) -> Self {
-        Self {
-            motions: vec![Default::default(); parts.len()],
-            ..Self::default()
+    pub fn sample(
+        &self,
+        (time, events): (f64, usize),
+        (base, masses): ([f64; 2], &[[f64; 2]]),
+        contacts: Vec<JoinedContactNow>,
+    ) -> DrivenSample {
+        let motion = |part: &MovingPart| match self.contact(part) {
+            Some(index) => {
+                let now = contacts.get(index)?;
+                Some([now.displacement, now.velocity])
+            }
+            None => self.system.combination_of(part.of, base, masses),
+        };
+        let motions = self
+            .parts
+            .iter()
+            .map(|part| motion(part).unwrap_or_default());
+        DrivenSample {
+            time,
+            motions: motions.collect(),
+            contacts,
+            events,
         }
-    }
-
-    /// Adds the present state of a stepper to the table. `parts` lists the motions that the table contains. `events`
-    /// is the number of events of the contact (stops, break-aways and reversals) since the previous sample. If
-    /// `turned` is true, the table contains the contact's motion and force with the opposite sign.
-    pub fn push(
-        &mut self,
-        stepper: &SystemStepper<'_>,
-        parts: &[MovingPart],
-        turned: bool,
-        events: u32,
-    ) {
-        let signed = |value: f64| if turned { 0.0 - value } else { value };
-        let contact = stepper.contact();
-        for (part, [displacement, velocity]) in parts.iter().zip(&mut self.motions) {
-            let (x, v) = match part.of {
-                Of::Contact => (signed(contact.displacement()), signed(contact.velocity())),
-                of => stepper.motion_of(of).unwrap_or_default(),
-            };
-            displacement.push(x);
-            velocity.push(v);
-        }
-        self.force.push(signed(contact.force()));
-        let state = contact.contact();
-        self.state.push(match turned {
-            true => state.reversed(),
-            false => state,
-        });
-        self.events.push(events);
-        self.time.push(stepper.time());
-    }
-
-    /// Returns the rows of the table, one for each sample.
-    pub fn rows(&self) -> impl Iterator<Item = DrivenRow<'_>> {
-        (0..self.time.len()).map(|index| DrivenRow {
-            driven: self,
-            index,
-        })
     }
 
     /// Returns the columns of the table, with their names and units.
     #[must_use]
-    pub fn columns<'d>(system: &System, parts: &[MovingPart]) -> Vec<Column<'d, DrivenRow<'d>>> {
-        let mut columns = Columns::new(&Measure::si(system));
+    pub fn columns<'d>(&self) -> Vec<Column<'d, DrivenSample>> {
+        let mut columns = Columns::new(&Measure::si(self.system));
         let head = Head::of("time", PhysicalQuantity::Time);
-        columns.number(head, |row: &DrivenRow<'_>| {
-            row.driven.time.get(row.index).copied()
-        });
-        for (place, part) in parts.iter().enumerate() {
+        columns.number(head, |row: &DrivenSample| Some(row.time));
+        for (place, part) in self.parts.iter().enumerate() {
             columns.begin_motion(part);
+            let [displacement, velocity] = [0, 1]
+                .map(|which| move |row: &DrivenSample| row.motions.get(place)?.get(which).copied());
             if part.of.is_force() {
-                columns.converted(Head::of("force", PhysicalQuantity::Force), move |row| {
-                    let [force, _] = row.driven.motions.get(place)?;
-                    force.get(row.index).copied()
-                });
+                columns.converted(Head::of("force", PhysicalQuantity::Force), displacement);
                 continue;
             }
-            for (which, (name, dimension)) in [
-                ("displacement", PhysicalQuantity::Length),
-                ("velocity", PhysicalQuantity::Velocity),
-            ]
-            .into_iter()
-            .enumerate()
-            {
-                columns.converted(Head::of(name, dimension), move |row| {
-                    let motion = row.driven.motions.get(place)?.get(which)?;
-                    motion.get(row.index).copied()
+            let head = Head::of("displacement", PhysicalQuantity::Length);
+            columns.converted(head, displacement);
+            columns.converted(Head::of("velocity", PhysicalQuantity::Velocity), velocity);
+        }
+        let stops = self.system.scene().joints.stops.len();
+        let stops = self.names.len().saturating_sub(stops)..;
+        for (index, name) in self.names.iter().enumerate() {
+            columns.begin_contact(name);
+            let now = move |row: &DrivenSample| row.contacts.get(index).copied();
+            let is_stop = stops.contains(&index);
+            let force = if is_stop { "force" } else { "friction" };
+            columns.converted(Head::of(force, PhysicalQuantity::Force), move |row| {
+                Some(now(row)?.force)
+            });
+            columns.word("state", "backward", move |row| {
+                let now = now(row)?;
+                Some(match is_stop {
+                    true if now.is_sticking => "shut",
+                    true => "open",
+                    false => words::contact(now.contact()),
+                })
+            });
+            if self.has_slips {
+                columns.converted(Head::of("slip", PhysicalQuantity::Length), move |row| {
+                    Some(now(row)?.slip)
+                });
+                columns.converted(Head::of("energy", PhysicalQuantity::Energy), move |row| {
+                    Some(now(row)?.energy)
                 });
             }
         }
-        columns.begin_contact(&system.name_of_motion(Of::Contact));
-        columns.number(Head::of("friction", PhysicalQuantity::Force), |row| {
-            row.driven.force.get(row.index).copied()
-        });
-        columns.word("state", "backward", |row| {
-            Some(words::contact(*row.driven.state.get(row.index)?))
-        });
         columns.end_parts();
-        columns.count("events", |row| {
-            Some(*row.driven.events.get(row.index)? as usize)
-        });
+        columns.count("events", |row| Some(row.events));
         columns.done()
     }
 }

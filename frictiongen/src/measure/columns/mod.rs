@@ -2,17 +2,17 @@
 //! with keys. All values are in SI units.
 
 mod driven;
-mod joined;
 mod lines;
 mod once;
+mod peaks;
 mod residuals;
 mod spectrum;
 mod transmissibility;
 
-pub use driven::{Driven, DrivenRow};
-pub use joined::{JoinedDriven, JoinedDrivenRow, JoinedPart};
+pub use driven::{DrivenSample, DrivenTable};
 pub use lines::{QuantityLine, decay_lines, fit_lines, identify_lines, line_columns, motion_lines};
 pub use once::{Keyed, SingleValue, decay_values, fit_values, identify_values};
+pub use peaks::{PeakRow, peak_columns};
 pub use residuals::{
     ExtremeRow, FittedRow, MotionKnown, ResidualRow, extreme_columns, extremes, fitted,
     fitted_columns, residual_columns, residuals,

@@ -54,7 +54,7 @@ use Dimension::{Acceleration, Displacement, Force, Time, Velocity};
 
 /// All known units. Each entry has the unit's name, its ending in the name of a column, its quantity, and its size in
 /// SI units.
-pub(super) const UNITS: [(&str, &str, Dimension, f64); 15] = [
+pub(super) const UNITS: [(&str, &str, Dimension, f64); 19] = [
     ("m", "m", Displacement, 1.0),
     ("cm", "cm", Displacement, 1e-2),
     ("mm", "mm", Displacement, 1e-3),
@@ -64,6 +64,10 @@ pub(super) const UNITS: [(&str, &str, Dimension, f64); 15] = [
     ("m/s2", "m_s2", Acceleration, 1.0),
     ("mm/s2", "mm_s2", Acceleration, 1e-3),
     ("g", "g", Acceleration, GRAVITY),
+    ("cm/s2", "cm_s2", Acceleration, 1e-2),
+    ("Gal", "gal", Acceleration, 1e-2),
+    ("in/s2", "in_s2", Acceleration, 0.0254),
+    ("ft/s2", "ft_s2", Acceleration, 0.3048),
     ("N", "N", Force, 1.0),
     ("mN", "mN", Force, 1e-3),
     ("kN", "kN", Force, 1e3),
@@ -82,7 +86,7 @@ impl Unit {
     /// Unit metre per second squared (m/s²) of an acceleration.
     pub const METRE_PER_SECOND_SQUARED: Self = Self::of(UNITS[6]);
     /// Unit newton (N) of a force.
-    pub const NEWTON: Self = Self::of(UNITS[9]);
+    pub const NEWTON: Self = Self::of(UNITS[13]);
 
     /// Unit g, the standard acceleration of gravity 9.80665 m/s².
     pub(super) const GRAVITY: Self = Self::of(UNITS[8]);

@@ -130,7 +130,7 @@ impl Combination {
     }
 
     /// Returns the power series of the quantity in a stretch.
-    fn terms_of(&self, series: &Series) -> Poly<f64> {
+    pub fn terms_of(&self, series: &Series) -> Poly<f64> {
         let mut sum = [0.0; TERMS];
         for (factor, plus, minus) in &self.terms {
             let terms = match self.order {
@@ -146,14 +146,20 @@ impl Combination {
     }
 }
 
-/// Returns the largest absolute value of a polynomial between 0 and `end`.
-fn largest_between(terms: &Poly<f64>, end: f64) -> f64 {
+/// Returns the point between 0 and `end` at which a polynomial has its largest absolute value, and its value there.
+pub fn extreme_between(terms: &Poly<f64>, end: f64) -> (f64, f64) {
     let slope = slope(terms);
     let at = |part: usize| end * part as f64 / PARTS as f64;
     let ends = (0..=PARTS).map(at);
     let turns = (0..PARTS).filter_map(|part| turn(&slope, (at(part), at(part + 1))));
-    let sizes = ends.chain(turns).map(|at| value(terms, at).abs());
-    sizes.fold(0.0, f64::max)
+    let points = ends.chain(turns).map(|at| (at, value(terms, at)));
+    points.fold((0.0, 0.0), |most: (f64, f64), point| {
+        if most.1.abs() < point.1.abs() {
+            point
+        } else {
+            most
+        }
+    })
 }
 
 /// Returns the point between `low` and `high` at which a polynomial changes its sign.
@@ -209,7 +215,8 @@ impl JoinedOrbit<'_> {
             let period = TAU / omega * self.period() as f64;
             self.motion()?.run(period, &mut |series, end, _| {
                 for (combination, largest) in &mut followed {
-                    *largest = largest.max(largest_between(&combination.terms_of(series), end));
+                    let (_, value) = extreme_between(&combination.terms_of(series), end);
+                    *largest = largest.max(value.abs());
                 }
             })?;
         }

@@ -77,7 +77,7 @@ impl fmt::Display for JoinedError {
             Self::OutOfDomain(error) => error.fmt(f),
             Self::TooManyMasses(count) => write!(
                 f,
-                "the scene has {count} masses, but at most {} are possible with several contacts",
+                "the scene has {count} masses, but at most {} are possible here; lump neighbouring masses together",
                 crate::study::joints::MAX_MASSES
             ),
             Self::NoSpring => write!(

@@ -9,6 +9,7 @@ use crate::study::error::UnknownMass;
 use crate::study::joints::{Motion, Transition};
 use crate::{Given, OutOfDomain};
 use frictiongen_kernel::joints::STUCK;
+use frictiongen_kernel::simulation::Contact;
 
 /// An event of one contact.
 #[derive(Clone, Debug, PartialEq)]
@@ -66,11 +67,30 @@ impl JoinedContactNow {
     /// Returns the state with displacement, velocity and force multiplied by `sign`, which is 1 or −1.
     #[must_use]
     pub fn signed(self, sign: f64) -> Self {
+        // The sum replaces −0 by 0.
+        let signed = |value: f64| sign * value + 0.0;
         Self {
-            displacement: sign * self.displacement,
-            velocity: sign * self.velocity,
-            force: sign * self.force,
+            displacement: signed(self.displacement),
+            velocity: signed(self.velocity),
+            force: signed(self.force),
             ..self
+        }
+    }
+
+    /// Returns the direction in which the contact slides at this instant, or that it sticks.
+    #[must_use]
+    pub fn contact(&self) -> Contact {
+        // The friction of a sliding contact has the sign of its slip, also at a break-away, where the velocity is 0.
+        let direction = match self.force {
+            0.0 => self.velocity,
+            force => force,
+        };
+        if self.is_sticking || direction == 0.0 {
+            Contact::Stuck
+        } else if 0.0 < direction {
+            Contact::Forward
+        } else {
+            Contact::Backward
         }
     }
 }

@@ -1,8 +1,10 @@
 //! Adds up the distances that the sliders of the contacts travel, and the energies that friction dissipates in the
 //! contacts.
 
+use super::peaks::Peaks;
 use crate::study::joints::{Heap, Model, Series, State, Transition};
-use frictiongen_kernel::joints::{FREE, Observe, STUCK, Short};
+use crate::study::response::MotionQuantity;
+use frictiongen_kernel::joints::{FREE, Observe, Poly, STUCK, Short};
 
 /// Travelled distance and dissipated energy of each contact since the start of a motion, and the events since the last
 /// call of `take_events`.
@@ -12,6 +14,8 @@ pub(super) struct Slides {
     /// Displacement of each mass at the end of the last stretch (time interval of a power series).
     places: Vec<f64>,
     events: Vec<(Transition, Vec<f64>)>,
+    /// Largest values of quantities.
+    pub peaks: Peaks,
 }
 
 /// Travelled distance and dissipated energy of one contact since the start of a motion.
@@ -40,6 +44,30 @@ pub(super) struct Slide {
     pub energy: f64,
 }
 
+impl Slide {
+    /// Returns the power series of a displacement or a force in a stretch, or `None` for an energy.
+    pub fn terms(
+        &self,
+        series: &Series,
+        (index, is_shut): (usize, bool),
+        size: MotionQuantity,
+    ) -> Option<Poly<f64>> {
+        let (plus, minus) = self.ends;
+        match size {
+            MotionQuantity::Displacement => Some(series.place_terms(plus, minus)),
+            MotionQuantity::Force => {
+                let mut force = series.force_terms(index);
+                let dashpot = self.dashpot.filter(|_| is_shut).unwrap_or(0.0);
+                for (force, speed) in force.iter_mut().zip(series.speed_terms(plus, minus)) {
+                    *force += dashpot * speed;
+                }
+                Some(force)
+            }
+            _ => None,
+        }
+    }
+}
+
 impl Slides {
     /// Creates an entry for each contact of the model, with its kinetic friction force. The distances and energies of
     /// all entries are 0.
@@ -64,6 +92,7 @@ impl Slides {
             contacts: contacts.collect(),
             places: vec![0.0; model.masses.len()],
             events: Vec::new(),
+            peaks: Peaks::default(),
         }
     }
 
@@ -73,16 +102,16 @@ impl Slides {
     }
 
     /// Sets the kinetic friction force of a contact to `level`, by a jump at the present instant. If the `force` of an
-    /// elastic contact exceeds `level`, the spring of the contact loses a part of its energy. The method adds this part
-    /// to the dissipated energy.
-    pub fn set_level(&mut self, index: usize, level: f64, force: f64) {
+    /// elastic contact exceeds `limit`, it falls to `level`. The method adds the energy that the spring of the contact
+    /// then loses to the dissipated energy.
+    pub fn set_level(&mut self, index: usize, level: f64, (force, limit): (f64, f64)) {
         let Some(slide) = self.contacts.get_mut(index) else {
             return;
         };
         if let Some(stiffness) = slide.stiffness
-            && level != slide.level
+            && limit < force.abs()
         {
-            slide.energy += (force * force - level * level).max(0.0) / (2.0 * stiffness);
+            slide.energy += (force * force - level * level) / (2.0 * stiffness);
         }
         (slide.level, slide.changes) = (level, false);
     }
@@ -131,6 +160,7 @@ impl Observe<f64, Heap> for Slides {
                 };
             }
         }
+        self.peaks.stretch((series, end), state, &self.contacts);
     }
 
     fn event(&mut self, time: f64, before: &Short<i8>, after: &Short<i8>) {

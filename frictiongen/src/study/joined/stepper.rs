@@ -1,12 +1,15 @@
 //! Motion of scenes with several contacts in time steps of equal length, under sampled forces.
 
 use super::error::{JoinedError, UnknownContact};
+use super::peaks::{Peak, Peaks};
 use super::scene::Joined;
 use super::simulation::JoinedContactNow;
 use super::slides::Slides;
 use crate::study::joints::{Chain, Heap, Wave};
-use crate::{Given, OutOfDomain};
+use crate::study::response::MotionQuantity;
+use crate::{Given, Of, OutOfDomain};
 use frictiongen_kernel::joints::{Sample, Stepper};
+use frictiongen_kernel::stepper::Work;
 use frictiongen_model::scene::{Excitation, StepInput};
 
 /// Input of one step of a stepper, in the units of the scene description.
@@ -89,7 +92,7 @@ impl JoinedStepper<'_> {
     /// Advances by one step. Returns the number of events in the step.
     ///
     /// # Errors
-    /// [`OutOfDomain`](crate::OutOfDomain) for a force or a base motion that is not finite, and for a base motion in a
+    /// [`OutOfDomain`](crate::OutOfDomain) for a force or a base motion whose square is not finite, and for a base motion in a
     /// scene that a force drives. [`OutOfDomain`](crate::OutOfDomain) also for a step in which the motion exceeds a
     /// bound of the solver. [`JoinedError::Friction`] for a friction force that is negative or not finite.
     /// [`JoinedError::UnknownMass`] and
@@ -101,6 +104,7 @@ impl JoinedStepper<'_> {
             self.stepper.set_base_velocity(velocity)?;
         }
         let mut slides = self.slides.clone();
+        slides.peaks.start = self.time();
         match self.joined.scene().stepping.input {
             StepInput::Hold => self.relax(&mut slides, &frictions),
             StepInput::Linear => {
@@ -144,11 +148,19 @@ impl JoinedStepper<'_> {
         if !on_base && (input.base != [0.0; 2] || input.start_velocity.is_some()) {
             return Err(OutOfDomain::BaseAtRest.into());
         }
+        // The energies contain the squares.
+        let is_large = |value: &&f64| !(**value * **value).is_finite();
+        if let Some(value) = input.base.iter().find(is_large) {
+            return Err(OutOfDomain::BaseMotion(Given::of(*value)).into());
+        }
         let mut forces = vec![0.0; self.joined.scene().masses.len()];
         for (name, force) in input.forces {
             if let Some(own) = forces.get_mut(self.joined.mass_index(name)?) {
                 *own += *force;
             }
+        }
+        if let Some(force) = forces.iter().find(is_large) {
+            return Err(OutOfDomain::Force(Given::of(*force)).into());
         }
         let mut frictions = self.frictions.clone();
         for (name, friction) in input.frictions {
@@ -163,25 +175,76 @@ impl JoinedStepper<'_> {
         Ok(Ordered { forces, frictions })
     }
 
-    /// Adds to the dissipated energies what a jump of the friction forces dissipates. If the new friction force of an
-    /// elastic contact is below the present force in this contact, its spring loses a part of its energy.
+    /// Adds to the dissipated energies what a jump of the friction forces dissipates. If an elastic contact cannot keep
+    /// its present force, its spring loses a part of its energy.
     fn relax(&self, slides: &mut Slides, frictions: &[f64]) {
         for (index, friction) in frictions.iter().enumerate() {
-            let force = self.stepper.contact(index).force();
-            slides.set_level(index, *friction, force);
+            let now = self.stepper.contact(index);
+            let stiction = self.stepper.stiction(index).filter(|_| now.is_sticking());
+            let limit = stiction.unwrap_or(1.0) * friction;
+            slides.set_level(index, *friction, (now.force(), limit));
         }
-    }
-
-    /// Returns the scene whose motion the stepper computes.
-    #[must_use]
-    pub fn joined(&self) -> &Joined<'_> {
-        &self.joined
     }
 
     /// Returns the time since the start at the end of the last step, in s.
     #[must_use]
     pub fn time(&self) -> f64 {
         self.stepper.steps() as f64 * self.stepper.dt()
+    }
+
+    /// Follows the largest absolute values of quantities from the next step on: of a displacement, a velocity, an
+    /// acceleration, the force in a spring, or the displacement, the force or the energy of a contact or a stop. The third
+    /// entry is the index of this contact or stop. The values are exact between samples.
+    ///
+    /// ```
+    /// use frictiongen::study::{joined::JoinedInput, response::MotionQuantity};
+    /// use frictiongen::{Of, System};
+    ///
+    /// # fn main() -> Result<(), Box<dyn std::error::Error>> {
+    /// let block: System = "struct Block {
+    ///     masses: { m: 1.0 }, springs: { base - m: 100.0 }, contact: m - wall, excitation: m,
+    /// }".parse()?;
+    /// let joined = block.joined()?;
+    /// let mut step = joined.stepper(0.05)?;
+    /// step.follow_peaks(&[(Of::Mass(0), MotionQuantity::Displacement, 0)])?;
+    /// let input = JoinedInput { forces: &[("m", 5.0)], ..JoinedInput::default() };
+    /// step.begin(input)?;
+    /// for _ in 0..10 {
+    ///     step.advance(input)?;
+    /// }
+    /// // Without friction, x = P/k (1 − cos ωt) with ω = 10 rad/s.
+    /// let peak = step.peaks()[0];
+    /// assert!((peak.value - 0.1).abs() < 1e-12 && (peak.time - 0.314159).abs() < 1e-5);
+    /// # Ok(())
+    /// # }
+    /// ```
+    ///
+    /// # Errors
+    /// [`JoinedError::Quantity`] for a quantity that the scene does not have.
+    pub fn follow_peaks(
+        &mut self,
+        quantities: &[(Of, MotionQuantity, usize)],
+    ) -> Result<(), JoinedError> {
+        self.slides.peaks = Peaks::of(&self.joined, quantities)?;
+        Ok(())
+    }
+
+    /// Returns the peak of each quantity of [`follow_peaks`](Self::follow_peaks), in the units of the scene description.
+    #[must_use]
+    pub fn peaks(&self) -> Vec<Peak> {
+        self.slides.peaks.found()
+    }
+
+    /// Returns the energy balance since the start, in the unit of force times the unit of length.
+    #[must_use]
+    pub fn work(&self) -> Work<f64> {
+        self.stepper.work()
+    }
+
+    /// Returns the number of steps with more events than the stepper follows.
+    #[must_use]
+    pub fn exceeded(&self) -> u64 {
+        self.stepper.exceeded()
     }
 
     /// Returns displacement and velocity of the mass called `name` at the end of the last step.

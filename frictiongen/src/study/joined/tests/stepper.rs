@@ -52,6 +52,34 @@ fn friction_forces_change_from_step_to_step() {
     assert_eq!(floor.force, 0.0);
 }
 
+/// Checks an elastic contact whose force exceeds the kinetic friction force, but never the static one. It sticks while
+/// the level jumps in every step, and the block oscillates as on a spring: x = P/k (1 − cos Ωt).
+#[test]
+fn an_elastic_contact_keeps_its_static_friction() {
+    let block = system(
+        "struct Block { masses: { block: 2.0 },
+        contacts: { brace: block - wall { stiffness: 900.0, stiction: 1.5 } },
+        excitation: block, input: hold, provide: [stepper] }",
+    );
+    let joined = block.joined().expect("answers");
+    let mut stepper = joined.stepper(0.01).expect("a stepper");
+    let mut most = 0.0_f64;
+    for step in 1..=100_u32 {
+        let input = JoinedInput {
+            forces: &[("block", 1.2)],
+            frictions: &[("brace", if step % 2 == 0 { 1.9 } else { 1.8 })],
+            ..JoinedInput::default()
+        };
+        assert_eq!(stepper.advance(input), Ok(0));
+        let brace = stepper.contact_named("brace").expect("a contact");
+        let force = 1.2 * (1.0 - (450.0_f64.sqrt() * 0.01 * f64::from(step)).cos());
+        assert!((brace.force - force).abs() < 1e-12, "{step}: {brace:?}");
+        assert_eq!((brace.slip, brace.energy), (0.0, 0.0));
+        most = most.max(force);
+    }
+    assert!(2.3 < most);
+}
+
 /// Checks that an input with an error leaves the stepper unchanged.
 #[test]
 fn bad_inputs_change_nothing() {
