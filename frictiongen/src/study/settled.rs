@@ -140,7 +140,11 @@ impl<'a> SystemAt<'a> {
             let start = Start::Cycle(&x, &v, period);
             let orbit = system.settled_from(r, beta, start, (self.sliding_limit(), false));
             let Ok(orbit) = orbit else { continue };
-            if !all.iter().any(|known| are_alike(known, &orbit)) {
+            let largest = orbit.contact().amplitude();
+            let mut contacts = state.contacts();
+            let is_found =
+                contacts.all(|contact| (contact.displacement() - largest).abs() <= SAME * largest);
+            if is_found && !all.iter().any(|known| are_alike(known, &orbit)) {
                 all.push(orbit);
             }
         }

@@ -108,7 +108,10 @@ fn a_branch_in_units_agrees_with_single_states() {
 #[test]
 fn wrong_requests() {
     for (line, expected) in [
-        ("--along r --beta 0.1", "2 values required"),
+        (
+            "--along r --beta 0.1",
+            "--along r --beta: an interval a:b is needed",
+        ),
         (
             "--along r 1 --beta 0.1",
             "--along r 1: an interval a:b is needed",
@@ -143,7 +146,7 @@ fn wrong_requests() {
             "--along m.roof: there is no parameter `m.roof`; the parameters are m m, k base - m, mu contact, beta, r",
         ),
     ] {
-        let message = failure(BLOCK, &words(&format!("branch {line}")));
+        let message = failure(BLOCK, &words(&format!("branch {line}"))).join("\n");
         assert!(message.contains(expected), "{line}: {message}");
     }
 }

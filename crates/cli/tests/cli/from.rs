@@ -154,7 +154,7 @@ fn wrong_states() {
         "report --r 1:2 -o page.html",
     ] {
         let told = failure(BRACED, &words(&format!("{line} --from rest")));
-        let expected = "frictiongen: --from: only `orbit`, `response`, `curve`, `map`, `time` and `optimum` take an initial state; leave it out of this command";
+        let expected = "frictiongen: --from: only `orbit`, `response`, `curve`, `map`, `time`, `optimum`, `branch` and `limit-cycle` take an initial state; leave it out of this command";
         assert_eq!(told, [expected], "{line}");
     }
     for line in [

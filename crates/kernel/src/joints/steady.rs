@@ -204,7 +204,7 @@ impl<S: Float, Z: Size> Motion<S, Z> {
     /// Searches for a periodic motion near the present state by Newton's method alone, under loads of the angular
     /// frequency ω. `period` is the number of cycles of the load in a period. The search divides displacements by
     /// `place`, which must be about as large as the displacements. Returns `None` if Newton's method does not
-    /// converge.
+    /// converge, or if the motion already repeats after fewer cycles.
     ///
     /// # Errors
     ///
@@ -223,7 +223,11 @@ impl<S: Float, Z: Size> Motion<S, Z> {
         } else {
             ShotSpan::Cycles(period)
         };
-        search.newton(&motion, span)
+        let found = search.newton(&motion, span)?;
+        match found {
+            Some(steady) if period > 1 && search.repeats_earlier(&motion, &steady)? => Ok(None),
+            found => Ok(found),
+        }
     }
 
     /// Searches as [`refine`](Self::refine) does for a motion that has the opposite sign half a cycle later. Returns

@@ -81,6 +81,8 @@ impl<S: Float, Z: Size> Unknowns<'_, S, Z> {
         for (j, _) in contacts().filter(|(j, contact)| self.moves(*j) && contact.is_rigid()) {
             set(state.places.as_mut(), j, of_contact(j));
         }
+        // The old state may be at an event, which the new one is not.
+        state.zeros = model.size.contacts((0, 0));
         moved.restart(state);
         let mut state = moved.state().clone();
         for (j, contact) in contacts() {

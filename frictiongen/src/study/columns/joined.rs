@@ -165,8 +165,8 @@ impl<'a> JoinedTable<'a> {
         }
     }
 
-    /// Computes one table row for every steady state that the search finds. If the search finds no steady state, the
-    /// result is the [`row`](Self::row) of the motion from rest, which contains the reason.
+    /// Computes one table row for every steady state that the search finds. If the search finds no stable steady state,
+    /// the first row is the [`row`](Self::row) of the motion from rest, which contains the reason.
     ///
     /// # Errors
     /// Same errors as [`row`](Self::row).
@@ -177,18 +177,21 @@ impl<'a> JoinedTable<'a> {
     ) -> Result<Vec<JoinedRow>, JoinedError> {
         let at = self.at(frequency)?;
         let friction = friction.at(&self.setting.measure, frequency);
-        match at.states(friction.beta) {
-            Ok(states) => states
-                .iter()
-                .map(|orbit| self.found(&at, (frequency, friction), orbit))
-                .collect(),
-            Err(JoinedError::Engine(error)) => Ok(vec![Self::without_state(
-                &at,
-                (frequency, friction),
-                &error,
-            )]),
-            Err(error) => Err(error),
+        let states = match at.states(friction.beta) {
+            Err(JoinedError::Engine(_)) => Vec::new(),
+            states => states?,
+        };
+        let mut rows = Vec::new();
+        if states
+            .iter()
+            .all(|orbit| words::joined_state(orbit) == "unstable")
+        {
+            rows.push(self.row(frequency, friction)?);
         }
+        for orbit in &states {
+            rows.push(self.found(&at, (frequency, friction), orbit)?);
+        }
+        Ok(rows)
     }
 
     fn without_state(

@@ -158,8 +158,8 @@ impl<'a> OrbitTable<'a> {
         }
     }
 
-    /// Computes one table row for every steady state that the search finds. If the search finds no steady state, the
-    /// result is the [`row`](Self::row) of the motion from rest, which contains the reason.
+    /// Computes one table row for every steady state that the search finds. If the search finds no stable steady state,
+    /// the first row is the [`row`](Self::row) of the motion from rest, which contains the reason.
     ///
     /// # Errors
     /// [`OutOfDomain`] for a friction outside the domain.
@@ -171,12 +171,13 @@ impl<'a> OrbitTable<'a> {
     ) -> Result<Vec<OrbitRow>, OutOfDomain> {
         let under_load = friction.at(&self.setting.measure, frequency);
         let states = at.every_state(under_load.beta)?;
-        let states = states.iter();
-        let rows = states.map(|orbit| self.found(at, (frequency, under_load), orbit));
-        let rows: Vec<OrbitRow> = rows.collect();
-        if rows.is_empty() {
-            return Ok(vec![self.row(at, frequency, friction)?]);
+        let is_reached = |orbit: &SystemOrbit<'_>| orbit.is_stable() || orbit.is_marginal();
+        let mut rows = Vec::new();
+        if !states.iter().any(is_reached) {
+            rows.push(self.row(at, frequency, friction)?);
         }
+        let states = states.iter();
+        rows.extend(states.map(|orbit| self.found(at, (frequency, under_load), orbit)));
         Ok(rows)
     }
 

@@ -36,33 +36,7 @@ fn branches(
     let along = joined.parameter_named(along, point).unwrap();
     let mut request = BranchRequest::new(point, along, interval);
     change(&mut request);
-    let all = joined.branches(&request).unwrap();
-    if std::env::var("DBG").is_ok() {
-        for b in &all {
-            println!("{:?} {} {:?}", b.end, b.points.len(), b.parent);
-            for p in b
-                .points
-                .iter()
-                .filter(|p| !p.events.is_empty())
-                .chain(b.points.iter().rev().take(3))
-            {
-                println!(
-                    "  {} {:?} {:?} {:?} {:?} {:?} x {:?}",
-                    p.value,
-                    p.orbit.amplitudes(),
-                    p.events,
-                    p.is_symmetric,
-                    p.orbit
-                        .contacts()
-                        .map(|c| (c.stops(), c.reversals()))
-                        .collect::<Vec<_>>(),
-                    p.orbit.multipliers(),
-                    p.orbit.state()
-                );
-            }
-        }
-    }
-    check(&all);
+    check(&joined.branches(&request).unwrap());
 }
 
 /// Returns the points of a branch at which an event occurs.
