@@ -1,4 +1,4 @@
-//! Exact solvers for mass-spring chains with one Coulomb friction contact.
+//! Exact solvers for mass-spring chains with Coulomb friction contacts.
 //!
 //! The crate turns a description of masses, springs, one contact and an excitation into a solver. The solver gives the
 //! exact steady response and the boundaries between continuous, stick-slip and stuck motion.

@@ -19,6 +19,8 @@ const ON_CIRCLE: f64 = 4096.0;
 /// chain.
 const LOCKED: f64 = 1e12;
 
+/// Largest number of masses with which the search for unstable states takes seconds and not minutes.
+const MOST_MASSES: usize = 64;
 /// Largest difference of two harmonics that are treated as the same, divided by the amplitude.
 const SAME: f64 = 1e-6;
 
@@ -105,7 +107,7 @@ impl<'a> SystemAt<'a> {
 
     /// Returns every steady state that the search finds at the friction ratio β, stable or not: those of
     /// [`states`](frictiongen_kernel::response::At::states), and with μ > 1 also unstable ones and mirror images. The
-    /// search is that of [`JoinedAt::states`](super::joined::JoinedAt::states).
+    /// search is that of [`JoinedAt::states`](super::joined::JoinedAt::states), for up to 64 masses.
     ///
     /// ```
     /// # fn main() -> Result<(), Box<dyn std::error::Error>> {
@@ -124,7 +126,8 @@ impl<'a> SystemAt<'a> {
     pub fn every_state(&self, beta: f64) -> Result<Vec<SystemOrbit<'a>>, OutOfDomain> {
         let mut all: Vec<SystemOrbit<'a>> = self.states(beta)?.collect();
         let (system, r) = (*self.scene(), self.frequency_ratio());
-        if self.is_unique() || !self.has_cycles() {
+        let is_large = system.scene().masses.len() > MOST_MASSES;
+        if self.is_unique() || !self.has_cycles() || is_large {
             return Ok(all);
         }
         let found = system

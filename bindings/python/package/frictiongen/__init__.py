@@ -1,4 +1,4 @@
-"""Exact vibration of mass-spring chains with one Coulomb friction contact.
+"""Exact vibration of mass-spring chains with Coulomb friction contacts.
 
 A :class:`System` reads a scene description. Its methods take and return numpy arrays.
 

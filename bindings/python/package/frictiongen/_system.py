@@ -40,7 +40,7 @@ class Mistake(NamedTuple):
 
 
 class System(Steady, InTime, Design, Measuring):
-    """A chain of masses and springs with one friction contact.
+    """A chain of masses and springs with friction contacts.
 
     :param text: the description.
     :raises SceneError: if the description has mistakes; `errors` lists every :class:`Mistake`.

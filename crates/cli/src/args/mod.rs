@@ -44,7 +44,7 @@ pub use shared::{
     LoadArguments, PointArguments,
 };
 
-/// Exact solutions of mass-spring chains with one Coulomb friction contact.
+/// Exact solutions of mass-spring chains with Coulomb friction contacts.
 #[derive(Debug, Parser)]
 #[command(name = "frictiongen", version)]
 pub struct Arguments {

@@ -433,3 +433,35 @@ fn what_does_not_fit_is_refused() {
     assert!(lines[0].contains("no friction force is given"), "{lines:?}");
     fs::remove_file(path).unwrap();
 }
+
+/// A chain of 70 masses under steps of its base. The expected displacements are those of the solver for one contact, which
+/// has modes in closed form.
+#[test]
+fn a_long_chain_moves_as_by_its_modes() {
+    let masses: Vec<String> = (1..=70).map(|mass| format!("m{mass}: 1")).collect();
+    let springs = (2..=70).map(|mass| format!("m{} - m{mass}: 1000", mass - 1));
+    let springs: Vec<String> = springs.collect();
+    let scene = format!(
+        "struct Long {{ masses: {{ {} }}, springs: {{ base - m1: 1000, {} }}, contact: m70 - wall, excitation: base,
+            damping: modal(0.02) }}",
+        masses.join(", "),
+        springs.join(", ")
+    );
+    let lines = (0..=40).map(|sample| {
+        let up = sample / 10 % 2;
+        format!("{},{}\n", 0.05 * f64::from(sample), 0.01 * f64::from(up))
+    });
+    let record = format!("time_s,base_m\n{}", lines.collect::<String>());
+    let path = file("long.csv", &record);
+    let of = ["--friction", "0.01", "--of", "m5", "--of", "m20", "--csv"];
+    let table = drive(&scene, &path, &of);
+    for (name, expected) in [
+        ("m5", 0.009_837_376_098_858_392),
+        ("m20", 0.000_165_695_040_709_207_8),
+    ] {
+        let last = *column(&table, &format!("{name}.displacement_m"))
+            .last()
+            .unwrap();
+        assert!((last - expected).abs() < 1e-14, "{name}: {last}");
+    }
+}

@@ -34,7 +34,7 @@ impl<S: Float> System<S> {
     /// The solver also supports a scene with a single contact, which has the name `contact`. It computes in `f64`.
     ///
     /// # Errors
-    /// [`JoinedError`] for more than 64 masses.
+    /// [`JoinedError`] for more than 1000 masses.
     #[doc(hidden)]
     pub fn joined(&self) -> Result<Joined<'_>, JoinedError> {
         let count = self.scene().masses.len();

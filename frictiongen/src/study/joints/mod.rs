@@ -54,7 +54,7 @@ pub type Wave = joints::Wave<f64>;
 /// Largest number of contacts that a chain may have.
 pub const MAX_CONTACTS: usize = 16;
 /// Largest number of masses that a chain may have.
-pub const MAX_MASSES: usize = 64;
+pub const MAX_MASSES: usize = 1000;
 
 /// A contact of a chain with several contacts.
 #[derive(Clone, Debug, PartialEq)]
