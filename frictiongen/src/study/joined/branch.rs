@@ -220,25 +220,36 @@ fn all_branches(
         }
         all.extend(follower.follow(seed).map(|branch| (branch, None)));
     }
-    let mut next = 0;
+    let mut begin = 0;
     for _ in 0..switches {
-        for branch in next..all.len() {
-            next = all.len().min(branch + 1);
-            let points = all.get(branch).map_or(0, |(branch, _)| branch.points.len());
+        let end = all.len();
+        for branch in begin..end {
+            let points = all.get(branch).map_or(0, |(own, _)| own.points.len());
             for point in 0..points {
-                let known = |at: &joints::BranchPoint| {
-                    let mut others = all.iter().enumerate().filter(|(other, _)| *other != branch);
-                    others.any(|(_, (other, _))| follower.passes(other, at))
-                };
-                let at = all.get(branch).and_then(|(own, _)| own.points.get(point));
-                let Some(at) = at.filter(|at| at.begins_branch() && !known(at)) else {
-                    continue;
-                };
-                if let Some(found) = follower.switch(at) {
-                    all.push((found, Some(Parent { branch, point })));
+                let parent = Parent { branch, point };
+                if let Some(found) = switched(follower, &all, parent) {
+                    all.push((found, Some(parent)));
                 }
             }
         }
+        begin = end;
     }
     all
+}
+
+/// Follows the branch that begins at a point of a known branch, unless another known branch passes through the point.
+fn switched(
+    follower: &Follower<'_>,
+    all: &[(joints::Branch, Option<Parent>)],
+    parent: Parent,
+) -> Option<joints::Branch> {
+    let (own, _) = all.get(parent.branch)?;
+    let at = own.points.get(parent.point)?;
+    let mut others = all.iter().enumerate();
+    let is_known =
+        others.any(|(other, (branch, _))| other != parent.branch && follower.passes(branch, at));
+    if !at.begins_branch() || is_known {
+        return None;
+    }
+    follower.switch(at)
 }

@@ -149,9 +149,7 @@ impl Follower<'_> {
     /// close to the steady state.
     pub fn follow(&self, steady: &Steady) -> Option<Branch> {
         let unknowns = self.read(steady)?;
-        let count = unknowns.len();
-        let mut normal = DVector::zeros(count + 1);
-        normal[count] = 1.0;
+        let normal = towards(unknowns.len(), 1.0);
         let mut seed = BranchPoint {
             value: self.interval.0,
             steady: steady.clone(),
@@ -244,7 +242,11 @@ impl Follower<'_> {
             };
             let place = self.place(next.value);
             if !(0.0..=1.0).contains(&place) {
-                points.extend(self.at_bound(last, place));
+                if let Some((end, step)) = self.at_bound(last, place) {
+                    let located = self.located(last, &end, step);
+                    points.extend(located);
+                    points.push(end);
+                }
                 break BranchEnd::Bound;
             }
             let meets = !next.is_symmetric && self.is_symmetric(&next) && self.is_symmetric(last);
@@ -296,9 +298,8 @@ impl Follower<'_> {
     /// Returns the components of the masses and of the parameter in a change of a point. The position of a rigid contact
     /// is left out, because it is an unknown only while the contact sticks at the start of the period.
     fn of_masses(&self, change: &DVector<f64>) -> DVector<f64> {
-        let count = change.len() - 1;
         let masses = change.rows(0, self.masses * 2).into_owned();
-        masses.push(change[count])
+        masses.push(along(change))
     }
 
     /// Returns the point at a distance along the tangent of a point.
@@ -307,7 +308,7 @@ impl Follower<'_> {
         let unknowns = &from.unknowns + from.tangent.rows(0, count) * step;
         let plane = Plane {
             unknowns: &unknowns,
-            place: self.place(from.value) + step * from.tangent[count],
+            place: self.place(from.value) + step * along(&from.tangent),
             normal: &from.tangent,
         };
         let next = self.corrected(from, &plane)?;
@@ -316,13 +317,12 @@ impl Follower<'_> {
         (self.of_masses(&moved).norm() <= 2.0 * step + SAME * SAME).then_some(next)
     }
 
-    /// Returns the point at the bound of the interval that a step has passed.
-    fn at_bound(&self, from: &BranchPoint, passed: f64) -> Option<BranchPoint> {
+    /// Returns the point at the bound of the interval that a step has passed, and the step to it.
+    fn at_bound(&self, from: &BranchPoint, passed: f64) -> Option<(BranchPoint, f64)> {
         let count = from.unknowns.len();
-        let mut normal = DVector::zeros(count + 1);
-        normal[count] = from.tangent[count].signum();
+        let slope = along(&from.tangent);
+        let normal = towards(count, slope.signum());
         let bound = passed.clamp(0.0, 1.0);
-        let slope = from.tangent[count];
         let step = (bound - self.place(from.value)) / slope;
         let unknowns = &from.unknowns + from.tangent.rows(0, count) * step;
         let plane = Plane {
@@ -330,7 +330,8 @@ impl Follower<'_> {
             place: bound,
             normal: &normal,
         };
-        self.corrected(from, &plane).filter(|_| step.is_finite())
+        let end = self.corrected(from, &plane).filter(|_| step.is_finite())?;
+        Some((end, step))
     }
 
     /// Returns the points at which something changes between two neighbouring points of a branch, in their order.
@@ -379,10 +380,10 @@ impl Follower<'_> {
         };
         let apart = |point: &BranchPoint| {
             let away = &point.unknowns - &first.unknowns;
-            let along = self.place(point.value) - self.place(first.value);
-            let count = away.len();
-            let height = away.dot(&first.tangent.rows(0, count)) + along * first.tangent[count];
-            (height, away.norm().hypot(along))
+            let place = self.place(point.value) - self.place(first.value);
+            let tangent = &first.tangent;
+            let height = away.dot(&tangent.rows(0, away.len())) + place * along(tangent);
+            (height, away.norm().hypot(place))
         };
         let (one, other) = (apart(before), apart(last));
         let step = (&last.unknowns - &before.unknowns).norm();
@@ -428,11 +429,11 @@ impl Follower<'_> {
             }
             before = size;
             let away = (&from - plane.unknowns).dot(&plane.normal.rows(0, count))
-                + (place - plane.place) * plane.normal[count];
+                + (place - plane.place) * along(plane.normal);
             let right = residual.insert_row(count, -away);
             let change = known.clone()?.svd(true, true).solve(&right, RANK).ok()?;
             unknowns = from + change.rows(0, count);
-            place += change[count];
+            place += along(&change);
             if !(unknowns.iter().all(|u| u.is_finite()) && place.is_finite()) {
                 return None;
             }
@@ -454,9 +455,7 @@ impl Follower<'_> {
     ) -> Option<BranchPoint> {
         let shot = self.shot(&seed, (unknowns, place), true)?;
         let matrix = self.augmented(&shot, &seed, &seed.tangent)?;
-        let count = unknowns.len();
-        let mut unit = DVector::zeros(count + 1);
-        unit[count] = 1.0;
+        let unit = towards(unknowns.len(), 1.0);
         let tangent = matrix.svd(true, true).solve(&unit, RANK).ok()?;
         let tangent = tangent.try_normalize(0.0)?;
         let Shot {
@@ -571,11 +570,22 @@ impl Follower<'_> {
 
 /// Gives unknowns that do not affect the motion their guessed values. They are 0 at the start and at the end.
 fn keep_unused(from: &mut DVector<f64>, residual: &DVector<f64>, guess: &DVector<f64>) {
-    for (index, own) in from.iter_mut().enumerate() {
-        if *own == 0.0 && residual[index] == 0.0 {
-            *own = guess[index];
+    let others = residual.iter().zip(guess);
+    for (own, (residual, guess)) in from.iter_mut().zip(others) {
+        if *own == 0.0 && *residual == 0.0 {
+            *own = *guess;
         }
     }
+}
+
+/// Returns the component of the parameter in a direction of a branch.
+fn along(direction: &DVector<f64>) -> f64 {
+    direction.as_slice().last().copied().unwrap_or_default()
+}
+
+/// Returns the direction of the parameter, for a number of unknowns.
+fn towards(unknowns: usize, sense: f64) -> DVector<f64> {
+    DVector::zeros(unknowns).push(sense)
 }
 
 /// Returns true for each contact that slides in a steady state.
@@ -628,7 +638,7 @@ fn outside(multipliers: &[Complex<f64>]) -> [usize; 3] {
 /// Returns what changes between two neighbouring points of a branch.
 fn changes(from: &BranchPoint, to: &BranchPoint) -> Vec<BranchEvent> {
     let mut all = Vec::new();
-    let rises = |point: &BranchPoint| point.tangent.as_slice().last().copied().unwrap_or(0.0) > 0.0;
+    let rises = |point: &BranchPoint| along(&point.tangent) > 0.0;
     let (before, after) = (
         outside(&from.steady.multipliers),
         outside(&to.steady.multipliers),
