@@ -128,50 +128,42 @@ impl<'t> Along<'t> {
 
     /// Returns the option of the frequency, or the first frequency of the interval.
     fn frequency(&self, arguments: &BranchArguments) -> Result<FrequencyArguments, Failure> {
-        let given = [&arguments.r, &arguments.hz, &arguments.omega];
-        let count = given.iter().filter(|text| text.is_some()).count();
-        if !self.is_frequency() {
-            return match count {
-                1 => Ok(FrequencyArguments {
-                    r: arguments.r.clone(),
-                    hz: arguments.hz.clone(),
-                    omega: arguments.omega.clone(),
-                }),
-                _ => Err(Failure::new("give one of --r, --hz and --omega")),
-            };
-        }
-        if count > 0 {
-            return Err(self.wrong("the frequency varies; leave --r, --hz and --omega out"));
-        }
-        let first = |name: &str| (self.name == name).then(|| format!("{:?}", self.from));
-        Ok(FrequencyArguments {
-            r: first("r"),
-            hz: first("hz"),
-            omega: first("omega"),
-        })
+        let [r, hz, omega] = self.options(
+            (self.is_frequency(), "frequency", "--r, --hz and --omega"),
+            [
+                ("r", &arguments.r),
+                ("hz", &arguments.hz),
+                ("omega", &arguments.omega),
+            ],
+        )?;
+        Ok(FrequencyArguments { r, hz, omega })
     }
 
     /// Returns the option of the friction, or the first friction of the interval.
     fn friction(&self, arguments: &BranchArguments) -> Result<FrictionArguments, Failure> {
-        let given = [&arguments.beta, &arguments.friction];
-        let count = given.iter().filter(|text| text.is_some()).count();
-        if !self.is_friction() {
-            return match count {
-                1 => Ok(FrictionArguments {
-                    beta: arguments.beta.clone(),
-                    friction: arguments.friction.clone(),
-                }),
-                _ => Err(Failure::new("give one of --beta and --friction")),
-            };
+        let [beta, friction] = self.options(
+            (self.is_friction(), "friction", "--beta and --friction"),
+            [("beta", &arguments.beta), ("friction", &arguments.friction)],
+        )?;
+        Ok(FrictionArguments { beta, friction })
+    }
+
+    /// Returns the options of a quantity, of which the user gives one, or none if the quantity varies. The option of a
+    /// quantity that varies has the first value of the interval.
+    fn options<const N: usize>(
+        &self,
+        (varies, quantity, names): (bool, &str, &str),
+        given: [(&str, &Option<String>); N],
+    ) -> Result<[Option<String>; N], Failure> {
+        let count = given.iter().filter(|(_, text)| text.is_some()).count();
+        match (varies, count) {
+            (true, 0) => {
+                Ok(given.map(|(name, _)| (self.name == name).then(|| format!("{:?}", self.from))))
+            }
+            (true, _) => Err(self.wrong(format_args!("the {quantity} varies; leave {names} out"))),
+            (false, 1) => Ok(given.map(|(_, text)| text.clone())),
+            (false, _) => Err(Failure::new(format_args!("give one of {names}"))),
         }
-        if count > 0 {
-            return Err(self.wrong("the friction varies; leave --beta and --friction out"));
-        }
-        let first = |name: &str| (self.name == name).then(|| format!("{:?}", self.from));
-        Ok(FrictionArguments {
-            beta: first("beta"),
-            friction: first("friction"),
-        })
     }
 
     /// Returns the symbol of the parameter at an operating point, which has r and β, or Hz and N under a load.

@@ -15,7 +15,7 @@ use super::{
     curve::{CurvePoint, CurveStart},
     map::Pattern,
 };
-use crate::{Complex, Error, Given, NoOrbit, NotContinuous, OutOfDomain, Regime, Unsupported};
+use crate::{Error, Given, NoOrbit, NotContinuous, OutOfDomain, Regime, Unsupported};
 use frictiongen_kernel::simulation::{Contact, Event};
 #[cfg(feature = "desk")]
 use std::borrow::Cow;
@@ -278,9 +278,7 @@ pub fn certainty(certainty: Certainty) -> &'static str {
 
 /// Returns the word for the stability of a steady state of several contacts.
 pub fn joined_state(orbit: &JoinedOrbit<'_>) -> &'static str {
-    // Rounding moves a multiplier of modulus 1 off the unit circle by less.
-    let grows = |multiplier: &Complex<f64>| multiplier.norm() > 1.0 + 1e-7;
-    if orbit.multipliers().iter().any(grows) {
+    if orbit.is_unstable() {
         "unstable"
     } else if orbit.is_marginal() || !orbit.is_stable() {
         "marginal"
@@ -301,7 +299,7 @@ pub fn found_by(found: FoundBy) -> &'static str {
     }
 }
 
-/// Returns the words for what changes at a point of a branch. `contacts` has the names of the contacts.
+/// Returns the words for an event on a branch. `contacts` has the names of the contacts.
 pub fn branch_event(event: BranchEvent, contacts: &[String]) -> String {
     let name = |index: usize| contacts.get(index).map_or("", String::as_str);
     let word = match event {

@@ -41,8 +41,8 @@ impl Period {
         }
     }
 
-    /// Prepares the map over half a cycle with all signs changed, which a motion repeats that is symmetric: half a cycle
-    /// later it has the opposite sign. The positions of all contacts are unknowns.
+    /// Prepares the map over half a cycle, after which all signs are changed. A symmetric motion has the opposite sign
+    /// half a cycle later, so that this map leads it back to its start. The positions of all contacts are unknowns.
     #[must_use]
     pub fn half(motion: &Motion<f64, Heap>, omega: f64, size: f64) -> Self {
         let mut search = Search::new(motion, omega, size);

@@ -1,5 +1,6 @@
 //! Figures of branches of steady states along a parameter.
 
+use super::joined::pieces;
 use crate::axis::Axis;
 use crate::figure::{Figure, Key, Panel};
 use crate::geometry::Point;
@@ -15,7 +16,7 @@ pub struct BranchCurve {
     pub name: Label,
     /// For each point, the value of the parameter.
     pub places: Vec<f64>,
-    /// For each point, true if the state is stable.
+    /// For each point, true if the state is stable. The line from a point to the next one shows the state at the first.
     pub stable: Vec<bool>,
     /// Indices of the points at which the number or the stability of states changes.
     pub bifurcations: Vec<usize>,
@@ -47,7 +48,7 @@ pub fn branch_figure(
             let points = branch.points(index);
             let colour = Colour::Series(number);
             for (stable, stroke) in [(true, Stroke::Solid), (false, Stroke::Dashed)] {
-                let pieces = branch.pieces(&points, stable);
+                let pieces = pieces(&points, branch.stable.iter().copied(), stable);
                 if !pieces.is_empty() {
                     panel = panel.with(Line::new(branch.name.clone(), colour, stroke, pieces));
                 }
@@ -74,29 +75,5 @@ impl BranchCurve {
             .copied()
             .zip(values.iter().copied())
             .collect()
-    }
-
-    /// Returns the pieces of the branch with stable states, or with unstable ones. A piece goes on to the first point of
-    /// the next one, so that no gap remains.
-    fn pieces(&self, points: &[Point], stable: bool) -> Vec<Vec<Point>> {
-        let mut pieces: Vec<Vec<Point>> = Vec::new();
-        let mut open = false;
-        for (pair, is_stable) in points.windows(2).zip(&self.stable) {
-            let [from, to] = pair else {
-                continue;
-            };
-            if *is_stable != stable {
-                open = false;
-                continue;
-            }
-            if !open {
-                pieces.push(vec![*from]);
-                open = true;
-            }
-            if let Some(piece) = pieces.last_mut() {
-                piece.push(*to);
-            }
-        }
-        pieces
     }
 }

@@ -112,7 +112,7 @@ impl ContactTrack {
         let name = || Label::verbatim(&self.name);
         let lines = [(false, Stroke::Solid), (true, Stroke::Dotted)];
         let lines = lines.map(|(sticks, stroke)| {
-            let pieces = pieces(path, &self.sticks, sticks);
+            let pieces = pieces(path, stuck_segments(&self.sticks), sticks);
             Line::new(name(), colour, stroke, pieces)
         });
         let lines = lines.into_iter().filter(|line| !line.pieces.is_empty());
@@ -120,13 +120,17 @@ impl ContactTrack {
     }
 }
 
-/// Returns the pieces of a path in which the contact sticks if `wanted` is true, and otherwise the pieces in which the
-/// contact slides. Between two samples the contact counts as sticking only if it sticks at both samples.
-fn pieces(path: &[Point], sticks: &[bool], wanted: bool) -> Vec<Vec<Point>> {
+/// Returns the pieces of a path whose segments have the flag `wanted`. `flags` has a flag for each segment, which joins
+/// two neighbouring points.
+pub(super) fn pieces(
+    path: &[Point],
+    flags: impl IntoIterator<Item = bool>,
+    wanted: bool,
+) -> Vec<Vec<Point>> {
     let mut pieces: Vec<Vec<Point>> = Vec::new();
     let mut open = false;
-    for (points, states) in path.windows(2).zip(sticks.windows(2)) {
-        if states.iter().all(|sticks| *sticks) != wanted {
+    for (points, flag) in path.windows(2).zip(flags) {
+        if flag != wanted {
             open = false;
             continue;
         }
@@ -139,6 +143,12 @@ fn pieces(path: &[Point], sticks: &[bool], wanted: bool) -> Vec<Vec<Point>> {
         }
     }
     pieces
+}
+
+/// Returns a flag for each segment of a path: true if the contact sticks at both ends of the segment.
+fn stuck_segments(sticks: &[bool]) -> impl Iterator<Item = bool> {
+    let ends = sticks.windows(2);
+    ends.map(|ends| ends.iter().all(|sticks| *sticks))
 }
 
 /// Returns a figure of a motion over time: displacements, the forces of the contacts, and a hysteresis loop of each
@@ -235,46 +245,33 @@ impl JoinedCurve {
     fn lines(&self, index: usize, colour: Colour) -> Vec<Line> {
         let values = self.values.get(index).map_or(&[][..], Vec::as_slice);
         let points = self.points.iter().zip(values);
-        let points: Vec<(Option<Regime>, Point)> =
-            points.map(|((x, regime), y)| (*regime, (*x, *y))).collect();
-        let mut lines = Vec::new();
-        for regime in [Regime::Continuous, Regime::StickSlip, Regime::Stuck] {
-            let mut pieces: Vec<Vec<Point>> = Vec::new();
-            let mut open = false;
-            for pair in points.windows(2) {
-                let [(before, from), (after, to)] = pair else {
-                    continue;
-                };
-                if *before != Some(regime) || after.is_none() {
-                    open = false;
-                    continue;
-                }
-                if !open {
-                    pieces.push(vec![*from]);
-                    open = true;
-                }
-                if let Some(piece) = pieces.last_mut() {
-                    piece.push(*to);
-                }
-            }
-            if !pieces.is_empty() {
-                lines.push(Line::new(self.name.clone(), colour, stroke(regime), pieces));
-            }
-        }
-        lines
+        let path: Vec<Point> = points.map(|((x, _), y)| (*x, *y)).collect();
+        let regimes = [Regime::Continuous, Regime::StickSlip, Regime::Stuck];
+        let lines = regimes.into_iter().map(|regime| {
+            let ends = self.points.windows(2);
+            let flags = ends.map(|ends| match ends {
+                [(_, before), (_, after)] => *before == Some(regime) && after.is_some(),
+                _ => false,
+            });
+            (regime, pieces(&path, flags, true))
+        });
+        let drawn = lines.filter(|(_, pieces)| !pieces.is_empty());
+        drawn
+            .map(|(regime, pieces)| Line::new(self.name.clone(), colour, stroke(regime), pieces))
+            .collect()
     }
 }
 
 #[cfg(test)]
 mod tests {
-    use super::pieces;
+    use super::{pieces, stuck_segments};
 
     #[test]
     fn pieces_cover_a_path_once() {
         let path: Vec<(f64, f64)> = (0..7).map(|i| (f64::from(i), 0.0)).collect();
         let sticks = [false, false, true, true, true, false, true];
         let starts = |wanted| -> Vec<(f64, f64)> {
-            let pieces = pieces(&path, &sticks, wanted).into_iter();
+            let pieces = pieces(&path, stuck_segments(&sticks), wanted).into_iter();
             let ends = pieces.filter_map(|piece| Some((piece.first()?.0, piece.last()?.0)));
             ends.collect()
         };

@@ -19,7 +19,7 @@ pub struct BranchPlace {
     pub is_stable: bool,
     /// True if the motion repeats with the opposite sign after half a cycle.
     pub is_symmetric: bool,
-    /// What changes at this point, in words.
+    /// Names of the events at this point. The text is empty at an ordinary point.
     pub events: String,
 }
 
@@ -67,11 +67,11 @@ impl<'a> JoinedTable<'a> {
                 let place = BranchPlace {
                     branch: index,
                     value: point.value,
-                    is_stable: words::joined_state(orbit) != "unstable",
+                    is_stable: !orbit.is_unstable(),
                     is_symmetric: point.is_symmetric,
                     events: events.collect::<Vec<_>>().join("; "),
                 };
-                self.on_branch((frequency, friction), orbit, place)
+                self.of_orbit((frequency, friction), orbit, Some(place))
             });
             let rows: Result<Vec<JoinedRow>, JoinedError> = rows.collect();
             Ok((branch, rows?))

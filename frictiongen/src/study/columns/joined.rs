@@ -182,10 +182,7 @@ impl<'a> JoinedTable<'a> {
             states => states?,
         };
         let mut rows = Vec::new();
-        if states
-            .iter()
-            .all(|orbit| words::joined_state(orbit) == "unstable")
-        {
+        if states.iter().all(JoinedOrbit::is_unstable) {
             rows.push(self.row(frequency, friction)?);
         }
         for orbit in &states {
@@ -217,22 +214,17 @@ impl<'a> JoinedTable<'a> {
         orbit: &JoinedOrbit<'_>,
     ) -> Result<JoinedRow, JoinedError> {
         Ok(JoinedRow {
-            frequency,
-            friction,
-            regime: words::regime(orbit.regime()),
-            state: words::joined_state(orbit),
             stuck: limit(at),
-            steady: Some(self.numbers(orbit)?),
-            branch: None,
+            ..self.of_orbit((frequency, friction), orbit, None)?
         })
     }
 
-    /// Returns the row of a point of a branch.
-    pub(super) fn on_branch(
+    /// Returns the row of a steady state, with its place if it is a point of a branch.
+    pub(super) fn of_orbit(
         &self,
         (frequency, friction): (Frequency, FrictionSetting),
         orbit: &JoinedOrbit<'_>,
-        place: BranchPlace,
+        branch: Option<BranchPlace>,
     ) -> Result<JoinedRow, JoinedError> {
         Ok(JoinedRow {
             frequency,
@@ -241,7 +233,7 @@ impl<'a> JoinedTable<'a> {
             state: words::joined_state(orbit),
             stuck: None,
             steady: Some(self.numbers(orbit)?),
-            branch: Some(place),
+            branch,
         })
     }
 

@@ -24,7 +24,8 @@ pub struct BranchRequest {
     /// If true, every steady state that the search finds at the first value starts a branch. Otherwise only the one that
     /// the motion from rest reaches does.
     pub all_states: bool,
-    /// How often the search switches to branches that begin at a bifurcation of a branch.
+    /// 0: the search follows no branch that begins at a bifurcation. 1: it follows those that begin on the first branches.
+    /// 2: it also follows those that begin on these, and so on.
     pub switches: usize,
     /// Largest number of points on a branch.
     pub most: usize,
@@ -61,7 +62,7 @@ pub struct JoinedBranchPoint<'a> {
     pub orbit: JoinedOrbit<'a>,
     /// True if the motion repeats with the opposite sign after half a period.
     pub is_symmetric: bool,
-    /// What changes at this point. The list is empty at an ordinary point.
+    /// Events at this point. The list is empty at an ordinary point.
     pub events: Vec<BranchEvent>,
 }
 

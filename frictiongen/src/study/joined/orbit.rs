@@ -169,6 +169,12 @@ impl<'a> JoinedOrbit<'a> {
         self.steady.is_stable()
     }
 
+    /// Returns true if a small deviation grows: a multiplier lies outside the unit circle by more than rounding.
+    #[must_use]
+    pub fn is_unstable(&self) -> bool {
+        self.multipliers().iter().any(|m| m.norm() > 1.0 + 1e-7)
+    }
+
     /// Returns true if the steady state depends on the initial state. It depends on the initial state if a contact
     /// never slides and keeps its position, or if a part of the chain has no path of springs to a support.
     #[must_use]

@@ -51,7 +51,7 @@ const HALVINGS: usize = 34;
 /// The scene and the angular frequency of the load for a value of the parameter, or `None` outside the domain.
 pub type Family<'f> = dyn Fn(f64) -> Option<(Chain, f64)> + 'f;
 
-/// What changes at a point of a branch.
+/// An event on a branch of steady states.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum BranchEvent {
     /// The parameter turns back. A real multiplier passes 1, unless the point is also a corner.
@@ -96,7 +96,7 @@ pub struct BranchPoint {
     pub steady: Steady,
     /// True if the motion repeats with the opposite sign after half a cycle, as all motions of the branch do.
     pub is_symmetric: bool,
-    /// What changes at this point. The list is empty at an ordinary point.
+    /// Events at this point. The list is empty at an ordinary point.
     pub events: Vec<BranchEvent>,
     unknowns: DVector<f64>,
     moving: Vec<bool>,
@@ -519,10 +519,7 @@ impl Follower<'_> {
         (unknowns, place): (&DVector<f64>, f64),
         derives: bool,
     ) -> Option<Shot> {
-        let (chain, omega) = (self.family)(self.value(place))?;
-        let mut motion = Motion::from_rest(&chain).ok()?;
-        motion.restart(seed.steady.state.clone());
-        let motion = motion.into_engine();
+        let (motion, omega) = self.motion(&seed.steady, self.value(place))?;
         let mut period = self.period(&motion, omega, seed);
         let start = period.start(&motion, &unknowns.as_slice().to_vec());
         let mapped = period.map(&start, derives).ok()?;
@@ -531,6 +528,15 @@ impl Follower<'_> {
             start,
             mapped,
         })
+    }
+
+    /// Returns the motion from the state of a steady state at a value of the parameter, and the angular frequency of the
+    /// load there.
+    fn motion(&self, steady: &Steady, value: f64) -> Option<(Engine, f64)> {
+        let (chain, omega) = (self.family)(value)?;
+        let mut motion = Motion::from_rest(&chain).ok()?;
+        motion.restart(steady.state.clone());
+        Some((motion.into_engine(), omega))
     }
 
     /// Returns the map of which the states of a branch are fixed points. On a branch of symmetric states, it is that over
@@ -546,10 +552,7 @@ impl Follower<'_> {
 
     /// Returns the unknowns of a steady state at the first value of the parameter.
     fn read(&self, steady: &Steady) -> Option<DVector<f64>> {
-        let (chain, omega) = (self.family)(self.interval.0)?;
-        let mut motion = Motion::from_rest(&chain).ok()?;
-        motion.restart(steady.state.clone());
-        let motion = motion.into_engine();
+        let (motion, omega) = self.motion(steady, self.interval.0)?;
         let mut period = Period::new(&motion, omega, (steady.period, self.size));
         period.set_moving(&moves(steady));
         let mapped = period.map(&motion, false).ok()?;
