@@ -55,6 +55,7 @@ pub fn by_contact<'py>(
     let table = JoinedTable {
         setting: setting(system, measure, frequencies.unit(&measure), &parts),
         joined: &joined,
+        orders: None,
     };
     let columns = table.columns();
     let (along, up) = (frequencies.all(system), frictions.all());

@@ -75,6 +75,7 @@ fn free<'py>(
         let table = JoinedTable {
             setting: setting(system, measure, FrequencyUnit::Hertz, &parts),
             joined: &joined,
+            orders: None,
         };
         let (history, omega) = (&history, at.omega);
         let rows = (0..history.taus.len()).map(|index| JoinedSample {

@@ -53,6 +53,7 @@ pub fn run(arguments: &BranchArguments, out: &mut dyn Write) -> Result<(), Failu
             ..Setting::new(&system, measure, frequencies.unit())
         },
         joined: &joined,
+        orders: None,
     };
     let (frequency, friction) = (frequencies.only(&system)?, frictions.only()?);
     let point = table.setting.point(frequency, friction);

@@ -12,7 +12,7 @@ use std::io::Write;
 /// Runs `frictiongen expand`.
 pub fn run(arguments: &ExpandArguments, out: &mut dyn Write) -> Result<(), Failure> {
     // The command rejects every scene description that the macro rejects.
-    let description = arguments.file.description(&SizeLimits::MACRO)?;
+    let description = arguments.file.any(&SizeLimits::MACRO)?;
     let source = pretty(&description).map_err(|error| {
         Failure::new(format_args!(
             "a defect of frictiongen: the emitted code is not valid Rust: {error}"

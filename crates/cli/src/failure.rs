@@ -1,5 +1,6 @@
 //! Reasons why a command ends early, with the messages for the user.
 
+use frictiongen::study::joined::JoinedError;
 use std::io;
 
 /// The reason why a command ends early.
@@ -36,6 +37,12 @@ pub fn reason(error: &io::Error) -> String {
         io::ErrorKind::PermissionDenied => "permission is denied".to_owned(),
         io::ErrorKind::StorageFull => "no space is left".to_owned(),
         _ => error.to_string(),
+    }
+}
+
+impl From<JoinedError> for Failure {
+    fn from(error: JoinedError) -> Self {
+        Self::new(error)
     }
 }
 

@@ -40,6 +40,7 @@ pub fn run(arguments: &LimitCycleArguments, out: &mut dyn Write) -> Result<(), F
                 ..Setting::new(&system, measure, FrequencyUnit::Hertz)
             },
             joined: &joined,
+            orders: None,
         },
         frictions: &frictions,
         without: RefCell::new(Vec::new()),

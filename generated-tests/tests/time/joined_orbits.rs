@@ -130,7 +130,7 @@ fn same(orbit: &FrameOrbit, at: &JoinedAt<'_>, beta: f64) {
     ];
     let marginal = expected.marginal_contacts();
     for (got, name) in contacts {
-        let want = expected.contact_named(name).expect("a contact");
+        let want = expected.contact(name).expect("a contact");
         assert_eq!(
             (got.stops(), got.reversals(), got.regime()),
             (want.stops(), want.reversals(), want.regime())
@@ -259,7 +259,7 @@ fn single_precision_follows_double_precision() {
         assert_eq!(orbit.period(), want.period());
         assert_eq!(
             orbit.pads().stops(),
-            want.contact_named("pads").expect("a contact").stops()
+            want.contact("pads").expect("a contact").stops()
         );
         assert_eq!(orbit.regime(), want.regime());
     }

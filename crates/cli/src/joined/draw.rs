@@ -117,23 +117,22 @@ pub fn rows(question: &Question<'_>) -> Result<Vec<CurveRows>, Failure> {
     let frequencies: Vec<Frequency> = question.frequencies.all(question.system).collect();
     let frictions: Vec<FrictionSetting> = question.frictions.all().collect();
     interrupt::watch();
-    let table = question.table();
     let mut progress = Progress::new(frequencies.len() * frictions.len(), "points");
-    let mut rows = Vec::new();
-    for friction in &frictions {
-        let mut line = Vec::new();
-        for frequency in &frequencies {
-            if interrupt::pressed() {
-                return Err(Failure::new(
-                    "stopped: a picture needs all points, so that nothing is written",
-                ));
-            }
-            line.push(table.row(*frequency, *friction).map_err(Failure::new)?);
+    let mut lines: Vec<CurveRows> = frictions.iter().map(|of| (*of, Vec::new())).collect();
+    let table = question.table();
+    table.rows(&frequencies, &frictions, |rows| {
+        if interrupt::pressed() {
+            return Err(Failure::new(
+                "stopped: a picture needs all points, so that nothing is written",
+            ));
+        }
+        for ((_, line), row) in lines.iter_mut().zip(rows) {
+            line.push(row);
             progress.step();
         }
-        rows.push((*friction, line));
-    }
-    Ok(rows)
+        Ok(())
+    })?;
+    Ok(lines)
 }
 
 /// Returns the figure of steady states, as curves over frequency or as a map.

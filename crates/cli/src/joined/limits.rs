@@ -30,6 +30,7 @@ pub fn write(
         table: JoinedTable {
             setting,
             joined: &joined,
+            orders: None,
         },
         frequencies: &frequencies,
     };

@@ -53,6 +53,7 @@ pub struct Asked<'a> {
     of: &'a [String],
     /// Text of the initial state of the motions to steady states.
     from: Option<&'a str>,
+    orders: Option<Vec<u32>>,
 }
 
 /// Frequencies, frictions, load and masses that the user requests, with the units of the results.
@@ -63,6 +64,8 @@ struct Question<'s> {
     frictions: Frictions,
     measure: Measure,
     parts: Vec<MovingPart>,
+    /// Orders of the harmonics in the table. `None` for a table without phases and harmonics.
+    orders: Option<Vec<u32>>,
 }
 
 impl Question<'_> {
@@ -78,6 +81,7 @@ impl Question<'_> {
                 parts: &self.parts,
             },
             joined: self.joined,
+            orders: self.orders.as_deref(),
         }
     }
 
@@ -107,6 +111,7 @@ pub fn free(
         frictions,
         measure: Measure::si(system),
         parts: asked::motions(system, of)?,
+        orders: None,
     };
     time::write(&question, time, form, out)
 }
@@ -125,6 +130,15 @@ impl<'a> Asked<'a> {
             frictions,
             of,
             from: None,
+            orders: None,
+        }
+    }
+
+    /// Requests the phases of all motions, and their harmonics of these orders.
+    pub fn with_harmonics(self, orders: Vec<u32>) -> Self {
+        Self {
+            orders: Some(orders),
+            ..self
         }
     }
 
@@ -152,6 +166,7 @@ impl<'a> Asked<'a> {
             frictions: self.frictions.under(&measure)?,
             measure,
             parts,
+            orders: self.orders,
         };
         // A scene without springs requires physical units. This call reports the error before the command prints any
         // output.

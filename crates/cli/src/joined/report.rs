@@ -24,16 +24,17 @@ impl ResultTable for JoinedReport<'_> {
 
     fn each(&self, visit: Visitor<'_, JoinedRow>) -> Result<(), Failure> {
         let (question, table) = (self.question, self.question.table());
-        for frequency in question.frequencies.all(question.system) {
-            for friction in question.frictions.all() {
-                let rows = if self.states {
-                    table.states(frequency, friction)
-                } else {
-                    table.row(frequency, friction).map(|row| vec![row])
-                };
-                rows.map_err(Failure::new)?
-                    .iter()
-                    .try_for_each(&mut *visit)?;
+        let frequencies: Vec<_> = question.frequencies.all(question.system).collect();
+        let frictions: Vec<_> = question.frictions.all().collect();
+        if !self.states {
+            return table.rows(&frequencies, &frictions, |rows| {
+                rows.iter().try_for_each(&mut *visit)
+            });
+        }
+        for frequency in frequencies {
+            for friction in &frictions {
+                let states = table.states(frequency, *friction).map_err(Failure::new)?;
+                states.iter().try_for_each(&mut *visit)?;
             }
         }
         Ok(())

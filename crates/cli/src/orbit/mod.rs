@@ -46,9 +46,9 @@ pub fn run(arguments: &OrbitArguments, out: &mut dyn Write) -> Result<(), Failur
     };
     let description = arguments.point.file.any(&SizeLimits::RUN_TIME)?;
     if description.scene.has_joined_states() {
-        joined::refused(&[(!orders.is_empty(), "--harmonics")])?;
         let asked = joined::Asked::of(&arguments.point, frequencies, frictions, &arguments.of)
-            .starting_from(arguments.start.from.as_deref());
+            .starting_from(arguments.start.from.as_deref())
+            .with_harmonics(orders);
         return destination.write(out, |out| {
             #[cfg(feature = "pictures")]
             if draws {

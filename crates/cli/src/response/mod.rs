@@ -29,9 +29,9 @@ pub fn run(arguments: &ResponseArguments, out: &mut dyn Write) -> Result<(), Fai
     };
     let description = arguments.point.file.any(&SizeLimits::RUN_TIME)?;
     if description.scene.has_joined_states() {
-        joined::refused(&[(!orders.is_empty(), "--harmonics")])?;
         let asked = joined::Asked::of(&arguments.point, frequencies, frictions, &arguments.of)
-            .starting_from(from);
+            .starting_from(from)
+            .with_harmonics(orders);
         return asked.write(description.scene, false, arguments.format.checked()?, out);
     }
     let system = System::try_from(description.scene).map_err(Failure::new)?;

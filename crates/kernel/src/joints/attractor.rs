@@ -25,11 +25,16 @@ impl<S: Float, Z: Size> Search<S, Z> {
     /// position of a contact that never slides depends on the earlier motion. In the result, the contact is in the
     /// middle of the interval in which it can stick.
     ///
+    /// `near` is a steady state of a similar chain, if one is known. Newton's method then starts from it.
+    ///
     /// # Errors
     ///
     /// [`Halt`] if the motion exceeds a bound.
-    pub(super) fn only(&mut self, motion: &Motion<S, Z>) -> Result<Option<Steady<S, Z>>, Halt> {
-        let one = S::constant(1.0);
+    pub(super) fn only(
+        &mut self,
+        motion: &Motion<S, Z>,
+        near: Option<&Steady<S, Z>>,
+    ) -> Result<Option<Steady<S, Z>>, Halt> {
         let model = motion.model();
         if !model.is_contraction() || !self.is_odd(model) {
             return Ok(None);
@@ -37,25 +42,45 @@ impl<S: Float, Z: Size> Search<S, Z> {
         if let Some(steady) = self.stuck(motion)? {
             return Ok(Some(steady));
         }
+        // A guess whose motion exceeds a bound leads to no state.
+        if let Some(near) = near
+            && let Ok(Some(found)) = self.beside(motion, near)
+        {
+            return Ok(Some(found));
+        }
         let mut trial = motion.clone();
         self.advance(&mut trial, SOON - 1, &mut ())?;
         let mut reach = LargestDisplacement(S::constant(0.0));
         self.advance(&mut trial, 1, &mut reach)?;
-        self.place = if reach.0 > S::constant(0.0) {
-            reach.0
-        } else {
-            one
-        };
+        self.place = positive(reach.0);
         for _ in 0..SEARCHES {
             let Some(found) = self.scaled(&trial)? else {
                 self.advance(&mut trial, WAIT, &mut ())?;
                 continue;
             };
-            let most = one - self.tolerances.attracts;
-            let attracts = found.multipliers().iter().all(|m| modulus(m) < most);
-            return Ok(attracts.then_some(found));
+            return Ok(self.attracts(&found).then_some(found));
         }
         Ok(None)
+    }
+
+    /// Returns the steady state that Newton's method finds from a steady state of a similar chain, if it attracts
+    /// neighbouring motions.
+    fn beside(
+        &mut self,
+        motion: &Motion<S, Z>,
+        near: &Steady<S, Z>,
+    ) -> Result<Option<Steady<S, Z>>, Halt> {
+        self.place = positive(largest(near));
+        let mut trial = motion.clone();
+        trial.restart(near.state.clone());
+        let found = self.scaled(&trial)?;
+        Ok(found.filter(|found| self.attracts(found)))
+    }
+
+    /// Returns true if all deviations from a steady state decay.
+    fn attracts(&self, steady: &Steady<S, Z>) -> bool {
+        let most = S::constant(1.0) - self.tolerances.attracts;
+        steady.multipliers().iter().all(|m| modulus(m) < most)
     }
 
     /// Returns the steady state in which no contact slides, if the friction forces permit it.
@@ -79,9 +104,7 @@ impl<S: Float, Z: Size> Search<S, Z> {
             // x = Re X exp(iωt), so that the velocity at t = 0 is −ω Im X.
             set(state.v.as_mut(), mass, -self.omega * shape.im);
         }
-        if self.place <= zero {
-            self.place = S::constant(1.0);
-        }
+        self.place = positive(self.place);
         let mut held = motion.clone();
         state.stick(model);
         held.restart(state);
@@ -96,8 +119,7 @@ impl<S: Float, Z: Size> Search<S, Z> {
         let Some(found) = self.newton(motion, ShotSpan::Half)? else {
             return Ok(None);
         };
-        let amplitudes = found.cycle.amplitudes.as_ref().iter().copied();
-        let place = amplitudes.fold(S::constant(0.0), Scalar::max);
+        let place = largest(&found);
         if place >= S::constant(0.5) * self.place || place <= S::constant(0.0) {
             return Ok(Some(found));
         }
@@ -105,5 +127,20 @@ impl<S: Float, Z: Size> Search<S, Z> {
         let mut near = motion.clone();
         near.restart(found.state);
         self.newton(&near, ShotSpan::Half)
+    }
+}
+
+/// Returns the largest amplitude of a mass.
+fn largest<S: Float, Z: Size>(steady: &Steady<S, Z>) -> S {
+    let amplitudes = steady.cycle.amplitudes.as_ref().iter().copied();
+    amplitudes.fold(S::constant(0.0), Scalar::max)
+}
+
+/// Returns a size of displacements, or 1 if nothing moves. The size is then arbitrary.
+fn positive<S: Float>(size: S) -> S {
+    if size > S::constant(0.0) {
+        size
+    } else {
+        S::constant(1.0)
     }
 }

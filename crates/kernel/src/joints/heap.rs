@@ -144,6 +144,19 @@ pub fn settle(motion: &Motion<f64, Heap>, omega: f64) -> Result<Option<Steady<f6
     motion.settle(omega)
 }
 
+/// Searches for a steady state by [`Motion::settle_near`].
+///
+/// # Errors
+///
+/// [`Halt`] if the motion exceeds a bound.
+pub fn settle_near(
+    motion: &Motion<f64, Heap>,
+    omega: f64,
+    near: &Steady<f64, Heap>,
+) -> Result<Option<Steady<f64, Heap>>, Halt> {
+    motion.settle_near(omega, near)
+}
+
 /// Searches for a steady state by [`Motion::settle_from`].
 ///
 /// # Errors

@@ -72,7 +72,8 @@ pub use cycle::{ContactCycle, Cycle, Watch};
 pub use decide::{Decision, MAX_PATTERNS};
 #[cfg(any(test, feature = "std"))]
 pub use heap::{
-    Heap, KeptTables, Short, refine, refine_symmetric, settle, settle_from, settle_soon,
+    Heap, KeptTables, Short, refine, refine_symmetric, settle, settle_from, settle_near,
+    settle_soon,
 };
 pub use model::{Contact, Link, Model, Stop};
 pub use now::{ContactState, MassState};

@@ -141,6 +141,21 @@ impl<S: Float, Z: Size> Motion<S, Z> {
         motion.reach(omega, ATTEMPTS, Place::Centred)
     }
 
+    /// Searches as [`settle`](Self::settle) does. If the steady state is the only one, Newton's method starts from
+    /// `near`, the steady state of a similar chain. Otherwise `near` has no influence.
+    ///
+    /// # Errors
+    ///
+    /// [`Halt`] if the motion exceeds a bound.
+    pub fn settle_near(&self, omega: S, near: &Steady<S, Z>) -> Result<Option<Steady<S, Z>>, Halt> {
+        let motion = self.clone().with_tables();
+        let mut search = Search::new(&motion, omega, S::constant(1.0));
+        match search.only(&motion, Some(near)) {
+            Ok(Some(steady)) => Ok(Some(steady)),
+            _ => self.settle(omega),
+        }
+    }
+
     /// Searches for the steady state that the motion reaches, under loads of the angular frequency ω. A contact that
     /// never slides stays where the motion has left it.
     ///
@@ -189,7 +204,7 @@ impl<S: Float, Z: Size> Motion<S, Z> {
         let start = self.clone();
         // If this search exceeds a bound, the code ignores the error, because the search below may still find a steady
         // state.
-        if let Ok(Some(steady)) = search.only(&start) {
+        if let Ok(Some(steady)) = search.only(&start, None) {
             return Ok(Some(steady));
         }
         let mut search = Search::new(self, omega, S::constant(1.0));

@@ -44,6 +44,27 @@ fn one_contact_is_the_same_scene_in_both_fields() {
     assert_eq!(unnamed, read("contact: b - wall, stiction: 1.2"));
 }
 
+/// Checks that `contact: a - b { … }` is `contacts: { contact: a - b { … } }`.
+#[test]
+fn a_single_contact_has_the_properties_of_a_named_one() {
+    for (properties, is_joined) in [
+        ("{ stiffness: 40 }", false),
+        ("{ stiffness: 40, stiction: 1.2 }", false),
+        ("{}", false),
+        ("{ share: 0.5 }", true),
+        ("{ speed: 0.2 }", true),
+    ] {
+        let single = read(&format!("contact: b - wall {properties}"));
+        let named = read(&format!("contacts: {{ contact: b - wall {properties} }}"));
+        assert_eq!(single, named, "{properties}");
+        assert_eq!(single.is_joined(), is_joined, "{properties}");
+    }
+    assert_eq!(
+        read("contact: b - wall { stiffness: 40, stiction: 1.2 }"),
+        read("contact: b - wall, stiffness: 40, stiction: 1.2")
+    );
+}
+
 #[test]
 fn several_contacts_stay_in_the_list() {
     for fields in [

@@ -1,5 +1,6 @@
 //! Parses the fields of a description that define the chain: masses, springs, contact, excitation.
 
+use super::joints;
 use super::number::number;
 use super::reader::{List, Name, Read, TokenReader};
 use super::syntax::{ContactEntry, MassEntry, Placed, SpringEntry};
@@ -109,7 +110,8 @@ pub(crate) fn link(
     })
 }
 
-/// Parses the contact: `mass - wall`, `mass - mass` or `mass - base`, in either order.
+/// Parses the contact: `mass - wall`, `mass - mass` or `mass - base`, in either order. Its properties may follow in
+/// braces.
 pub(crate) fn contact(reader: &mut TokenReader<'_>, problems: &mut Problems) -> Read<ContactEntry> {
     if let Some(Token {
         kind: TokenKind::Group { .. },
@@ -119,9 +121,29 @@ pub(crate) fn contact(reader: &mut TokenReader<'_>, problems: &mut Problems) -> 
         let message = "`contact` takes one contact without brackets; write, for example, `m1 - wall`, or several as `contacts: { pads: m1 - wall, brace: base - m1 }`";
         return Err(problems.report(*place, message)).into();
     }
-    ends(reader, problems, "the contact", "m1 - wall")
-        .map(|(from, to)| ContactEntry { from, to })
-        .into()
+    let sides = match ends(reader, problems, "the contact", "m1 - wall") {
+        Ok(sides) => sides,
+        Err(reported) => return Err(reported).into(),
+    };
+    let has_properties = matches!(
+        reader.peek(0),
+        Some(Token {
+            kind: TokenKind::Group {
+                bracket: Delimiter::Brace,
+                ..
+            },
+            ..
+        })
+    );
+    let named = has_properties.then(|| {
+        let name = Name {
+            text: "contact".to_owned(),
+            place: sides.0.place,
+        };
+        joints::with_properties(reader, problems, name, sides.clone())
+    });
+    let (from, to) = sides;
+    Read::clean(ContactEntry { from, to, named })
 }
 
 /// Parses the two nodes of a spring, dashpot or contact: `node - node`.

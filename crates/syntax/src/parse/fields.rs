@@ -105,6 +105,7 @@ pub(crate) fn fields(reader: &mut TokenReader<'_>, problems: &mut Problems) -> F
             Err(Reported) => Read::lost(),
         },
     );
+    fields.list_contact();
     fields
 }
 

@@ -3,7 +3,7 @@
 
 use super::chain::{braces, ends, link};
 use super::number::{Number, number};
-use super::reader::{Read, TokenReader};
+use super::reader::{Name, Read, TokenReader};
 use super::suggest;
 use super::syntax::{JointEntry, Placed, SpringEntry};
 use super::token::Delimiter;
@@ -106,11 +106,21 @@ fn contact(
         return Err(problems.report(place, message));
     }
     reader.take_colon(problems, "the name of a contact and its sides")?;
-    let (from, to) = ends(reader, problems, "the contact", "m1 - wall")?;
+    let sides = ends(reader, problems, "the contact", "m1 - wall")?;
+    Ok(Read::clean(with_properties(reader, problems, name, sides)))
+}
+
+/// Parses the properties of a contact in braces, if an opening brace follows its sides.
+pub(crate) fn with_properties(
+    reader: &mut TokenReader<'_>,
+    problems: &mut Problems,
+    name: Name,
+    (from, to): (Name, Name),
+) -> JointEntry {
     let (values, complete) = PROPERTIES.read(reader, problems);
     let [stiffness, stiction, share, speed] =
         values.map(|value| value.map(|Property { number, .. }| number));
-    Ok(Read::clean(JointEntry {
+    JointEntry {
         name,
         from,
         to,
@@ -119,7 +129,7 @@ fn contact(
         share,
         speed,
         complete,
-    }))
+    }
 }
 
 /// The properties that an entry of a list may have in braces: their names, and words for messages.

@@ -97,6 +97,8 @@ pub(crate) struct SpringEntry {
 pub(crate) struct ContactEntry {
     pub(crate) from: Name,
     pub(crate) to: Name,
+    /// The same contact with its properties, if it has properties in braces.
+    pub(crate) named: Option<JointEntry>,
 }
 
 /// A contact in the field `contacts` of a description.
@@ -248,6 +250,27 @@ impl Syntax {
 }
 
 impl Fields {
+    /// Moves a `contact` with properties in braces to `contacts`. A description with both fields stays as it is, and the
+    /// lowering reports it.
+    pub(crate) fn list_contact(&mut self) {
+        if !self.contacts.is_missing() {
+            return;
+        }
+        let Slot::Given(entry) = &mut self.contact else {
+            return;
+        };
+        let place = entry.from.place;
+        if let Some(named) = entry.named.take() {
+            let entries = vec![named];
+            let list = List {
+                entries,
+                complete: true,
+            };
+            self.contacts = Slot::Given(Placed { list, place });
+            self.contact = Slot::Missing;
+        }
+    }
+
     /// Returns true if the description has a field of a scene with several contacts, dashpots, stops or constant
     /// forces, even with errors. A chain with such a field needs no spring.
     pub(crate) fn may_lack_springs(&self) -> bool {

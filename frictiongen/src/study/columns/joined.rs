@@ -4,11 +4,23 @@ use super::branch::BranchPlace;
 use super::builder::Columns;
 use super::column::{Column, Head, Shown};
 use super::measure::PhysicalQuantity;
-use super::setting::{AtFriction, Frequency, FrictionSetting, Setting, at};
+use super::motion::{MotionRow, PartMotion, harmonics, phases};
+use super::setting::{AtFriction, Frequency, FrictionSetting, MovingPart, Setting, at};
+use super::steady::MotionGroups;
 use crate::Regime;
-use crate::study::joined::{FoundBy, Joined, JoinedAt, JoinedError, JoinedOrbit};
+use crate::study::joined::{Course, FoundBy, Joined, JoinedAt, JoinedError, JoinedOrbit, Waveform};
 use crate::study::joints::JointError;
+use crate::study::response::MotionQuantity;
 use crate::study::words;
+#[cfg(feature = "desk")]
+use rayon::prelude::*;
+
+/// Number of neighbouring frequencies of a curve that one core computes one after the other.
+#[cfg(feature = "desk")]
+const CURVE_RUN: usize = 8;
+/// Number of such runs of a core between two calls that receive rows.
+#[cfg(feature = "desk")]
+const GROUP_RUNS: usize = 4;
 
 /// Row of the table of steady states: the state of a scene with several contacts at one frequency and one friction.
 #[derive(Clone, Debug)]
@@ -43,7 +55,7 @@ struct SteadyNumbers {
 /// Numbers of the motion of a contact, or of another motion, over a period.
 #[derive(Clone, Debug)]
 struct ContactNumbers {
-    amplitude: f64,
+    motion: MotionGroups,
     contact: Option<ContactPart>,
 }
 
@@ -57,6 +69,8 @@ struct ContactPart {
     slip: f64,
     force: f64,
     energy: f64,
+    /// Mean of the largest and the smallest relative displacement. `None` in a table without phases.
+    offset: Option<f64>,
 }
 
 at!(JoinedRow);
@@ -91,7 +105,7 @@ impl JoinedRow {
     /// first, and then the motions of the table.
     #[must_use]
     pub fn amplitude(&self, index: usize) -> Option<f64> {
-        Some(self.part(index)?.amplitude)
+        Some(self.part(index)?.motion.view().swing?.amplitude)
     }
 
     /// Returns the fraction of the period during which a contact sticks.
@@ -115,6 +129,12 @@ impl JoinedRow {
     }
 }
 
+impl MotionRow for JoinedRow {
+    fn motion(&self, part: usize) -> Option<PartMotion<'_>> {
+        Some(self.part(part)?.motion.view())
+    }
+}
+
 /// The tables of the steady states of a scene with several contacts.
 #[derive(Clone, Copy)]
 pub struct JoinedTable<'a> {
@@ -123,6 +143,9 @@ pub struct JoinedTable<'a> {
     pub setting: Setting<'a>,
     /// The scene's contacts and masses.
     pub joined: &'a Joined<'a>,
+    /// Orders of the harmonics in the tables, which then also have the phases of all motions and the offsets of the
+    /// contacts. `None` for tables with amplitudes alone.
+    pub orders: Option<&'a [u32]>,
 }
 
 impl<'a> JoinedTable<'a> {
@@ -155,14 +178,83 @@ impl<'a> JoinedTable<'a> {
         friction: FrictionSetting,
     ) -> Result<JoinedRow, JoinedError> {
         let at = self.at(frequency)?;
+        Ok(self.row_near(&at, (frequency, friction), None)?.0)
+    }
+
+    /// Computes the [`row`](Self::row) at a frequency, and the steady state in it. `near` is the steady state of a
+    /// neighbouring row, which shortens the search.
+    fn row_near<'s>(
+        &self,
+        at: &JoinedAt<'s>,
+        (frequency, friction): (Frequency, FrictionSetting),
+        near: Option<&JoinedOrbit<'_>>,
+    ) -> Result<(JoinedRow, Option<JoinedOrbit<'s>>), JoinedError> {
         let friction = friction.at(&self.setting.measure, frequency);
-        match at.orbit(friction.beta) {
-            Ok(orbit) => self.found(&at, (frequency, friction), &orbit),
+        let found = match near {
+            Some(near) => at.orbit_near(friction.beta, near),
+            None => at.orbit(friction.beta),
+        };
+        match found {
+            Ok(orbit) => {
+                let row = self.found(at, (frequency, friction), &orbit)?;
+                Ok((row, Some(orbit)))
+            }
             Err(JoinedError::Engine(error)) => {
-                Ok(Self::without_state(&at, (frequency, friction), &error))
+                let row = Self::without_state(at, (frequency, friction), &error);
+                Ok((row, None))
             }
             Err(error) => Err(error),
         }
+    }
+
+    /// Computes the [`row`](Self::row)s of a grid on all cores, and passes those of one frequency after the other to
+    /// `visit`, until `visit` fails.
+    ///
+    /// A search starts from the steady state of a neighbouring row. Which row this is depends on the grid alone, so that
+    /// the number of cores has no influence on the results.
+    ///
+    /// # Errors
+    /// Same errors as [`row`](Self::row), and the errors of `visit`.
+    #[cfg(feature = "desk")]
+    pub fn rows<E: From<JoinedError>>(
+        &self,
+        frequencies: &[Frequency],
+        frictions: &[FrictionSetting],
+        mut visit: impl FnMut(Vec<JoinedRow>) -> Result<(), E>,
+    ) -> Result<(), E> {
+        // Along the frictions a row has a neighbour at its own frequency.
+        let run = if frictions.len() > 1 { 1 } else { CURVE_RUN };
+        let group = run * rayon::current_num_threads().max(1) * GROUP_RUNS;
+        for group in frequencies.chunks(group) {
+            let runs = group.par_chunks(run).with_max_len(1);
+            let runs: Vec<_> = runs.map(|run| self.run(run, frictions)).collect();
+            for rows in runs {
+                rows?.into_iter().try_for_each(&mut visit)?;
+            }
+        }
+        Ok(())
+    }
+
+    /// Computes the rows at neighbouring frequencies, one after the other.
+    #[cfg(feature = "desk")]
+    fn run(
+        &self,
+        frequencies: &[Frequency],
+        frictions: &[FrictionSetting],
+    ) -> Result<Vec<Vec<JoinedRow>>, JoinedError> {
+        let mut first = None;
+        let of_frequency = |frequency: &Frequency| {
+            let at = self.at(*frequency)?;
+            let mut near: Option<JoinedOrbit<'_>> = first.take();
+            let of_friction = |friction: &FrictionSetting| {
+                let (row, found) = self.row_near(&at, (*frequency, *friction), near.as_ref())?;
+                first = first.take().or_else(|| found.clone());
+                near = found;
+                Ok(row)
+            };
+            frictions.iter().map(of_friction).collect()
+        };
+        frequencies.iter().map(of_frequency).collect()
     }
 
     /// Computes one table row for every steady state that the search finds. If the search finds no stable steady state,
@@ -239,9 +331,20 @@ impl<'a> JoinedTable<'a> {
 
     /// Returns the numbers of a steady state or of a limit cycle.
     fn numbers(&self, orbit: &JoinedOrbit<'_>) -> Result<SteadyNumbers, JoinedError> {
-        let contacts = orbit.contacts().map(|contact| ContactNumbers {
-            amplitude: contact.displacement(),
-            contact: Some(ContactPart {
+        let mut courses = self.courses(orbit)?.into_iter();
+        let mut motion = |amplitude| {
+            let motion = MotionGroups::of_amplitude(amplitude);
+            match (courses.next().flatten(), self.orders) {
+                (Some(course), Some(orders)) => {
+                    (motion.with_course(&course, orders), Some(course.middle()))
+                }
+                _ => (motion, None),
+            }
+        };
+        let mut parts = Vec::new();
+        for contact in orbit.contacts() {
+            let (motion, offset) = motion(contact.displacement());
+            let contact = Some(ContactPart {
                 regime: contact.word(),
                 stops: contact.stops(),
                 reversals: contact.reversals(),
@@ -249,15 +352,18 @@ impl<'a> JoinedTable<'a> {
                 slip: contact.slip(),
                 force: contact.force(),
                 energy: contact.energy(),
-            }),
-        });
-        let parts = self.setting.parts.iter();
-        let parts: Vec<_> = parts.map(|part| (part.of, part.size)).collect();
-        let motions = orbit.largest_of(&parts)?.into_iter();
-        let motions = motions.map(|amplitude| ContactNumbers {
-            amplitude,
-            contact: None,
-        });
+                offset,
+            });
+            parts.push(ContactNumbers { motion, contact });
+        }
+        let quantities = self.setting.parts.iter();
+        let quantities: Vec<_> = quantities.map(|part| (part.of, part.size)).collect();
+        for amplitude in orbit.largest_of(&quantities)? {
+            parts.push(ContactNumbers {
+                motion: motion(amplitude).0,
+                contact: None,
+            });
+        }
         let multipliers = orbit.multipliers().iter().map(|value| value.norm());
         Ok(SteadyNumbers {
             regime: orbit.regime(),
@@ -265,8 +371,31 @@ impl<'a> JoinedTable<'a> {
             multiplier: multipliers.reduce(f64::max),
             marginal: orbit.marginal_contacts().join(" "),
             found: orbit.found_by(),
-            parts: contacts.chain(motions).collect(),
+            parts,
         })
+    }
+
+    /// Returns the courses of all contacts and of the displacements and forces in the table, in the order of
+    /// [`parts`](Self::parts). Other quantities, and tables with amplitudes alone, have none.
+    fn courses(&self, orbit: &JoinedOrbit<'_>) -> Result<Vec<Option<Waveform>>, JoinedError> {
+        let parts = self.setting.parts.iter();
+        if self.orders.is_none() {
+            return Ok(Vec::new());
+        }
+        let contacts = 0..self.joined.contact_names().len();
+        let of_contact =
+            |index| Course::of_contact(self.joined, index, MotionQuantity::Displacement);
+        let of_part = |part: &MovingPart| match part.size {
+            MotionQuantity::Displacement => Course::of(self.joined, part.of, part.size),
+            _ => None,
+        };
+        let asked: Vec<_> = contacts.map(of_contact).chain(parts.map(of_part)).collect();
+        let known: Vec<_> = asked.iter().flatten().cloned().collect();
+        let mut found = orbit.waveforms(&known)?.into_iter();
+        let courses = asked
+            .iter()
+            .map(|asked| asked.as_ref().and_then(|_| found.next()));
+        Ok(courses.collect())
     }
 
     /// Returns the names of the contacts and motions in the table. The contacts come first.
@@ -347,11 +476,24 @@ impl<'a> JoinedTable<'a> {
             } else {
                 columns.begin_part(name);
             }
-            columns.number(Head::of("amplitude", self.dimension(index)), move |row| {
-                Some(row.part(index)?.amplitude)
+            let size = self.dimension(index);
+            columns.number(Head::of("amplitude", size), move |row: &JoinedRow| {
+                row.amplitude(index)
             });
-            // The contacts come before the motions. A motion has only an amplitude.
-            if contacts <= index {
+            // The contacts come before the motions.
+            let part = index.checked_sub(contacts);
+            let part = part.and_then(|index| self.setting.parts.get(index));
+            let is_course = part.is_none_or(|part| part.size == MotionQuantity::Displacement);
+            if let Some(orders) = self.orders.filter(|_| is_course) {
+                phases(columns, index);
+                if part.is_none() {
+                    columns.number(Head::of("offset", PhysicalQuantity::Length), move |row| {
+                        row.contact(index)?.offset
+                    });
+                }
+                harmonics(columns, index, (orders, size, true));
+            }
+            if part.is_some() {
                 continue;
             }
             columns.word("regime", "continuous", move |row: &JoinedRow| {

@@ -55,8 +55,7 @@ pub fn motions<'a, R: MotionRow + 'a>(
     parts: &[MovingPart],
     of: MotionColumns<'_>,
 ) {
-    use PhysicalQuantity::{Acceleration, Angle, Velocity};
-    let angle = columns.measure().title(Angle);
+    use PhysicalQuantity::{Acceleration, Velocity};
     for (part, named) in parts.iter().enumerate() {
         let size = named.dimension();
         let length = columns.measure().title(size);
@@ -84,13 +83,7 @@ pub fn motions<'a, R: MotionRow + 'a>(
         columns.number(Head::of("amplitude", size), move |row: &R| {
             Some(row.motion(part)?.swing?.amplitude)
         });
-        columns.number(Head::of("phase", Angle), move |row| {
-            row.motion(part)?.swing?.phase
-        });
-        let head = Head::of("fundamental_phase", Angle);
-        columns.number(head.titled(&["fundamental", angle]), move |row| {
-            row.motion(part)?.fundamental_phase
-        });
+        phases(columns, part);
         if of.monoharmonic {
             let head = Head::of("amplitude_monoharmonic", size);
             columns.number(head.titled(&["monoharmonic", length]), move |row| {
@@ -105,9 +98,31 @@ pub fn motions<'a, R: MotionRow + 'a>(
                 Some(row.motion(part)?.rates?.1)
             });
         }
-        for (place, order) in of.orders.iter().enumerate() {
-            harmonic(columns, (part, place), *order, (size, of.complex));
-        }
+        harmonics(columns, part, (of.orders, size, of.complex));
+    }
+}
+
+/// Adds the columns of the phases of a motion.
+pub(super) fn phases<'a, R: MotionRow + 'a>(columns: &mut Columns<'a, R>, part: usize) {
+    use PhysicalQuantity::Angle;
+    columns.number(Head::of("phase", Angle), move |row: &R| {
+        row.motion(part)?.swing?.phase
+    });
+    let angle = columns.measure().title(Angle);
+    let head = Head::of("fundamental_phase", Angle);
+    columns.number(head.titled(&["fundamental", angle]), move |row| {
+        row.motion(part)?.fundamental_phase
+    });
+}
+
+/// Adds the columns of the harmonics of a motion with these orders.
+pub(super) fn harmonics<'a, R: MotionRow + 'a>(
+    columns: &mut Columns<'a, R>,
+    part: usize,
+    (orders, size, complex): (&[u32], PhysicalQuantity, bool),
+) {
+    for (place, order) in orders.iter().enumerate() {
+        harmonic(columns, (part, place), *order, (size, complex));
     }
 }
 

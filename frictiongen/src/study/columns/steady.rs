@@ -10,6 +10,7 @@ use super::motion::PartMotion;
 use super::setting::MovingPart;
 use crate::Complex;
 use crate::Regime;
+use crate::study::joined::Waveform;
 use crate::study::units::{fundamental_phase, reversed_phase};
 use crate::study::{
     orbit::SystemOrbitMotion,
@@ -19,7 +20,7 @@ use crate::study::{
 /// The motion of the contact or of a mass in a row, in non-dimensional groups. A quantity is `None` if the result does
 /// not contain it.
 #[derive(Clone, Debug, Default)]
-struct MotionGroups {
+pub(super) struct MotionGroups {
     swing: Option<Swing>,
     fundamental_phase: Option<f64>,
     monoharmonic: Option<f64>,
@@ -74,6 +75,29 @@ impl MotionGroups {
         }
     }
 
+    /// Reads the amplitude alone.
+    pub(super) fn of_amplitude(amplitude: f64) -> Self {
+        Self {
+            swing: Some(Swing {
+                amplitude,
+                phase: None,
+            }),
+            ..Self::default()
+        }
+    }
+
+    /// Adds the phases and the harmonics of a motion to its amplitude.
+    pub(super) fn with_course(mut self, course: &Waveform, orders: &[u32]) -> Self {
+        let moves = |_: &f64| self.swing.is_some_and(|swing| swing.amplitude > 0.0);
+        let phase = Some(course.phase()).filter(moves);
+        self.fundamental_phase = fundamental_phase(course.harmonic(1), course.centred_amplitude());
+        self.harmonics = orders.iter().map(|order| course.harmonic(*order)).collect();
+        if let Some(swing) = &mut self.swing {
+            swing.phase = phase;
+        }
+        self
+    }
+
     /// Reverses the sign of the motion. `phase` is the phase that the reversed motion has.
     fn turn(&mut self, phase: Option<f64>) {
         if let Some(swing) = &mut self.swing {
@@ -118,7 +142,7 @@ impl MotionGroups {
         }
     }
 
-    fn view(&self) -> PartMotion<'_> {
+    pub(super) fn view(&self) -> PartMotion<'_> {
         PartMotion {
             swing: self.swing,
             fundamental_phase: self.fundamental_phase,

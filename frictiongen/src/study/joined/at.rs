@@ -7,8 +7,8 @@ use super::scene::Joined;
 use super::simulation::JoinedSimulation;
 use super::units::AnswerUnits;
 use crate::study::joints::{
-    Chain, JointError, Motion, Place, Steady, Wave, limit_cycle, steady_state, steady_state_from,
-    steady_state_soon, stuck_response,
+    Chain, JointError, Motion, Place, Steady, Wave, limit_cycle, steady_state, steady_state_beside,
+    steady_state_from, steady_state_soon, stuck_response,
 };
 use crate::{Given, OutOfDomain};
 use frictiongen_model::scene::Excitation;
@@ -228,6 +228,24 @@ impl<'a> JoinedAt<'a> {
         }
         let chain = self.chain(friction)?;
         let steady = steady_state(&chain, self.omega)?;
+        Ok(self.settled(steady, chain))
+    }
+
+    /// Returns the steady state of [`orbit`](Self::orbit), the same to within rounding. `near` is the steady state at a
+    /// similar friction or frequency. It shortens the search if the steady state is the only one.
+    ///
+    /// # Errors
+    /// Same errors as [`orbit`](Self::orbit).
+    pub fn orbit_near(
+        &self,
+        friction: f64,
+        near: &JoinedOrbit<'_>,
+    ) -> Result<JoinedOrbit<'a>, JoinedError> {
+        if self.start.is_some() {
+            return self.orbit(friction);
+        }
+        let chain = self.chain(friction)?;
+        let steady = steady_state_beside(&chain, self.omega, near.steady())?;
         Ok(self.settled(steady, chain))
     }
 

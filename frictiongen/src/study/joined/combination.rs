@@ -119,7 +119,7 @@ impl Combination {
     }
 
     /// Converts the largest value of the quantity in the units of the description to the units of the results.
-    fn in_units(&self, largest: f64, (omega, units): (f64, AnswerUnits)) -> f64 {
+    pub fn in_units(&self, largest: f64, (omega, units): (f64, AnswerUnits)) -> f64 {
         let rates = omega.powi(i32::try_from(self.order).unwrap_or(0));
         let unit = if self.is_force {
             units.force
@@ -148,11 +148,7 @@ impl Combination {
 
 /// Returns the point between 0 and `end` at which a polynomial has its largest absolute value, and its value there.
 pub fn extreme_between(terms: &Poly<f64>, end: f64) -> (f64, f64) {
-    let slope = slope(terms);
-    let at = |part: usize| end * part as f64 / PARTS as f64;
-    let ends = (0..=PARTS).map(at);
-    let turns = (0..PARTS).filter_map(|part| turn(&slope, (at(part), at(part + 1))));
-    let points = ends.chain(turns).map(|at| (at, value(terms, at)));
+    let points = extremes_between(terms, end);
     points.fold((0.0, 0.0), |most: (f64, f64), point| {
         if most.1.abs() < point.1.abs() {
             point
@@ -160,6 +156,18 @@ pub fn extreme_between(terms: &Poly<f64>, end: f64) -> (f64, f64) {
             most
         }
     })
+}
+
+/// Returns the points between 0 and `end` at which a polynomial may have an extreme value, in ascending order, with the
+/// values there.
+pub fn extremes_between(terms: &Poly<f64>, end: f64) -> impl Iterator<Item = (f64, f64)> + use<> {
+    let terms = *terms;
+    let slope = slope(&terms);
+    let at = move |part: usize| end * part as f64 / PARTS as f64;
+    let inside = move |part: usize| turn(&slope, (at(part), at(part + 1)));
+    let points = (0..PARTS).flat_map(move |part| [Some(at(part)), inside(part)]);
+    let points = points.flatten().chain([end]);
+    points.map(move |at| (at, value(&terms, at)))
 }
 
 /// Returns the point between `low` and `high` at which a polynomial changes its sign.

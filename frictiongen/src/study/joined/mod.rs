@@ -26,8 +26,8 @@
 //! assert_eq!(stuck.first(), "brace");
 //! let orbit = at.orbit(0.5 * stuck.limit())?;
 //! assert_eq!(orbit.regime(), Regime::StickSlip);
-//! assert_eq!(orbit.contact_named("brace")?.stops(), 2);
-//! assert!(orbit.contact_named("pads")?.energy() > 0.0);
+//! assert_eq!(orbit.contact("brace")?.stops(), 2);
+//! assert!(orbit.contact("pads")?.energy() > 0.0);
 //! # Ok(())
 //! # }
 //! ```
@@ -50,6 +50,7 @@ mod slides;
 mod states;
 mod stepper;
 mod units;
+mod waveform;
 
 #[cfg(test)]
 mod tests;
@@ -69,3 +70,5 @@ pub use sensitivity::{JoinedSensitivities, JoinedSensitivity};
 pub use simulation::{JoinedContactNow, JoinedEvent, JoinedSimulation};
 pub use stepper::{JoinedInput, JoinedStepper};
 pub use units::AnswerUnits;
+pub(in crate::study) use waveform::Course;
+pub use waveform::Waveform;

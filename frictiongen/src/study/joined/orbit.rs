@@ -3,10 +3,12 @@
 use super::error::{JoinedError, UnknownContact};
 use super::scene::Joined;
 use super::units::AnswerUnits;
+use super::waveform::{Course, Waveform};
 use crate::study::error::UnknownMass;
 use crate::study::joints::{Chain, ContactCycle, Motion, Steady};
+use crate::study::response::MotionQuantity;
 use crate::study::words;
-use crate::{Complex, Regime};
+use crate::{Complex, Of, Regime};
 
 /// A steady state of a scene with several contacts.
 ///
@@ -41,6 +43,8 @@ pub enum FoundBy {
 /// Motion of one contact over the period of a steady state with several contacts.
 #[derive(Clone, Copy, Debug)]
 pub struct ContactOrbit<'o> {
+    orbit: &'o JoinedOrbit<'o>,
+    index: usize,
     cycle: &'o ContactCycle,
     units: AnswerUnits,
 }
@@ -88,6 +92,28 @@ impl ContactOrbit<'_> {
     #[must_use]
     pub fn energy(&self) -> f64 {
         self.cycle.energy / self.units.energy()
+    }
+
+    /// Returns the course of the relative displacement over a period: its phase, its harmonics and its value at any
+    /// phase.
+    ///
+    /// # Errors
+    /// [`JoinedError::Engine`] if the solver does not support the chain.
+    pub fn motion(&self) -> Result<Waveform, JoinedError> {
+        self.course(MotionQuantity::Displacement)
+    }
+
+    /// Returns the course of the force in the contact over a period.
+    ///
+    /// # Errors
+    /// Same errors as [`motion`](Self::motion).
+    pub fn force_course(&self) -> Result<Waveform, JoinedError> {
+        self.course(MotionQuantity::Force)
+    }
+
+    fn course(&self, size: MotionQuantity) -> Result<Waveform, JoinedError> {
+        let course = Course::of_contact(&self.orbit.joined, self.index, size);
+        self.orbit.waveform(course)
     }
 
     /// Returns the regime of this contact: continuous, stick-slip or stuck.
@@ -216,20 +242,91 @@ impl<'a> JoinedOrbit<'a> {
     /// Returns the motions of all contacts, in the order of the scene description.
     pub fn contacts(&self) -> impl Iterator<Item = ContactOrbit<'_>> {
         let units = self.units;
-        let contacts = self.steady.cycle.contacts.iter();
-        contacts.map(move |cycle| ContactOrbit { cycle, units })
+        let contacts = self.steady.cycle.contacts.iter().enumerate();
+        contacts.map(move |(index, cycle)| ContactOrbit {
+            orbit: self,
+            index,
+            cycle,
+            units,
+        })
     }
 
     /// Returns the contact called `name`.
     ///
     /// # Errors
     /// [`UnknownContact`] if no contact has this name.
-    pub fn contact_named(&self, name: &str) -> Result<ContactOrbit<'_>, UnknownContact> {
+    pub fn contact(&self, name: &str) -> Result<ContactOrbit<'_>, UnknownContact> {
         let index = self.joined.contact_index(name)?;
         self.contacts().nth(index).ok_or_else(|| UnknownContact {
             name: name.to_owned(),
             known: self.joined.contact_names(),
         })
+    }
+
+    /// Returns [`contact`](Self::contact), which programs for earlier versions call by this name.
+    ///
+    /// # Errors
+    /// Same errors as [`contact`](Self::contact).
+    #[doc(hidden)]
+    pub fn contact_named(&self, name: &str) -> Result<ContactOrbit<'_>, UnknownContact> {
+        self.contact(name)
+    }
+
+    /// Returns the course of the displacement of the mass called `name` over a period: its phase, its harmonics and its
+    /// value at any phase.
+    ///
+    /// ```
+    /// # fn main() -> Result<(), Box<dyn std::error::Error>> {
+    /// let frame: frictiongen::System = "struct Frame {
+    ///     masses: { lower: 2.0, upper: 1.5 },
+    ///     springs: { base - lower: 1500.0, lower - upper: 1200.0 },
+    ///     contacts: { brace: base - lower { stiffness: 4.0e3 }, pads: lower - upper { share: 0.6 } },
+    ///     damping: modal(0.01),
+    ///     excitation: base,
+    /// }"
+    /// .parse()?;
+    /// let orbit = frame.joined()?.at(0.6)?.orbit(0.3)?;
+    /// let upper = orbit.mass("upper")?;
+    /// assert!((upper.amplitude() - orbit.amplitude("upper")?).abs() < 1e-12);
+    /// // The state repeats with the opposite sign after half a cycle, so that it has no even harmonics.
+    /// assert!(upper.harmonic(2).norm() < 1e-12 && upper.harmonic(3).norm() > 1e-4);
+    /// assert!(upper.phase() > 0.0);
+    /// # Ok(())
+    /// # }
+    /// ```
+    ///
+    /// # Errors
+    /// [`JoinedError::UnknownMass`] if no mass has this name. [`JoinedError::Engine`] if the solver does not support the
+    /// chain.
+    pub fn mass(&self, name: &str) -> Result<Waveform, JoinedError> {
+        let mass = self.joined.mass_index(name)?;
+        let (of, size) = (Of::Mass(mass), MotionQuantity::Displacement);
+        self.waveform(Course::of(&self.joined, of, size))
+    }
+
+    /// Returns the course of one quantity over a period.
+    fn waveform(&self, course: Option<Course>) -> Result<Waveform, JoinedError> {
+        let course = course.ok_or(JoinedError::Quantity)?;
+        let mut all = self.waveforms(&[course])?;
+        all.pop().ok_or(JoinedError::Quantity)
+    }
+
+    /// Returns the courses of several quantities over a period.
+    pub(in crate::study) fn waveforms(
+        &self,
+        courses: &[Course],
+    ) -> Result<Vec<Waveform>, JoinedError> {
+        let cycles = self.period();
+        let mut pieces = vec![Vec::new(); courses.len()];
+        let period = std::f64::consts::TAU / self.omega * cycles as f64;
+        let setting = (self.omega, self.units);
+        self.motion()?.run(period, &mut |series, end, _| {
+            for (pieces, course) in pieces.iter_mut().zip(courses) {
+                pieces.push(course.piece(series, end, setting));
+            }
+        })?;
+        let of_pieces = |pieces| Waveform::new(pieces, self.omega, cycles);
+        Ok(pieces.into_iter().map(of_pieces).collect())
     }
 
     /// Returns the amplitude of the mass called `name`: the largest |x̄| in a period. If a part of the chain has no

@@ -7,7 +7,7 @@ use crate::study::start::InitialState;
 use crate::study::system::System;
 use crate::{OutOfDomain, Unsupported};
 use frictiongen_kernel::Float;
-use frictiongen_model::joined::damping_matrix;
+use frictiongen_model::joined::{damping_matrix, numbered};
 use frictiongen_model::modal::Modal;
 use frictiongen_model::scene::Scene;
 
@@ -177,6 +177,15 @@ impl<'a> Joined<'a> {
             Some(sides) if sides.is_reversed() => -1.0,
             _ => 1.0,
         }
+    }
+
+    /// Returns the numbers of the two nodes of a contact or stop. Its relative displacement is that of the first minus
+    /// that of the second.
+    pub(super) fn nodes(&self, contact: usize) -> Option<(usize, usize)> {
+        let contacts = self.chain.contacts.iter().map(|contact| contact.ends);
+        let stops = self.chain.stops.iter().map(|stop| stop.ends);
+        let (from, to) = contacts.chain(stops).nth(contact)?;
+        numbered(self.chain.masses.len(), from, to)
     }
 
     /// Returns the index of the contact called `name` in the scene description.

@@ -82,6 +82,18 @@ pub fn steady_state(chain: &Chain, omega: f64) -> Result<Steady, JointError> {
     found.map(Steady::new).ok_or(JointError::NotSteady)
 }
 
+/// Returns the steady state of [`steady_state`]. If it is the only one, Newton's method starts from `near`, the steady
+/// state of a similar chain.
+///
+/// # Errors
+///
+/// Same errors as [`steady_state`].
+pub fn steady_state_beside(chain: &Chain, omega: f64, near: &Steady) -> Result<Steady, JointError> {
+    let motion = Motion::from_rest(chain)?.into_engine();
+    let found = joints::settle_near(&motion, omega, &near.found)?;
+    found.map(Steady::new).ok_or(JointError::NotSteady)
+}
+
 /// Returns the steady state that a motion reaches. A contact that never slides stays where the motion has left it.
 ///
 /// # Errors

@@ -146,6 +146,7 @@ pub(super) fn contents(
         frictions: levels(&[1.0], &measure)?,
         measure,
         parts,
+        orders: None,
     };
     let stuck = stuck(&base)?;
     let (middle, high) = middle(&stuck);
@@ -164,6 +165,7 @@ pub(super) fn contents(
         frequencies,
         frictions,
         parts: base.parts.clone(),
+        orders: None,
         ..base
     };
     let curve = asked(over(CURVE), frictions);

@@ -58,7 +58,7 @@ fn an_unstable_state_of_three() {
             let last = all[0].points.last().unwrap();
             assert_eq!((all[0].end, last.value), (BranchEnd::Bound, 0.55));
             // The symmetric state of an independent program, which has 12 digits.
-            let contact = last.orbit.contact_named("contact").unwrap();
+            let contact = last.orbit.contact("contact").unwrap();
             assert!(apart(contact.displacement(), 0.436_472_360_457) < 1e-11);
             assert!(!last.orbit.is_stable() && last.is_symmetric);
             assert!((last.orbit.multipliers()[0].re - 1.76).abs() < 5e-3);
@@ -101,7 +101,7 @@ fn asymmetric_states_begin_where_the_symmetry_breaks() {
             let joined = system.joined().unwrap();
             let rest = |r: f64| joined.at(r).unwrap().orbit(0.1).unwrap();
             let displacement =
-                |orbit: &JoinedOrbit<'_>| orbit.contact_named("contact").unwrap().displacement();
+                |orbit: &JoinedOrbit<'_>| orbit.contact("contact").unwrap().displacement();
             assert!(apart(displacement(&rest(0.55)), 0.472_891_905) < 2e-9);
             let stable = asymmetric
                 .points

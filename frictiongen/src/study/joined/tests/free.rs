@@ -68,13 +68,7 @@ fn a_free_pair_vibrates_about_its_mean_place() {
     // With friction the masses still vibrate, and the contact `clutch` dissipates energy.
     let stuck = at.stuck().expect("a state");
     let slipping = at.orbit(0.5 * stuck.limit()).expect("a state");
-    assert!(
-        slipping
-            .contact_named("clutch")
-            .expect("a contact")
-            .energy()
-            > 0.0
-    );
+    assert!(slipping.contact("clutch").expect("a contact").energy() > 0.0);
     // While the clutch sticks, both masses (5 kg together) move as one body. Its amplitude is P/(5ω²), with P = k₁ =
     // 500.
     let body = 500.0 / (5.0 * at.omega() * at.omega());
@@ -154,7 +148,7 @@ fn a_path_has_the_corners() {
             .sum()
     };
     for (index, name) in ["brace", "pads"].into_iter().enumerate() {
-        let exact = orbit.contact_named(name).expect("a contact").energy();
+        let exact = orbit.contact(name).expect("a contact").energy();
         let (cut, whole) = (energy(&plain, index), energy(&path, index));
         // Between events, the force is a straight line over the displacement. The samples of a path are 1e-9 rad before
         // and after each event.
@@ -191,7 +185,7 @@ fn a_period_sample_by_sample() {
         assert!((a - b).abs() < 1e-9, "{a} {b}");
     }
     for (index, name) in ["brace", "pads"].into_iter().enumerate() {
-        let contact = orbit.contact_named(name).expect("a contact");
+        let contact = orbit.contact(name).expect("a contact");
         let events = history.events.iter().filter(|event| event.contact == index);
         let stops = events.filter(|event| event.event == Event::Stop).count();
         assert_eq!(stops, contact.stops(), "{name}");

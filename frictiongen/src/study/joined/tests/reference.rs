@@ -174,9 +174,7 @@ fn steady_states() {
             worst = worst.max(miss);
         }
         for (place, expected) in stuck.iter().enumerate() {
-            let contact = orbit
-                .contact_named(&format!("c{place}"))
-                .expect("a contact");
+            let contact = orbit.contact(&format!("c{place}")).expect("a contact");
             let got = contact.stuck_fraction();
             assert!(
                 (got - expected).abs() < 1e-8,
@@ -184,9 +182,7 @@ fn steady_states() {
             );
         }
         for (place, stops) in list(&expected["stops"]).iter().enumerate() {
-            let contact = orbit
-                .contact_named(&format!("c{place}"))
-                .expect("a contact");
+            let contact = orbit.contact(&format!("c{place}")).expect("a contact");
             assert_eq!(Value::from(contact.stops()), *stops, "scene {index}");
         }
         compared += 1;

@@ -3,6 +3,8 @@
 
 use super::{FRAME, apart, system};
 use crate::Regime;
+use crate::study::joined::Waveform;
+use crate::study::orbit::SystemOrbitMotion;
 
 const SINGLE: &str = "struct Frame {
     masses: { lower: 3.27, upper: 3.25 },
@@ -11,6 +13,41 @@ const SINGLE: &str = "struct Frame {
     excitation: base,
     damping: modal[0.010, 0.012],
 }";
+
+/// Compares phases, harmonics and values of a motion. The phase `origin` of the single contact's motion belongs to the
+/// maximum of the load.
+fn courses_agree(course: &Waveform, expected: &SystemOrbitMotion<'_, '_>, origin: f64) {
+    // Amplitudes are over the unit of displacement, about 1. A mass that a contact holds at the wall only rounds.
+    let moves = expected.amplitude() > 1e-9;
+    let size = expected.amplitude().max(1e-3);
+    assert!((course.amplitude() - expected.amplitude()).abs() <= 1e-10 * size);
+    let (fastest, wanted) = (course.largest_velocity(), expected.largest_velocity());
+    assert!(
+        (fastest - wanted).abs() <= 1e-9 * (size + wanted),
+        "{fastest} {wanted}"
+    );
+    let near = |one: f64, other: f64, within: f64| {
+        // Lags of π and −π are the same.
+        let turn = (one - other).abs();
+        turn.min(std::f64::consts::TAU - turn) <= within
+    };
+    // At a flat maximum, a change of the motion by 1e-11 moves the instant of its maximum by 1e-6.
+    let (phase, other) = (course.phase(), expected.phase());
+    assert!(!moves || near(phase, other, 3e-6), "{phase} {other}");
+    let (phase, other) = (course.fundamental_phase(), expected.fundamental_phase());
+    assert!(!moves || near(phase, other, 1e-9), "{phase} {other}");
+    for n in [0, 1, 2, 3, 5, 9, 40] {
+        let apart = (course.harmonic(n) - expected.harmonic(n)).norm();
+        assert!(apart <= 1e-10 * size, "harmonic {n}: {apart}");
+    }
+    for step in 0..50 {
+        let tau = 0.37 * f64::from(step) - 5.0;
+        let apart = course.displacement(tau) - expected.displacement(tau - origin);
+        assert!(apart.abs() <= 1e-10 * size, "{tau}: {apart}");
+        let apart = course.velocity(tau) - expected.velocity(tau - origin);
+        assert!(apart.abs() <= 1e-9 * (size + wanted), "{tau}: {apart}");
+    }
+}
 
 /// Compares steady states of the two solvers, from continuous motion to six stops in a cycle.
 #[test]
@@ -21,7 +58,7 @@ fn steady_states_are_those_of_a_single_contact() {
     for (r, beta) in [(0.9, 0.3), (0.9, 0.6), (0.3, 0.4), (0.05, 0.1), (2.0, 0.8)] {
         let expected = one.at(r).expect("r").orbit(beta).expect("an orbit");
         let orbit = joined.at(r).expect("r").orbit(beta).expect("an orbit");
-        let contact = orbit.contact_named("pads").expect("a contact");
+        let contact = orbit.contact("pads").expect("a contact");
         assert_eq!(
             (contact.stops(), contact.reversals()),
             (expected.stops(), expected.reversals()),
@@ -45,6 +82,17 @@ fn steady_states_are_those_of_a_single_contact() {
         let displacement = displacement.amplitude();
         let found = contact.displacement();
         assert!(found == displacement || apart(found, displacement) < 1e-10);
+        let single = expected.contact_named("pads").expect("a contact");
+        let course = contact.motion().expect("a motion");
+        courses_agree(&course, &single, expected.origin());
+        for name in ["lower", "upper"] {
+            let course = orbit.mass(name).expect("a motion");
+            courses_agree(
+                &course,
+                &expected.mass(name).expect("a mass"),
+                expected.origin(),
+            );
+        }
         let symmetric = orbit.is_symmetric().expect("a motion");
         assert_eq!(
             (orbit.is_stable(), symmetric),
@@ -128,9 +176,9 @@ fn a_single_contact_has_these_answers_too() {
         .expect("r")
         .orbit(0.6);
     let orbit = orbit.expect("an orbit");
-    assert!(orbit.contact_named("contact").expect("a contact").stops() > 0);
+    assert!(orbit.contact("contact").expect("a contact").stops() > 0);
     let unknown = orbit
-        .contact_named("pads")
+        .contact("pads")
         .map(|_| ())
         .expect_err("no such contact");
     assert_eq!(
@@ -211,7 +259,7 @@ fn a_dashpot_beside_one_contact_is_modal_damping_of_one_mass() {
                 apart(got, amplitude) < 1e-10,
                 "r {r}, beta {beta}: {got} {amplitude}"
             );
-            let contact = orbit.contact_named("contact").expect("a contact");
+            let contact = orbit.contact("contact").expect("a contact");
             assert_eq!(contact.stops(), expected.stops(), "r {r}, beta {beta}");
         }
     }
