@@ -6,7 +6,7 @@
     reason = "a test may fail"
 )]
 
-use crate::common::{column, output, texts, words};
+use crate::common::{cells, column, json, output, texts, words};
 
 /// Two floors with a brace, a pair of pads and a dashpot.
 const FRAME: &str = "struct Frame { masses: { lower: 2.0, upper: 1.5 },
@@ -30,9 +30,12 @@ fn failure(scene: &str, arguments: &[&str]) -> String {
 #[test]
 fn commands_agree() {
     let groups = output(FRAME, &words("orbit --r 0.6 --beta 0.3 --csv"));
-    for command in ["response", "map"] {
-        let line = format!("{command} --r 0.6 --beta 0.3 --csv");
-        assert_eq!(output(FRAME, &words(&line)), groups, "{command}");
+    let response = output(FRAME, &words("response --r 0.6 --beta 0.3 --csv"));
+    assert_eq!(response, groups);
+    // A map has amplitudes alone.
+    let map = output(FRAME, &words("map --r 0.6 --beta 0.3 --csv"));
+    for name in cells(&map)[0].iter() {
+        assert_eq!(texts(&map, name), texts(&groups, name), "{name}");
     }
     let curve = output(
         FRAME,
@@ -177,10 +180,70 @@ fn value(best: &serde_json::Value, key: &str) -> f64 {
     value.expect(key)
 }
 
+/// Phases, offsets and harmonics are those of the solver for a single contact. The dashpot is too weak to change them.
+#[test]
+fn phases_and_harmonics_are_those_of_a_single_contact() {
+    let single = "struct Frame { masses: { lower: 3.27, upper: 3.25 },
+        springs: { base - lower: 1190.0, lower - upper: 1323.0 }, contact: upper - wall, excitation: base,
+        damping: modal[0.010, 0.012] }";
+    let damped = single.replace(
+        " excitation",
+        " dampers: { base - lower: 1e-9 }, excitation",
+    );
+    let line = words("orbit --r 0.3:0.2:1.3 --beta 0.2,0.5 --harmonics 3 --csv");
+    let (one, several) = (output(single, &line), output(&damped, &line));
+    let names = [
+        "phase",
+        "fundamental_phase",
+        "X0.amplitude",
+        "X1.amplitude",
+        "X1.phase",
+        "X3.amplitude",
+    ];
+    for motion in ["contact", "lower", "upper"] {
+        for name in names {
+            let name = format!("{motion}.{name}");
+            for (one, several) in column(&one, &name).iter().zip(column(&several, &name)) {
+                assert!((one - several).abs() < 2e-6, "{name}: {one} {several}");
+            }
+        }
+    }
+    for offset in column(&several, "contact.offset") {
+        assert!(offset.abs() < 1e-9, "{offset}");
+    }
+    let response = output(
+        &damped,
+        &words("response --r 0.5 --beta 0.2 --harmonics 3 --json"),
+    );
+    let orders: Vec<_> = json(&response)["points"][0]["masses"][0]["harmonics"]
+        .as_array()
+        .expect("harmonics")
+        .iter()
+        .map(|harmonic| harmonic["n"].as_u64())
+        .collect();
+    assert_eq!(orders, [Some(1), Some(3)]);
+}
+
+/// The code of a scene with several contacts is that of the macro: by default the steady state, or what it names.
+#[test]
+fn expands_several_contacts() {
+    let code = output(FRAME, &["expand"]);
+    assert!(
+        code.contains("impl Frame") && code.contains("fn orbit"),
+        "{code}"
+    );
+    let scene = FRAME.replace(
+        "excitation: base",
+        "excitation: base, provide: [simulation]",
+    );
+    let code = output(&scene, &["expand"]);
+    assert!(code.contains("fn simulation") && !code.contains("fn orbit"));
+}
+
 /// Commands and options without an answer name the fields and another command, in one line.
 #[test]
 fn the_rest_is_refused_by_name() {
-    for line in ["features", "compile --accuracy 1e-4 --r 0.2:2.5", "expand"] {
+    for line in ["features", "compile --accuracy 1e-4 --r 0.2:2.5"] {
         let told = failure(FRAME, &words(line));
         assert!(
             told.contains("`contacts`") && told.lines().count() == 1,
@@ -188,7 +251,6 @@ fn the_rest_is_refused_by_name() {
         );
     }
     for line in [
-        "orbit --r 0.5 --beta 0.3 --harmonics 3",
         "curve --r 0.5:1 --beta 0.3 --rates",
         "map --r 0.5 --beta 0.3 --boundaries 4",
         "time --r 0.5 --beta 0.3 --spectrum",

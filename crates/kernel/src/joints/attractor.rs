@@ -3,6 +3,7 @@
 use super::run::Motion;
 use super::size::{Size, set};
 use super::slid::LargestDisplacement;
+use super::state::FREE;
 use super::steady::{Search, Steady, modulus};
 use super::tangent::ShotSpan;
 use crate::errors::Halt;
@@ -70,6 +71,13 @@ impl<S: Float, Z: Size> Search<S, Z> {
         motion: &Motion<S, Z>,
         near: &Steady<S, Z>,
     ) -> Result<Option<Steady<S, Z>>, Halt> {
+        // A contact without friction in one of the two chains alone has no state there that fits the other.
+        let is_free = |phase: &i8| *phase == FREE;
+        let (own, other) = (&motion.state().phases, &near.state.phases);
+        let mut pairs = own.as_ref().iter().zip(other.as_ref());
+        if pairs.any(|(own, other)| is_free(own) != is_free(other)) {
+            return Ok(None);
+        }
         self.place = positive(largest(near));
         let mut trial = motion.clone();
         trial.restart(near.state.clone());

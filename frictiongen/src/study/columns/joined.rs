@@ -484,36 +484,41 @@ impl<'a> JoinedTable<'a> {
             let part = index.checked_sub(contacts);
             let part = part.and_then(|index| self.setting.parts.get(index));
             let is_course = part.is_none_or(|part| part.size == MotionQuantity::Displacement);
-            if let Some(orders) = self.orders.filter(|_| is_course) {
+            let orders = self.orders.filter(|_| is_course);
+            if orders.is_some() {
                 phases(columns, index);
-                if part.is_none() {
-                    columns.number(Head::of("offset", PhysicalQuantity::Length), move |row| {
-                        row.contact(index)?.offset
-                    });
-                }
-                harmonics(columns, index, (orders, size, true));
             }
-            if part.is_some() {
-                continue;
+            if part.is_none() {
+                self.contact_columns(columns, index);
             }
-            columns.word("regime", "continuous", move |row: &JoinedRow| {
-                Some(row.contact(index)?.regime)
-            });
-            columns.count("stops", move |row| Some(row.contact(index)?.stops));
-            columns.count("reversals", move |row| Some(row.contact(index)?.reversals));
-            let head = Head::new("stuck_fraction").titled(&["stuck", "(of period)"]);
-            columns.number(head, move |row| Some(row.contact(index)?.stuck_fraction));
-            columns.number(Head::of("slip", PhysicalQuantity::Length), move |row| {
-                Some(row.contact(index)?.slip)
-            });
-            columns.number(Head::of("force", PhysicalQuantity::Force), move |row| {
-                Some(row.contact(index)?.force)
-            });
-            columns.number(Head::of("energy", PhysicalQuantity::Energy), move |row| {
-                Some(row.contact(index)?.energy)
-            });
+            // The columns of a harmonic come last, because they are a list in JSON.
+            harmonics(columns, index, (orders.unwrap_or_default(), size, true));
         }
         columns.end_parts();
+    }
+
+    /// Adds the columns that a contact has beside its amplitude and its phases.
+    fn contact_columns(&self, columns: &mut Columns<'a, JoinedRow>, index: usize) {
+        if self.orders.is_some() {
+            let head = Head::of("offset", PhysicalQuantity::Length);
+            columns.number(head, move |row: &JoinedRow| row.contact(index)?.offset);
+        }
+        columns.word("regime", "continuous", move |row: &JoinedRow| {
+            Some(row.contact(index)?.regime)
+        });
+        columns.count("stops", move |row| Some(row.contact(index)?.stops));
+        columns.count("reversals", move |row| Some(row.contact(index)?.reversals));
+        let head = Head::new("stuck_fraction").titled(&["stuck", "(of period)"]);
+        columns.number(head, move |row| Some(row.contact(index)?.stuck_fraction));
+        columns.number(Head::of("slip", PhysicalQuantity::Length), move |row| {
+            Some(row.contact(index)?.slip)
+        });
+        columns.number(Head::of("force", PhysicalQuantity::Force), move |row| {
+            Some(row.contact(index)?.force)
+        });
+        columns.number(Head::of("energy", PhysicalQuantity::Energy), move |row| {
+            Some(row.contact(index)?.energy)
+        });
     }
 
     /// Computes the row of the limit cycle that the motion without a load reaches. Returns `None` if it reaches none.
