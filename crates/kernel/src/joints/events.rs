@@ -38,6 +38,15 @@ impl<S: Float, Z: Size> Motion<S, Z> {
                     let force = sign::<S>(side) * contact.level.value(self.time, 0);
                     set(self.state.forces.as_mut(), j, force);
                     self.state.set_phase(j, side);
+                    // The sliding velocity is the rate of the force, whose leading zeros are one less.
+                    let zeros = self.state.zeros.as_ref().get(j).copied();
+                    let (zeros, zero_side) = zeros.unwrap_or_default();
+                    let left = if zero_side == side {
+                        zeros.saturating_sub(1)
+                    } else {
+                        0
+                    };
+                    self.state.set_zeros(j, (left, side));
                 }
                 (Some(_), false) => {
                     let level = contact.level.value(self.time, 0);

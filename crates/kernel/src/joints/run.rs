@@ -406,7 +406,7 @@ impl<S: Float, Z: Size> Motion<S, Z> {
             table.advance(before.as_ref(), after.as_mut());
         } else {
             let ends = (before.as_ref(), after.as_mut());
-            table.advance_by(&self.model, &self.state, length, ends);
+            table.advance_by(&self.model, length, ends);
         }
         self.state.land(&self.model, after.as_ref());
         watch.leap(&Leap {

@@ -71,10 +71,16 @@ impl<S: Float, Z: Size> Slips<S, Z> {
 
     /// Returns, for each contact, true if the contact has slid farther than rounding errors can cause.
     pub(super) fn slides(&self, model: &Model<S, Z>) -> Z::Contacts<bool> {
+        self.slides_in(model, 1)
+    }
+
+    /// Returns the same as [`slides`](Self::slides) for a number of periods, in each of which rounding may move a
+    /// contact whose force only reaches its limit.
+    pub(super) fn slides_in(&self, model: &Model<S, Z>, periods: usize) -> Z::Contacts<bool> {
         let mut slides = model.size.contacts(false);
         for (j, slides) in slides.as_mut().iter_mut().enumerate() {
             let place = at(self.places.as_ref(), j);
-            *slides = at(self.slips.as_ref(), j) > least_slip(place);
+            *slides = at(self.slips.as_ref(), j) > S::whole(periods) * least_slip(place);
         }
         slides
     }

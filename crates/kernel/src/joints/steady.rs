@@ -501,7 +501,7 @@ impl<S: Float, Z: Size> Search<S, Z> {
         let before = self.away(motion.state(), steady);
         let mut slips = Slips::new(motion.model());
         self.advance(motion, periods * steady.period, &mut slips)?;
-        let slides = slips.slides(motion.model());
+        let slides = slips.slides_in(motion.model(), periods);
         let mut slides = slides.as_ref().iter().zip(steady.marginal.as_ref());
         if slides.any(|(slides, marginal)| *slides && *marginal) {
             return Ok(false);

@@ -70,6 +70,8 @@ pub struct Table<S: Float, Z: Size> {
     accelerations: Z::Cells<S>,
     /// Forces of the rigid contacts that stick, one row for each contact.
     holds: Z::Cells<S>,
+    /// Stiffness of each elastic contact that sticks and whose force changes, otherwise 0.
+    stiffnesses: Z::Contacts<S>,
     /// Power series of the watched quantities: a row for each coefficient of each contact.
     watched: Z::Cells<S>,
     /// For each contact, a row whose product with the absolute values of the coordinates is a bound on the sum of the
@@ -200,7 +202,6 @@ impl<S: Float, Z: Size> Table<S, Z> {
     pub(super) fn advance_by(
         &self,
         model: &Model<S, Z>,
-        state: &State<S, Z>,
         length: S,
         (before, after): (&[S], &mut [S]),
     ) {
@@ -213,7 +214,7 @@ impl<S: Float, Z: Size> Table<S, Z> {
         let mut size = S::constant(1.0);
         for order in 1..terms_of::<S>() {
             let order = S::whole(order);
-            self.rates(model, state, term.as_ref(), raised.as_mut());
+            self.rates(model, term.as_ref(), raised.as_mut());
             for ((sum, term), rate) in (*after).iter_mut().zip(term.as_mut()).zip(raised.as_ref()) {
                 *term = length / order * *rate;
                 *sum = *sum + *term;
@@ -226,20 +227,14 @@ impl<S: Float, Z: Size> Table<S, Z> {
     }
 
     /// Writes the derivatives of the coordinates with respect to time.
-    pub(super) fn rates(
-        &self,
-        model: &Model<S, Z>,
-        state: &State<S, Z>,
-        coordinates: &[S],
-        rates: &mut [S],
-    ) {
+    pub(super) fn rates(&self, model: &Model<S, Z>, coordinates: &[S], rates: &mut [S]) {
         let speed = |node: usize| self.speed(model, node, coordinates);
         let speeds = (0..model.wall()).map(speed);
         let accelerations = self.accelerations().map(|row| dot(row, coordinates));
         let contacts = model.contacts().iter().enumerate();
-        let forces = contacts.map(|(j, contact)| match contact.stiffness {
-            Some(k) if state.phase(j) == STUCK => k * (speed(contact.plus) - speed(contact.minus)),
-            _ => S::constant(0.0),
+        let forces = contacts.map(|(j, contact)| {
+            let rate = speed(contact.plus) - speed(contact.minus);
+            at(self.stiffnesses.as_ref(), j) * rate
         });
         let waves = model.waves().enumerate().flat_map(|(index, wave)| {
             let cosine = self.width + 2 * index;
@@ -365,6 +360,9 @@ struct Builder<'m, S: Float, Z: Size> {
     accelerations: Z::Cells<S>,
     /// Forces of the rigid contacts that stick, one row for each contact.
     holds: Z::Cells<S>,
+    /// Stiffness of each elastic contact that sticks and whose force changes, otherwise 0. The force does not change if
+    /// rigid contacts hold the two nodes together. Rounding would else move it beyond its limit.
+    stiffnesses: Z::Contacts<S>,
     /// Coefficients of one order: one row for each coordinate, one column for each initial coordinate.
     term: Z::Cells<S>,
     /// Coefficients of the next order.
@@ -383,9 +381,16 @@ impl<'m, S: Float, Z: Size> Builder<'m, S, Z> {
             count,
             accelerations: cells(masses),
             holds: cells(contacts),
+            stiffnesses: model.size.contacts(zero),
             term: cells(count),
             raised: cells(count),
         };
+        for (j, contact) in model.contacts().iter().enumerate() {
+            let stiffness = contact.stiffness.filter(|_| state.phase(j) == STUCK);
+            if let Some(stiffness) = stiffness.filter(|_| !tree.connects(contact)) {
+                set(builder.stiffnesses.as_mut(), j, stiffness);
+            }
+        }
         let mut unit = UnitMotion::new(model, state, tree);
         for column in 0..count {
             let Some(coordinate) = builder.unit(column) else {
@@ -465,6 +470,7 @@ impl<'m, S: Float, Z: Size> Builder<'m, S, Z> {
             ends,
             accelerations: self.accelerations,
             holds: self.holds,
+            stiffnesses: self.stiffnesses,
             watched,
             tails,
         }
@@ -548,8 +554,8 @@ impl<'m, S: Float, Z: Size> Builder<'m, S, Z> {
                 }
             } else if index < model.width() {
                 let j = index - 2 * masses;
-                let stiffness = model.contact(j).and_then(|contact| contact.stiffness);
-                if let Some(stiffness) = stiffness.filter(|_| self.state.phase(j) == STUCK) {
+                let stiffness = at(self.stiffnesses.as_ref(), j);
+                if !stiffness.is_zero() {
                     self.add_speed(j, next * stiffness, row);
                 }
             } else {

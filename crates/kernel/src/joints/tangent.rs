@@ -453,7 +453,7 @@ impl<S: Float, Z: Size> Observe<S, Z> for Tangent<'_, S, Z> {
         self.advance(&rates, leap.state, leap.length);
         self.rates = Some((rates, leap.state.phases.clone()));
         let mut slopes = self.model.size.cells(leap.after.len(), S::constant(0.0));
-        table.rates(self.model, leap.state, leap.after, slopes.as_mut());
+        table.rates(self.model, leap.after, slopes.as_mut());
         let slopes = slopes.as_ref();
         let masses = self.model.wall();
         for (mass, own) in self.accelerations.as_mut().iter_mut().enumerate() {

@@ -140,6 +140,12 @@ impl<S: Float, Z: Size> Tree<S, Z> {
         self.root_of(node)
     }
 
+    /// Returns true if the relative displacement of a contact is constant, because sticking rigid contacts connect its
+    /// two nodes. A moving surface may change it.
+    pub(super) fn connects(&self, contact: &Contact<S>) -> bool {
+        self.root_of(contact.plus) == self.root_of(contact.minus)
+    }
+
     /// Returns the total mass of the tree with the root `root`.
     pub fn mass(&self, root: usize) -> S {
         at(self.masses.as_ref(), root)

@@ -3,6 +3,7 @@
 mod balance;
 mod branch;
 mod free;
+mod limits_at_rest;
 mod neighbours;
 mod reference;
 mod refused;

@@ -1,0 +1,75 @@
+//! Tests elastic contacts whose force is at its limit while a rigid contact holds their sides together. Only rounding
+//! decides then whether the force exceeds the limit.
+
+use super::system;
+
+/// Scenes of the random search in which such contacts occur, each with r and β.
+const SCENES: [(&str, f64, f64); 4] = [
+    (
+        "struct S { masses: { m0: 1.126 }, springs: { base - m0: 0.717, m0 - wall: 1.976 }, contacts: {
+        c0: base - m0 { share: 0.204, stiction: 1.095, stiffness: 3.465 },
+        c1: base - m0 { share: 0.806, stiffness: 3.567 }, c2: base - m0 { share: 0.634, stiction: 1.250 } },
+        excitation: base, damping: modal(0.0212) }",
+        0.3677235017547254,
+        1.6221140750867602,
+    ),
+    (
+        "struct S { masses: { m0: 1.425, m1: 0.378 }, springs: { base - m0: 0.426, m0 - m1: 1.011, m1 - wall: 0.474 },
+        contacts: { c0: m0 - wall { share: 0.771 }, c1: base - m1 { share: 0.233, stiffness: 2.990 },
+        c2: m1 - wall { share: 0.564, stiffness: 1.178 }, c3: base - m1 { share: 0.445, stiction: 1.727 } },
+        excitation: base, damping: rayleigh(0.0021, 0.0194) }",
+        0.20282581750044731,
+        4.573100064099574,
+    ),
+    (
+        "struct S { masses: { m0: 2.183, m1: 1.588, m2: 0.343 },
+        springs: { base - m0: 0.336, m0 - m1: 1.563, m1 - m2: 1.331 },
+        contacts: { c0: m0 - m1 { share: 0.370, stiction: 1.251 }, c1: base - m1 { share: 0.473, stiffness: 4.802 },
+        c2: m0 - wall { share: 0.570, stiction: 1.171 },
+        c3: m2 - wall { share: 0.406, stiction: 1.769, stiffness: 2.343 } },
+        excitation: m1, damping: rayleigh(0.0121, 0.0146) }",
+        0.23121467623729355,
+        0.8977972681348817,
+    ),
+    (
+        "struct S { masses: { m0: 1.579, m1: 0.589, m2: 2.606, m3: 0.378 },
+        springs: { base - m0: 1.628, m0 - m1: 0.838, m1 - m2: 0.685, m2 - m3: 1.293 },
+        contacts: { c0: m0 - m1 { share: 0.324, stiction: 1.809 }, c1: m1 - wall { share: 0.751, stiffness: 1.514 },
+        c2: m0 - wall { share: 0.345 }, c3: m2 - m3 { share: 0.259, stiffness: 15.140 } },
+        excitation: base, damping: rayleigh(0.0395, 0.0097) }",
+        0.2538663851717231,
+        0.5222563523764179,
+    ),
+];
+
+/// Checks that the steady state is the motion from rest after 600 cycles, in the largest displacements of a period.
+#[test]
+fn a_contact_at_its_limit_neither_stalls_nor_slides() {
+    for (text, r, beta) in SCENES {
+        let scene = system(text);
+        let joined = scene.joined().expect("answers");
+        let at = joined.at(r).expect("r");
+        assert!(at.orbit(beta).is_ok(), "r {r}");
+        // A contact that never slides stays where the motion has left it.
+        let rest = vec![0.0; scene.scene().masses.len()];
+        let orbit = at.orbit_from(beta, (&rest, &rest)).expect("a steady state");
+        let mut run = at.simulation(beta).expect("a motion");
+        let period = orbit.period() as u32;
+        let history = run
+            .history(600 / period * period, period, 64)
+            .expect("a motion");
+        let (x, v) = &history.states[0];
+        let (expected, speeds) = orbit.state();
+        let size = orbit.amplitudes().into_iter().fold(0.0, f64::max);
+        for (got, want) in x.iter().chain(v).zip(expected.iter().chain(&speeds)) {
+            assert!((got - want).abs() < 1e-8 * size, "r {r}: {got} {want}");
+        }
+        assert!(
+            history
+                .states
+                .iter()
+                .flat_map(|(x, _)| x)
+                .all(|x| x.abs() <= size * (1.0 + 1e-9))
+        );
+    }
+}
