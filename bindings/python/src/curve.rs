@@ -1,11 +1,13 @@
 //! Computes responses over a frequency range, with more points where a curve bends.
 
 use crate::asked::{
-    DrivenKeywords, FrequencyKeywords, FrequencyRange, FrictionKeywords, FrictionValues,
-    MOST_POINTS, MovingPart, Optional, check_size, driven, harmonics, one, parts, setting,
+    DrivenKeywords, FrequencyKeywords, FrequencyRange, FrequencyValues, FrictionKeywords,
+    FrictionValues, MOST_POINTS, MovingPart, Optional, check_size, driven, harmonics, one, parts,
+    setting, without,
 };
 use crate::columns::NamedArrays;
 use crate::errors::domain;
+use crate::joined::JoinedQuestion;
 use crate::system::NativeSystem;
 use crate::work::without_lock;
 use frictiongen::Of;
@@ -60,6 +62,18 @@ pub fn curve<'py>(
 ) -> PyResult<Bound<'py, PyDict>> {
     let (accuracy, step, highest, rates, starts_of) = fineness;
     let starts = starts(&starts_of)?;
+    if system.system.scene().has_joined_states() {
+        without(&[
+            (accuracy.is_some(), "accuracy"),
+            (step.is_some(), "step"),
+            (highest.is_some(), "harmonics"),
+            (rates, "rates"),
+            (starts != [CurveStart::Rest], "start=\"up\" or \"down\""),
+        ])?;
+        let frequencies = FrequencyValues::spread(&system.system, &frequency)?;
+        let of = of.as_ref();
+        return JoinedQuestion::of(&system.system, frequencies, &friction, &load, of)?.grid(py);
+    }
     let band = FrequencyRange::of(&system.system, &frequency)?;
     let (measure, system) = driven(&system.system, &load)?;
     let system = &*system;

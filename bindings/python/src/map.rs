@@ -6,6 +6,7 @@ use crate::asked::{
 };
 use crate::columns::NamedArrays;
 use crate::errors::domain;
+use crate::joined::by_contact;
 use crate::system::NativeSystem;
 use crate::work::without_lock;
 use frictiongen::study::columns::{ColumnAxis, MapTable};
@@ -23,6 +24,9 @@ pub fn map<'py>(
     load: DrivenKeywords<'py>,
     of: Optional<'py>,
 ) -> PyResult<Bound<'py, PyDict>> {
+    if system.system.scene().has_joined_states() {
+        return by_contact(py, system, frequency, friction, load, of);
+    }
     let frequencies = FrequencyValues::of(&system.system, &frequency, load.1.is_some())?;
     if let Some(index) = frequencies.r.iter().position(|r| r.is_infinite()) {
         return Err(domain(format_args!(

@@ -2,10 +2,11 @@
 
 use crate::asked::{
     DrivenKeywords, FrequencyKeywords, FrequencyValues, FrictionKeywords, FrictionValues, Optional,
-    check_size, driven, harmonics, parts, put_grid, setting,
+    check_size, driven, harmonics, parts, put_grid, setting, without,
 };
 use crate::columns::NamedArrays;
 use crate::errors::domain;
+use crate::joined::by_contact;
 use crate::system::NativeSystem;
 use crate::work::without_lock;
 use frictiongen::OutOfDomain;
@@ -25,6 +26,10 @@ pub fn response<'py>(
     of: Optional<'py>,
     highest: Optional<'py>,
 ) -> PyResult<Bound<'py, PyDict>> {
+    if system.system.scene().has_joined_states() {
+        without(&[(highest.is_some(), "harmonics")])?;
+        return by_contact(py, system, frequency, friction, load, of);
+    }
     let frequencies = FrequencyValues::of(&system.system, &frequency, load.1.is_some())?;
     let (measure, system) = driven(&system.system, &load)?;
     let system = &*system;

@@ -6,7 +6,7 @@ use crate::asked::{
 };
 use crate::columns::NamedArrays;
 use crate::errors::domain;
-use crate::joined::motions;
+use crate::joined::{JoinedQuestion, motions};
 use crate::system::NativeSystem;
 use crate::work::left_at_interrupt;
 use frictiongen::System;
@@ -16,7 +16,7 @@ use frictiongen::study::columns::{
 use frictiongen::study::history::{
     FreeRequest, History, HistoryError, HistoryRequest, MOST_SAMPLES,
 };
-use frictiongen::study::joined::JoinedError;
+use frictiongen::study::joined::{JoinedError, JoinedHistory};
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
 use std::sync::Arc;
@@ -50,7 +50,7 @@ fn free<'py>(
     let masses_at_zero = || vec![0.0; system.scene().masses.len()];
     let from = match start::is_rest(from)? {
         true => (masses_at_zero(), masses_at_zero()),
-        false => start::state(from, system, (&measure, 1.0))?,
+        false => start::state(from, system, (measure.scale(), 1.0))?,
     };
     let mut at = Frequency::at(system, 1.0);
     // The history has times in s in place of phases.
@@ -58,39 +58,19 @@ fn free<'py>(
     let owned = Arc::clone(system);
     if system.scene().is_joined() {
         let joined = system.joined().map_err(domain)?;
-        let history = left_at_interrupt(py, move |_| {
-            let (x, v) = &from;
-            let run = owned.joined()?.simulation_without_load(friction, (x, v));
-            run?.until(until, samples, false)
-        })?
-        .map_err(|error: JoinedError| domain(error))?;
         let parts = motions(system, of.as_ref())?;
-        let zeros = vec![0.0; system.scene().masses.len()];
-        if let Some(part) = parts.iter().find(|part| part.among(&zeros).is_none()) {
-            return Err(domain(format_args!(
-                "of: `{}` is no mass and no difference of two masses, which alone a motion in time of several contacts has",
-                part.name
-            )));
-        }
         let table = JoinedTable {
             setting: setting(system, measure, FrequencyUnit::Hertz, &parts),
             joined: &joined,
         };
-        let (history, omega) = (&history, at.omega);
-        let rows = (0..history.taus.len()).map(|index| JoinedSample {
-            history,
-            index,
-            omega,
-        });
-        let events = 0..history.events.len();
-        let events = events.map(|index| JoinedEventRow {
-            history,
-            index,
-            omega,
-        });
-        let samples = arrays(py, &table.sample_columns(), &rows.collect::<Vec<_>>())?;
-        let events = arrays(py, &table.event_columns(), &events.collect::<Vec<_>>())?;
-        return Ok((samples, events));
+        table.check_in_time("of").map_err(domain)?;
+        let history = left_at_interrupt(py, move |_| {
+            let (x, v) = &from;
+            let run = owned.joined()?.simulation_without_load(friction, (x, v));
+            run?.until(until, samples, false)
+        })?;
+        let history = history.map_err(|error: JoinedError| domain(error))?;
+        return several(py, &table, (&history, at.omega));
     }
     let parts = parts(system, "of", of.as_ref())?;
     let request = FreeRequest {
@@ -107,6 +87,86 @@ fn free<'py>(
         in_seconds: true,
     };
     tabulated(py, &table, &history)
+}
+
+/// Returns the samples and the events of a motion of several contacts as arrays.
+fn several<'py>(
+    py: Python<'py>,
+    table: &JoinedTable<'_>,
+    (history, omega): (&JoinedHistory, f64),
+) -> PyResult<Arrays<'py>> {
+    let rows = (0..history.taus.len()).map(|index| JoinedSample {
+        history,
+        index,
+        omega,
+    });
+    let events = (0..history.events.len()).map(|index| JoinedEventRow {
+        history,
+        index,
+        omega,
+    });
+    let samples = arrays(py, &table.sample_columns(), &rows.collect::<Vec<_>>())?;
+    let events = arrays(py, &table.event_columns(), &events.collect::<Vec<_>>())?;
+    Ok((samples, events))
+}
+
+/// Length of a motion: number of skipped cycles, of cycles, and of samples in a cycle, with a flag for one period of the
+/// steady state instead.
+#[derive(Clone, Copy)]
+struct Extent {
+    skip: u32,
+    cycles: u32,
+    samples: u32,
+    steady: bool,
+}
+
+/// Computes samples and events of a motion of several contacts under a harmonic load.
+fn driven<'py>(
+    py: Python<'py>,
+    question: &JoinedQuestion,
+    start: Option<&Bound<'py, PyAny>>,
+    extent: Extent,
+) -> PyResult<Arrays<'py>> {
+    let system = &question.system;
+    let (frequency, friction) = (
+        question.frequencies.only(system)?,
+        question.frictions.only()?,
+    );
+    let joined = system.joined().map_err(domain)?;
+    let table = question.table(&joined);
+    table.check_in_time("of").map_err(domain)?;
+    let samples = u64::from(extent.cycles) * u64::from(extent.samples);
+    if !extent.samples.is_multiple_of(2) {
+        return Err(domain(HistoryError::Samples));
+    }
+    if MOST_SAMPLES < samples.saturating_mul(table.parts().len() as u64) {
+        return Err(domain(HistoryError::TooManySamples));
+    }
+    let beta = friction.at(&question.measure, frequency).beta;
+    let scale = question.measure.scale_at(frequency.omega);
+    let from = match start {
+        Some(start) if !extent.steady && !start::is_rest(start)? => {
+            Some(start::state(start, system, (scale, frequency.omega))?)
+        }
+        _ => None,
+    };
+    let owned = question.clone();
+    let history = left_at_interrupt(py, move |_| {
+        let joined = owned.system.joined()?;
+        let at = owned.table(&joined).at(frequency)?;
+        if extent.steady {
+            let orbit = at.orbit(beta)?;
+            let cycles = u32::try_from(orbit.period()).unwrap_or(u32::MAX);
+            return orbit.simulation()?.history(0, cycles, extent.samples);
+        }
+        let mut run = match &from {
+            Some((x, v)) => at.simulation_from(beta, (x, v))?,
+            None => at.simulation(beta)?,
+        };
+        run.history(extent.skip, extent.cycles, extent.samples)
+    })?;
+    let history = history.map_err(|error: JoinedError| domain(error))?;
+    several(py, &table, (&history, frequency.omega))
 }
 
 /// Returns a table as arrays by the names of its columns.
@@ -167,20 +227,33 @@ pub fn simulate<'py>(
         return free(py, system, (&from, until, samples), (&friction, of));
     }
     let frequencies = FrequencyValues::of(system, &frequency, true)?;
-    let measure = measure::constant(system, &load)?;
-    let frictions = FrictionValues::of(&friction, &measure)?;
-    let (frequency, friction) = (frequencies.only(system)?, frictions.only()?);
-    let (r, beta, omega) = (frequency.r, friction.beta, frequency.omega);
-    let parts = parts(system, "of", of.as_ref())?;
     if steady && (cycles.is_some() || skip.is_some()) {
         return Err(domain(
             "steady=True gives one period of the steady state; leave out cycles and skip, which belong to a run",
         ));
     }
+    let extent = Extent {
+        skip: number("skip", &skip, 0, 0)?,
+        cycles: number("cycles", &cycles, 1, 10)?,
+        samples: number("samples", &samples, 2, 200)?,
+        steady,
+    };
+    let scene = system.scene();
+    if scene.is_joined() || steady && scene.has_joined_states() {
+        let load = (load, from.clone().filter(|_| steady));
+        let of = of.as_ref();
+        let question = JoinedQuestion::of(system, frequencies, &friction, &load, of)?;
+        return driven(py, &question, from.as_ref(), extent);
+    }
+    let measure = measure::constant(system, &load)?;
+    let frictions = FrictionValues::of(&friction, &measure)?;
+    let (frequency, friction) = (frequencies.only(system)?, frictions.only()?);
+    let (r, beta, omega) = (frequency.r, friction.beta, frequency.omega);
+    let parts = parts(system, "of", of.as_ref())?;
     let system = &start::started(system, from.as_ref().filter(|_| steady), &measure)?;
     let from = match from {
         Some(from) if !steady && !start::is_rest(&from)? => {
-            Some(start::state(&from, system, (&measure, omega))?)
+            Some(start::state(&from, system, (measure.scale(), omega))?)
         }
         _ => None,
     };
@@ -188,9 +261,9 @@ pub fn simulate<'py>(
         of: parts.iter().map(|part| part.of).collect(),
         from,
         amplitude: measure.load().map(|load| load.amplitude()),
-        skip: number("skip", &skip, 0, 0)?.into(),
-        cycles: number("cycles", &cycles, 1, 10)?,
-        samples: number("samples", &samples, 2, 200)?,
+        skip: extent.skip.into(),
+        cycles: extent.cycles,
+        samples: extent.samples,
     };
     let owned = Arc::clone(system);
     let history = left_at_interrupt(py, move |_| match steady {

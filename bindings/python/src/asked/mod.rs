@@ -53,6 +53,16 @@ pub fn setting<'a>(
     }
 }
 
+/// Fails if the caller gives one of these arguments, which a scene with several contacts does not have.
+pub fn without(arguments: &[(bool, &str)]) -> PyResult<()> {
+    match arguments.iter().find(|(given, _)| *given) {
+        None => Ok(()),
+        Some((_, argument)) => Err(domain(format_args!(
+            "{argument} has no answer for a scene with several `contacts`, `dampers` or `friction: stribeck`; leave it out"
+        ))),
+    }
+}
+
 /// Adds the columns of an answer over frequency and friction: frequencies, frictions, and results. The results are in
 /// the order of the frequencies. The results at one frequency are in the order of the frictions.
 pub fn put_grid<R>(
