@@ -93,7 +93,13 @@ class Columns:
 
     def __eq__(self, other: object) -> bool:
         """Returns whether both have the same type, names and values.  NaN equals NaN."""
-        return _same(vars(self), vars(other)) if type(self) is type(other) else NotImplemented
+        if not isinstance(other, Columns) or type(self) is not type(other):
+            return NotImplemented
+        return _same(self._compared(), other._compared())
+
+    def _compared(self) -> dict[str, Any]:
+        """Returns all values that `==` compares, by name."""
+        return vars(self)
 
     __hash__ = None  # type: ignore[assignment]
 
@@ -139,7 +145,7 @@ def _same(one: Any, other: Any) -> bool:
     """Returns whether two values are the same, also inside dicts and lists."""
     if isinstance(one, dict) and isinstance(other, dict):
         return list(one) == list(other) and all(_same(value, other[name]) for name, value in one.items())
-    if isinstance(one, list) and isinstance(other, list):
+    if isinstance(one, (list, tuple)) and isinstance(other, (list, tuple)):
         return len(one) == len(other) and all(map(_same, one, other))
     if isinstance(one, (np.ndarray, np.generic, float)):
         return np.array_equal(one, other, equal_nan=np.asarray(one).dtype.kind in "fc")
