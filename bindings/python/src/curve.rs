@@ -2,8 +2,8 @@
 
 use crate::asked::{
     DrivenKeywords, FrequencyKeywords, FrequencyRange, FrequencyValues, FrictionKeywords,
-    FrictionValues, MOST_POINTS, MovingPart, Optional, check_size, driven, harmonics, one, parts,
-    setting, without,
+    FrictionValues, MOST_POINTS, MovingPart, Optional, check_size, driven, harmonics, one,
+    quantities, setting, without,
 };
 use crate::columns::NamedArrays;
 use crate::errors::domain;
@@ -78,7 +78,7 @@ pub fn curve<'py>(
     let (measure, system) = driven(&system.system, &load)?;
     let system = &*system;
     let frictions = FrictionValues::listed(&friction, &measure)?;
-    let parts: Vec<MovingPart> = parts(system, "of", of.as_ref())?;
+    let parts: Vec<MovingPart> = quantities(system, "of", of.as_ref())?;
     let of: Vec<Of> = parts.iter().map(|part| part.of).collect();
     let mut request = CurveRequest::new(band.from, band.to, &of);
     if let Some(accuracy) = &accuracy {
@@ -86,7 +86,7 @@ pub fn curve<'py>(
     }
     request.widest = step.map(|step| band.step(system, &step)).transpose()?;
     request.harmonics = (1..=harmonics(highest.as_ref())?).collect();
-    request.rates = rates;
+    request.rates = rates || parts.iter().any(MovingPart::has_rate);
     request.turned = measure.turns(Of::Contact);
     (request.rise, request.fall) = (measure.fall(), measure.fall());
     let table = CurveTable {

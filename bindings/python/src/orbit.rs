@@ -2,7 +2,7 @@
 
 use crate::asked::{
     DrivenKeywords, FrequencyKeywords, FrequencyValues, FrictionKeywords, FrictionValues, Measure,
-    MovingPart, Optional, driven, harmonics, parts, setting, without,
+    MovingPart, Optional, driven, harmonics, quantities, setting, without,
 };
 use crate::columns::NamedArrays;
 use crate::errors::{defect, domain};
@@ -93,7 +93,7 @@ fn question<'py>(
     let (measure, system) = driven(&system.system, load)?;
     Ok(OrbitKeywords {
         frequencies: FrequencyValues::of(&system, frequency, true)?,
-        parts: parts(&system, "of", of)?,
+        parts: quantities(&system, "of", of)?,
         system,
         measure,
         frictions: FrictionValues::of(friction, &measure)?,

@@ -2,7 +2,7 @@
 
 use crate::asked::{
     DrivenKeywords, FrequencyKeywords, FrequencyValues, FrictionKeywords, FrictionValues, Optional,
-    check_size, driven, harmonics, parts, put_grid, setting, without,
+    check_size, driven, harmonics, put_grid, quantities, setting, without,
 };
 use crate::columns::NamedArrays;
 use crate::errors::domain;
@@ -34,7 +34,7 @@ pub fn response<'py>(
     let (measure, system) = driven(&system.system, &load)?;
     let system = &*system;
     let frictions = FrictionValues::of(&friction, &measure)?;
-    let parts = parts(system, "of", of.as_ref())?;
+    let parts = quantities(system, "of", of.as_ref())?;
     let orders: Vec<u32> = (1..=harmonics(highest.as_ref())?).step_by(2).collect();
     let table = ResponseTable {
         setting: setting(system, measure, frequencies.unit(&measure), &parts),

@@ -1,8 +1,8 @@
 //! Computes the motion over time under a harmonic load, or without a load: samples and events.
 
 use crate::asked::{
-    FrequencyKeywords, FrequencyValues, FrictionKeywords, FrictionValues, LoadKeywords, Measure,
-    Optional, measure, one, parts, setting, start, whole,
+    FrequencyKeywords, FrequencyValues, FrictionKeywords, FrictionValues, LoadKeywords,
+    MOST_HARMONICS, Measure, Optional, measure, one, parts, setting, start, whole, without,
 };
 use crate::columns::NamedArrays;
 use crate::errors::domain;
@@ -11,10 +11,11 @@ use crate::system::NativeSystem;
 use crate::work::left_at_interrupt;
 use frictiongen::System;
 use frictiongen::study::columns::{
-    Column, Frequency, FrequencyUnit, HistoryTable, JoinedEventRow, JoinedSample, JoinedTable,
+    Column, Frequency, FrequencyUnit, FrictionSetting, HistoryTable, JoinedEventRow, JoinedSample,
+    JoinedTable,
 };
 use frictiongen::study::history::{
-    FreeRequest, History, HistoryError, HistoryRequest, MOST_SAMPLES,
+    FreeRequest, History, HistoryError, HistoryRequest, MOST_SAMPLES, Spectrum,
 };
 use frictiongen::study::joined::{JoinedError, JoinedHistory};
 use pyo3::prelude::*;
@@ -24,19 +25,24 @@ use std::sync::Arc;
 /// Largest number of cycles, of skipped cycles, and of samples in one cycle.
 const MOST: u32 = MOST_SAMPLES as u32;
 
-/// Python arguments of a run: number of cycles, number of skipped cycles, samples in a cycle, and initial state. A flag
-/// for one period of the steady state and the end of a free vibration in s follow.
+/// Python arguments of a run: number of cycles, number of skipped cycles, samples in a cycle, and initial state. The end
+/// of a free vibration in s follows, with flags for one period of the steady state and for the spectra.
 type RunKeywords<'py> = (
     Optional<'py>,
     Optional<'py>,
     Optional<'py>,
     Optional<'py>,
-    bool,
     Optional<'py>,
+    (bool, bool),
 );
 
-/// The samples and the events of a motion, each as arrays by the names of the columns.
-type Arrays<'py> = (Bound<'py, PyDict>, Bound<'py, PyDict>);
+/// The samples, the events and the spectra of a motion, each as arrays by the names of the columns. The spectra are
+/// missing unless the caller asks for them.
+type Arrays<'py> = (
+    Bound<'py, PyDict>,
+    Bound<'py, PyDict>,
+    Option<Bound<'py, PyDict>>,
+);
 
 /// Computes samples and events of the free vibration from a state, in SI units.
 fn free<'py>(
@@ -57,6 +63,9 @@ fn free<'py>(
     at.omega = 1.0;
     let owned = Arc::clone(system);
     if system.scene().is_joined() {
+        if !samples.is_multiple_of(2) {
+            return Err(domain(HistoryError::Samples));
+        }
         let joined = system.joined().map_err(domain)?;
         let parts = motions(system, of.as_ref())?;
         let table = JoinedTable {
@@ -86,7 +95,7 @@ fn free<'py>(
         at,
         in_seconds: true,
     };
-    tabulated(py, &table, &history)
+    tabulated(py, &table, (&history, None))
 }
 
 /// Returns the samples and the events of a motion of several contacts as arrays.
@@ -107,17 +116,18 @@ fn several<'py>(
     });
     let samples = arrays(py, &table.sample_columns(), &rows.collect::<Vec<_>>())?;
     let events = arrays(py, &table.event_columns(), &events.collect::<Vec<_>>())?;
-    Ok((samples, events))
+    Ok((samples, events, None))
 }
 
-/// Length of a motion: number of skipped cycles, of cycles, and of samples in a cycle, with a flag for one period of the
-/// steady state instead.
+/// Length of a motion: number of skipped cycles, of cycles, and of samples in a cycle. Flags ask for one period of the
+/// steady state instead, and for the spectra.
 #[derive(Clone, Copy)]
 struct Extent {
     skip: u32,
     cycles: u32,
     samples: u32,
     steady: bool,
+    spectrum: bool,
 }
 
 /// Computes samples and events of a motion of several contacts under a harmonic load.
@@ -180,17 +190,22 @@ fn arrays<'py, R>(
     Ok(arrays.done())
 }
 
-/// Returns the samples and the events of a motion as arrays.
+/// Returns the samples and the events of a motion as arrays, and its spectra if they are given.
 fn tabulated<'py>(
     py: Python<'py>,
     table: &HistoryTable<'_>,
-    history: &History,
+    (history, spectra): (&History, Option<&[Spectrum]>),
 ) -> PyResult<Arrays<'py>> {
     let samples: Vec<_> = table.samples(history).collect();
     let events: Vec<_> = table.events(history).collect();
+    let spectra = spectra.map(|spectra| {
+        let lines: Vec<_> = table.lines(spectra).collect();
+        arrays(py, &table.spectrum_columns(), &lines)
+    });
     Ok((
         arrays(py, &table.sample_columns(), &samples)?,
         arrays(py, &table.event_columns(), &events)?,
+        spectra.transpose()?,
     ))
 }
 
@@ -205,7 +220,7 @@ pub fn simulate<'py>(
     of: Optional<'py>,
     extent: RunKeywords<'py>,
 ) -> PyResult<Arrays<'py>> {
-    let (cycles, skip, samples, from, steady, until) = extent;
+    let (cycles, skip, samples, from, until, (steady, spectrum)) = extent;
     let system = &system.system;
     let number = |argument, given: &Option<Bound<'py, PyAny>>, least, default| {
         given
@@ -216,10 +231,10 @@ pub fn simulate<'py>(
         let (r, hz, omega) = &frequency;
         let (force, base) = &load;
         let loads = [r, hz, omega, force, base, &cycles, &skip];
-        let loaded = steady || loads.iter().any(|given| given.is_some());
+        let loaded = steady || spectrum || loads.iter().any(|given| given.is_some());
         let Some(from) = from.filter(|_| !loaded) else {
             return Err(domain(
-                "until= gives a free vibration: give start and friction too, and leave out the load, its frequency, cycles, skip and steady",
+                "until= gives a free vibration: give start and friction too, and leave out the load, its frequency, cycles, skip, steady and spectrum",
             ));
         };
         let until = one("until", &until)?;
@@ -237,9 +252,11 @@ pub fn simulate<'py>(
         cycles: number("cycles", &cycles, 1, 10)?,
         samples: number("samples", &samples, 2, 200)?,
         steady,
+        spectrum,
     };
     let scene = system.scene();
     if scene.is_joined() || steady && scene.has_joined_states() {
+        without(&[(spectrum, "spectrum")])?;
         let load = (load, from.clone().filter(|_| steady));
         let of = of.as_ref();
         let question = JoinedQuestion::of(system, frequencies, &friction, &load, of)?;
@@ -247,8 +264,21 @@ pub fn simulate<'py>(
     }
     let measure = measure::constant(system, &load)?;
     let frictions = FrictionValues::of(&friction, &measure)?;
-    let (frequency, friction) = (frequencies.only(system)?, frictions.only()?);
+    let point = (&frequencies, frictions.only()?);
+    one_contact(py, (system, measure), point, (from, of), extent)
+}
+
+/// Computes samples, events and spectra of a motion of a single contact under a harmonic load.
+fn one_contact<'py>(
+    py: Python<'py>,
+    (system, measure): (&Arc<System>, Measure),
+    (frequencies, friction): (&FrequencyValues, FrictionSetting),
+    (from, of): (Optional<'py>, Optional<'py>),
+    extent: Extent,
+) -> PyResult<Arrays<'py>> {
+    let frequency = frequencies.only(system)?;
     let (r, beta, omega) = (frequency.r, friction.beta, frequency.omega);
+    let Extent { steady, .. } = extent;
     let parts = parts(system, "of", of.as_ref())?;
     let system = &start::started(system, from.as_ref().filter(|_| steady), &measure)?;
     let from = match from {
@@ -266,19 +296,30 @@ pub fn simulate<'py>(
         samples: extent.samples,
     };
     let owned = Arc::clone(system);
-    let history = left_at_interrupt(py, move |_| match steady {
-        false => owned.history(r, beta, &request),
-        true => {
-            let response = owned.at(r)?.response(beta)?;
-            response.history(&request.of, request.samples)
+    let (history, spectra) = left_at_interrupt(py, move |_| {
+        let of = request.of.iter();
+        if !steady {
+            let history = owned.history(r, beta, &request)?;
+            let of = of.filter(|_| extent.spectrum);
+            let spectra = of.filter_map(|of| history.spectrum(*of)).collect();
+            return Ok((history, spectra));
         }
+        let response = owned.at(r)?.response(beta)?;
+        let history = response.history(&request.of, request.samples)?;
+        let highest = match extent.spectrum {
+            true => (request.samples / 2).min(MOST_HARMONICS),
+            false => 0,
+        };
+        let spectra = of.filter_map(|of| response.spectrum(*of, highest));
+        let spectra: Vec<Spectrum> = spectra.collect();
+        Ok((history, spectra))
     })?
     .map_err(|error: HistoryError| domain(error))?;
-
     let table = HistoryTable {
         setting: setting(system, measure, frequencies.unit(&measure), &parts),
         at: frequency,
         in_seconds: true,
     };
-    tabulated(py, &table, &history)
+    let spectra = Some(spectra.as_slice()).filter(|_| extent.spectrum);
+    tabulated(py, &table, (&history, spectra))
 }

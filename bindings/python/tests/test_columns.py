@@ -65,7 +65,7 @@ def test_annotations(name):
     found = [*(answers(name) if name in ASKED else []), *(several(name) if name in SEVERAL else [])]
     keys = {key for answer in found for key in answer.keys() if "." not in key}
     known = {key for base in type(found[0]).__mro__ for key in base.__dict__.get("__annotations__", {})}
-    known -= {key for key in known if key.startswith("_")} | {"events", "ends", "along", "unit"}
+    known -= {key for key in known if key.startswith("_")} | {"events", "ends", "along", "unit", "spectrum", "boundaries"}
     # A class without times or angular frequencies may leave out their columns.
     assert keys - known <= {"r", "beta", "frequency_Hz", "omega_rad_s", "friction_N"}
     assert known <= keys | {"tau"}

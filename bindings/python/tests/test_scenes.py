@@ -194,8 +194,9 @@ def test_simulate(scene, command):
     ours = system.simulate(friction=point["friction"], start=(x, [0.0] * len(x)), until=1.5, samples=30)
     asked = ("--friction", point["friction"], "--from", state, "--until", 1.5, "--samples", 30)
     hold(ours.to_frame(), command("time", file, *asked))
-    with pytest.raises(DomainError, match="must be even"):
-        system.simulate(**point, samples=3)
+    for asked in [point, {"friction": 1.0, "start": (x, x), "until": 1.0}]:
+        with pytest.raises(DomainError, match="must be even"):
+            system.simulate(**asked, samples=3)
 
 
 def test_sensitivities(scene, command):
@@ -304,4 +305,15 @@ def test_equal_answers(scene):
     assert system.orbit(**point) == system.orbit(**point) != system.orbit(**(point | {"friction": 0.0}))
     run = system.simulate(**point, cycles=1, samples=20)
     assert run == system.simulate(**point, cycles=1, samples=20) and run != system.simulate(**point, cycles=2, samples=20)
+    driven = Recording({"force" if "force" in point else "base": ([0.0, 0.01, 0.0], "N" if "force" in point else "m")}, rate=100, drives=True)
+    assert system.drive(driven, friction=1.0) == system.drive(driven, friction=1.0) != system.drive(driven, friction=2.0)
     assert len(run) == 21 and run.contact == run[next(iter(run.contacts))]
+
+
+def test_equal_answers_of_one_contact(frame):
+    steps = [frame.step(0.01, base=[0.0, 0.001], base_velocity=[0.0, 0.1], friction=friction) for friction in (0.1, 0.1, 0.2)]
+    assert steps[0] == steps[1] != steps[2] and steps[0] != frame.orbit(r=0.9, beta=0.3)
+    features = [frame.features(base=0.001, friction=friction) for friction in (0.4, 0.4, 0.8)]
+    assert features[0] == features[1] != features[2]
+    grid = frame.response(r=[0.5, 0.9], beta=[0.1, 0.2, 0.3])
+    assert len(grid) == 6 == len(grid.to_frame()) and len(frame.orbit(r=0.9, beta=0.3)) == 1

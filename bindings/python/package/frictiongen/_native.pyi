@@ -139,16 +139,16 @@ def curve(
     fineness: tuple[Any | None, Any | None, Any | None, bool, list[str]],
 ) -> _Columns: ...
 def map(
-    system: System, frequency: _Frequency, friction: _Friction, load: _Driven, of: Any | None
-) -> _Columns: ...
+    system: System, frequency: _Frequency, friction: _Friction, load: _Driven, asked: tuple[Any | None, Any | None]
+) -> tuple[_Columns, _Columns | None]: ...
 def simulate(
     system: System,
     frequency: _Frequency,
     friction: _Friction,
     load: _Load,
     of: Any | None,
-    extent: tuple[Any | None, Any | None, Any | None, Any | None, bool, Any | None],
-) -> tuple[_Columns, _Columns]: ...
+    extent: tuple[Any | None, Any | None, Any | None, Any | None, Any | None, tuple[bool, bool]],
+) -> tuple[_Columns, _Columns, _Columns | None]: ...
 def step(
     system: System,
     dt: Any,

@@ -94,9 +94,9 @@ pub fn names(argument: &str, given: Option<&Bound<'_, PyAny>>) -> PyResult<Vec<S
     })
 }
 
-/// Returns the contact and masses with the given names, each only once. Without names, returns the contact and all
-/// masses.
-pub fn parts(
+/// Returns the quantities with the given names, each only once: displacements, velocities, accelerations, and forces,
+/// energies and equivalent damping of the contact. Without names, returns the contact and all masses.
+pub fn quantities(
     system: &System,
     argument: &str,
     given: Option<&Bound<'_, PyAny>>,
@@ -114,15 +114,26 @@ pub fn parts(
             return Err(domain(format_args!("{argument}: `{name}` is given twice")));
         }
         let part = MovingPart::named(system, &name);
-        let part = part.map_err(|error| domain(format_args!("{argument}: {error}")))?;
-        if part.has_rate() {
-            return Err(domain(format_args!(
-                "{argument}: `{name}`: write the motion alone; `curve(..., rates=True)` has velocities and accelerations"
-            )));
-        }
-        parts.push(part);
+        parts.push(part.map_err(|error| domain(format_args!("{argument}: {error}")))?);
     }
     Ok(parts)
+}
+
+/// Returns the contact and masses with the given names, as [`quantities`] does. Fails for a quantity that is neither a
+/// displacement nor a spring force.
+pub fn parts(
+    system: &System,
+    argument: &str,
+    given: Option<&Bound<'_, PyAny>>,
+) -> PyResult<Vec<MovingPart>> {
+    let parts = quantities(system, argument, given)?;
+    match parts.iter().find(|part| part.has_rate()) {
+        None => Ok(parts),
+        Some(part) => Err(domain(format_args!(
+            "{argument}: `{}`: write the motion alone; `response`, `orbit`, `curve` and `optimum` have velocities, accelerations, and force, energy and equivalent damping of the contact",
+            part.name
+        ))),
+    }
 }
 
 /// Returns the contact or mass with this name.

@@ -34,10 +34,15 @@ class History(Table):
     tau: Floats
     #: Events between the first sample and the last.
     events: Events
+    #: Amplitude and phase of each motion over `frequency_Hz` and `order`, exact for a steady state, if asked for.
+    spectrum: Table | None
 
-    def __init__(self, columns: dict[str, Any], events: dict[str, Any]) -> None:
+    def __init__(
+        self, columns: dict[str, Any], events: dict[str, Any], spectrum: dict[str, Any] | None = None
+    ) -> None:
         super().__init__(columns)
         self.events = Events(events)
+        self.spectrum = None if spectrum is None else Table(spectrum)
 
     def plot(self, ax: Axes | None = None) -> Axes:
         """Draws all displacements over time.  The background is shaded where the contact sticks.
@@ -84,6 +89,10 @@ class Steps(Table):
         self.exceeded = columns.pop("exceeded")
         self.end = columns.pop("end")
         super().__init__(columns)
+
+    def _compared(self) -> dict[str, Any]:
+        # Two ends are only equal if they are the same object.
+        return {name: value for name, value in vars(self).items() if name != "end"}
 
     def plot(self, ax: Axes | None = None) -> Axes:
         """Draws all displacements over time.  The background is shaded where the contact sticks.

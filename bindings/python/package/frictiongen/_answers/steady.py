@@ -149,7 +149,14 @@ class Map(Grid):
     sliding_limit: Floats
     sliding_limit_N: Floats
 
+    #: Frictions at the boundaries between regions, with the regions `below` and `above`, if asked for.
+    boundaries: Table | None
+
     _beside = ("continuous_limit", "continuous_limit_N", "sliding_limit", "sliding_limit_N")
+
+    def __init__(self, columns: dict[str, Any], boundaries: dict[str, Any] | None = None) -> None:
+        super().__init__(columns)
+        self.boundaries = None if boundaries is None else Table(boundaries)
 
     def plot(self, ax: Axes | None = None, shade: str = "region") -> Axes:
         """Draws the map with both limits.

@@ -36,6 +36,7 @@ class InTime(Base):
         start: str | tuple[ArrayLike, ArrayLike] | None = None,
         steady: bool = False,
         until: float | None = None,
+        spectrum: bool = False,
     ) -> History:
         """Computes the exact motion and all events over time, from rest, from a state, or in the steady state.
 
@@ -50,6 +51,7 @@ class InTime(Base):
             "rest".  A run starts from rest by default.  For a steady state, :meth:`orbit` describes the default.
         :param steady: whether to return one period of the steady state instead of a run.
         :param until: end of the free vibration in s.
+        :param spectrum: whether to return also the spectrum of each motion, for a scene with one contact.
 
         >>> import frictiongen
         >>> frame = frictiongen.System(frictiongen.FRAME)
@@ -69,7 +71,7 @@ class InTime(Base):
                 (beta, friction),
                 (force, base),
                 names(of),
-                (cycles, skip, samples, state(start), bool(steady), until),
+                (cycles, skip, samples, state(start), until, (bool(steady), bool(spectrum))),
             )
         )
 

@@ -87,7 +87,9 @@ class Steady(Base):
         or 81 frictions cover.  The shape of the answer is the shape of the frequencies, followed by the shape of the
         frictions.  With several contacts the answer is that of :meth:`by_contact`.
 
-        :param of: names of the motions to return: masses, or `contact`.  The default is all motions.
+        :param of: names of the quantities to return: masses, `contact`, `roof-base`, `roof-first`, `vel(roof)`,
+            `accel(roof)`, `spring(a-b)`, `shear`, `force(contact)`, `energy(contact)`, `zeta_eq`.  The default is the
+            contact and all masses.
         :param harmonics: the order up to which the harmonics X1, X3, ... are returned too.
         :param start: the initial state, as for :meth:`orbit`.
 
@@ -165,6 +167,7 @@ class Steady(Base):
         then the state in the middle of the interval, without a constant force in the contact.  `offset` is the place
         where motion from rest leaves the contact.
 
+        :param of: names of the quantities to return, as for :meth:`response`.
         :param harmonics: the order up to which the harmonics X0, X1, ... are returned too.
         :param start: "rest", or displacements and velocities of all masses at a maximum of the excitation, in m and m/s
             with a load.  The answer is the state that motion reaches from there.  A contact that never slides then stays
@@ -287,6 +290,7 @@ class Steady(Base):
         With several contacts the answer is that of :meth:`by_contact`, at 200 frequencies over the band, or at the
         frequencies of a list or an array.
 
+        :param of: names of the quantities to return, as for :meth:`response`.
         :param accuracy: largest distance of the curve from straight lines between its points, relative to the curve.
             5e-4 by default.
         :param step: largest distance between neighbouring points, in the unit of the frequency.
@@ -329,6 +333,7 @@ class Steady(Base):
         base: float | str | None = None,
         of: str | Iterable[str] | None = None,
         start: str | tuple[ArrayLike, ArrayLike] | None = None,
+        boundaries: int | None = None,
     ) -> Map | ByContact:
         """Computes the regime of the contact at every pair of a frequency and a friction, on all cores.
 
@@ -336,6 +341,8 @@ class Steady(Base):
         themselves.  With several contacts the answer is that of :meth:`by_contact`.
 
         :param start: the initial state, as for :meth:`orbit`.
+        :param boundaries: number of significant digits, from 1 to 12, of the frictions at the boundaries between regions,
+            which the answer then has too, for a scene with one contact.
 
         >>> import frictiongen, numpy
         >>> frame = frictiongen.System(frictiongen.FRAME)
@@ -345,7 +352,7 @@ class Steady(Base):
         >>> frame.map(hz=(1, 7), friction=[0.4, 0.8], base=0.001).shape
         (161, 2)
         """
-        columns = _native.map(
-            self._native, (r, hz, omega), (beta, friction), ((force, base), state(start)), names(of)
+        columns, found = _native.map(
+            self._native, (r, hz, omega), (beta, friction), ((force, base), state(start)), (names(of), boundaries)
         )
-        return ByContact(columns) if self._native.is_joined else Map(columns)
+        return ByContact(columns) if self._native.is_joined else Map(columns, found)
