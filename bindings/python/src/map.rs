@@ -21,8 +21,8 @@ const MOST_DIGITS: u32 = 12;
 /// Columns of the points, and columns of the boundaries between regions.
 type MapAnswer<'py> = (Bound<'py, PyDict>, Option<Bound<'py, PyDict>>);
 
-/// Computes the regime of the contact over frequency and friction. `asked` has the motions, and the number of significant digits of the
-/// frictions at the boundaries between regions.
+/// Computes the regime of the contact over frequency and friction. `asked` has the motions, and the number of significant
+/// digits of the frictions at the boundaries between regions.
 #[pyfunction]
 pub fn map<'py>(
     py: Python<'py>,
