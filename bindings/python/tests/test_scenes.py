@@ -319,3 +319,30 @@ def test_equal_answers_of_one_contact(frame):
     assert features[0] == features[1] != features[2]
     grid = frame.response(r=[0.5, 0.9], beta=[0.1, 0.2, 0.3])
     assert len(grid) == 6 == len(grid.to_frame()) and len(frame.orbit(r=0.9, beta=0.3)) == 1
+
+
+def test_best_shares(command, tmp_path):
+    text = """struct Pair { masses: { m: 1 }, springs: { base - m: 100 }, excitation: base, damping: modal(0.02),
+        contacts: { pads: m - wall { stiffness: 20 }, brace: base - m { stiffness: 50 } } }"""
+    file = tmp_path / "pair.friction"
+    file.write_text(text, encoding="utf-8")
+    system = System(text)
+    for vary in ("share", "share pads"):
+        best = system.optimum("m", hz=(1.5, 1.8), base=0.01, vary=(vary, 0.8, 1.25))
+        options = ("--of", "m", "--hz", "1.5:1.8", "--base", 0.01, "--vary", f"{vary}=0.8:1.25")
+        theirs = command("optimum", file, *options)
+        known = dict(zip(theirs.quantity, theirs.value, strict=True))
+        assert list(best.shares) == ["pads", "brace"]
+        for name, value in {
+            "share of pads": best.shares["pads"],
+            "share of brace": best.shares["brace"],
+            "largest amplitude with the shares of the description": best.amplitude_before_m,
+            "largest amplitude of m": best.amplitude_m,
+            "friction": best.friction_N,
+        }.items():
+            assert float(known[name]) == value, name
+    for vary, said in {"share roof": "vary: there is no contact `roof`", "mass": "vary: there is no number `mass`"}.items():
+        with pytest.raises(DomainError, match=said):
+            system.optimum("m", hz=(1.5, 1.8), base=0.01, vary=(vary, 0.8, 1.25))
+    with pytest.raises(DomainError, match="keep does not work with vary share"):
+        system.optimum("m", hz=(1.5, 1.8), base=0.01, vary=("share", 0.8, 1.25), keep={"m-base": 0.01})
