@@ -95,6 +95,6 @@ class Branching(Base):
         ... }''')
         >>> cycles = belt.limit_cycle(friction=[0.0, 1.0])
         >>> cycles.period_s.round(3).tolist(), cycles.without
-        ([10.392], [0.0])
+        ([10.391], [0.0])
         """
         return LimitCycles(*_native.limit_cycle(self._native, friction, state(start), names(of)))
