@@ -1,11 +1,13 @@
 //! Computes responses over a frequency range, with more points where a curve bends.
 
 use crate::asked::{
-    DrivenKeywords, FrequencyKeywords, FrequencyRange, FrictionKeywords, FrictionValues,
-    MOST_POINTS, MovingPart, Optional, check_size, driven, harmonics, one, parts, setting,
+    DrivenKeywords, FrequencyKeywords, FrequencyRange, FrequencyValues, FrictionKeywords,
+    FrictionValues, MOST_POINTS, MovingPart, Optional, check_size, driven, harmonics, one,
+    quantities, setting, without,
 };
 use crate::columns::NamedArrays;
 use crate::errors::domain;
+use crate::joined::JoinedQuestion;
 use crate::system::NativeSystem;
 use crate::work::without_lock;
 use frictiongen::Of;
@@ -60,11 +62,23 @@ pub fn curve<'py>(
 ) -> PyResult<Bound<'py, PyDict>> {
     let (accuracy, step, highest, rates, starts_of) = fineness;
     let starts = starts(&starts_of)?;
+    if system.system.scene().has_joined_states() {
+        without(&[
+            (accuracy.is_some(), "accuracy"),
+            (step.is_some(), "step"),
+            (highest.is_some(), "harmonics"),
+            (rates, "rates"),
+            (starts != [CurveStart::Rest], "start=\"up\" or \"down\""),
+        ])?;
+        let frequencies = FrequencyValues::spread(&system.system, &frequency)?;
+        let of = of.as_ref();
+        return JoinedQuestion::of(&system.system, frequencies, &friction, &load, of)?.grid(py);
+    }
     let band = FrequencyRange::of(&system.system, &frequency)?;
     let (measure, system) = driven(&system.system, &load)?;
     let system = &*system;
     let frictions = FrictionValues::listed(&friction, &measure)?;
-    let parts: Vec<MovingPart> = parts(system, "of", of.as_ref())?;
+    let parts: Vec<MovingPart> = quantities(system, "of", of.as_ref())?;
     let of: Vec<Of> = parts.iter().map(|part| part.of).collect();
     let mut request = CurveRequest::new(band.from, band.to, &of);
     if let Some(accuracy) = &accuracy {
@@ -72,7 +86,7 @@ pub fn curve<'py>(
     }
     request.widest = step.map(|step| band.step(system, &step)).transpose()?;
     request.harmonics = (1..=harmonics(highest.as_ref())?).collect();
-    request.rates = rates;
+    request.rates = rates || parts.iter().any(MovingPart::has_rate);
     request.turned = measure.turns(Of::Contact);
     (request.rise, request.fall) = (measure.fall(), measure.fall());
     let table = CurveTable {

@@ -7,6 +7,7 @@
 #![forbid(unsafe_code)]
 
 mod asked;
+mod branch;
 mod columns;
 mod curve;
 mod errors;
@@ -30,6 +31,8 @@ mod work;
 #[pyo3::pymodule]
 mod _native {
     #[pymodule_export]
+    use crate::branch::{branch, limit_cycle};
+    #[pymodule_export]
     use crate::curve::curve;
     #[pymodule_export]
     use crate::errors::{DomainError, MeasureError, SceneError};
@@ -46,13 +49,15 @@ mod _native {
     #[pymodule_export]
     use crate::measure::decay::free_decay;
     #[pymodule_export]
-    use crate::measure::drive::drive;
+    use crate::measure::drive::{drive, drive_peaks};
     #[pymodule_export]
-    use crate::measure::fit::{fit, fit_text};
+    use crate::measure::fit::{fit, fit_motion, fit_text};
     #[pymodule_export]
     use crate::measure::identify::identify;
     #[pymodule_export]
     use crate::measure::recording::NativeRecording;
+    #[pymodule_export]
+    use crate::measure::spectrum::response_spectrum;
     #[pymodule_export]
     use crate::measure::transmissibility::transmissibility;
     #[pymodule_export]

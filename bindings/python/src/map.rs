@@ -2,18 +2,27 @@
 
 use crate::asked::{
     DrivenKeywords, FrequencyKeywords, FrequencyValues, FrictionKeywords, FrictionValues, Optional,
-    check_size, driven, parts, setting,
+    check_size, driven, parts, setting, whole, without,
 };
 use crate::columns::NamedArrays;
 use crate::errors::domain;
+use crate::joined::by_contact;
 use crate::system::NativeSystem;
 use crate::work::without_lock;
-use frictiongen::study::columns::{ColumnAxis, MapTable};
-use frictiongen::study::map::MapRequest;
+use frictiongen::OutOfDomain;
+use frictiongen::study::columns::{ColumnAxis, Frequency, MapTable};
+use frictiongen::study::map::{Boundary, MapRequest};
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
 
-/// Computes the regime of the contact over frequency and friction.
+/// Largest number of significant digits of a boundary. The command has the same limit.
+const MOST_DIGITS: u32 = 12;
+
+/// Columns of the points, and columns of the boundaries between regions.
+type MapAnswer<'py> = (Bound<'py, PyDict>, Option<Bound<'py, PyDict>>);
+
+/// Computes the regime of the contact over frequency and friction. `asked` has the motions, and the number of significant
+/// digits of the frictions at the boundaries between regions.
 #[pyfunction]
 pub fn map<'py>(
     py: Python<'py>,
@@ -21,8 +30,16 @@ pub fn map<'py>(
     frequency: FrequencyKeywords<'py>,
     friction: FrictionKeywords<'py>,
     load: DrivenKeywords<'py>,
-    of: Optional<'py>,
-) -> PyResult<Bound<'py, PyDict>> {
+    asked: (Optional<'py>, Optional<'py>),
+) -> PyResult<MapAnswer<'py>> {
+    let (of, digits) = asked;
+    if system.system.scene().has_joined_states() {
+        without(&[(digits.is_some(), "boundaries")])?;
+        let points = by_contact(py, system, frequency, friction, load, of)?;
+        return Ok((points, None));
+    }
+    let digits = digits.map(|digits| whole("boundaries", &digits, 1..=MOST_DIGITS));
+    let digits = digits.transpose()?;
     let frequencies = FrequencyValues::of(&system.system, &frequency, load.1.is_some())?;
     if let Some(index) = frequencies.r.iter().position(|r| r.is_infinite()) {
         return Err(domain(format_args!(
@@ -46,12 +63,15 @@ pub fn map<'py>(
         of: parts.iter().map(|part| part.of).collect(),
     };
     let fall = measure.fall();
-    let map = without_lock(py, |stop| {
-        system.map_under(&request, fall, |_| stop.goes_on())
+    let found = without_lock(py, |stop| {
+        let map = system.map_under(&request, fall, |_| stop.goes_on())?;
+        let digits = digits.filter(|_| stop.goes_on());
+        let boundaries = digits.map(|digits| system.boundaries(&map, digits));
+        Ok((map, boundaries))
     })?;
-    let map = map.map_err(domain)?;
-
+    let (map, boundaries) = found.map_err(|error: OutOfDomain| domain(error))?;
     let (along, up) = (frequencies.all(system), frictions.all());
+    let boundaries = boundaries.map(|found| bounds(py, &table, (&found, &along)));
     let limits: Vec<_> = MapTable::limits(&map, along.iter().copied()).collect();
     let rows: Vec<_> = MapTable::rows(measure, &map, along.into_iter(), up.into_iter()).collect();
     let mut arrays = NamedArrays::new(py, &frequencies.shape());
@@ -61,5 +81,17 @@ pub fn map<'py>(
     frictions.put(&mut arrays, &table.setting)?;
     arrays.reshape(&[frequencies.shape(), frictions.shape()].concat());
     arrays.along(ColumnAxis::Row, &table.columns(), &rows)?;
+    Ok((arrays.done(), boundaries.transpose()?))
+}
+
+/// Returns the columns of the boundaries between the regions of a map.
+fn bounds<'py>(
+    py: Python<'py>,
+    table: &MapTable<'_>,
+    (found, along): (&[Boundary], &[Frequency]),
+) -> PyResult<Bound<'py, PyDict>> {
+    let rows: Vec<_> = table.boundaries(found, along.iter().copied()).collect();
+    let mut arrays = NamedArrays::new(py, &[rows.len()]);
+    arrays.table(&table.boundary_columns(), &rows)?;
     Ok(arrays.done())
 }

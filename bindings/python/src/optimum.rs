@@ -13,7 +13,8 @@ use crate::work::without_lock;
 use frictiongen::System;
 use frictiongen::study::columns::{Cell, Column, Further, OptimumLine, OptimumTable};
 use frictiongen::study::optimum::{
-    FrequencyBand, KeptQuantity, Optimum, OptimumError, OptimumRequest, Tuning, Weighted,
+    FrequencyBand, KeptQuantity, Optimum, OptimumError, OptimumRequest, ShareRange, Tuning,
+    Weighted,
 };
 use frictiongen::study::response::MotionQuantity;
 use pyo3::prelude::*;
@@ -22,6 +23,8 @@ use pyo3::types::{PyDict, PyString};
 /// Names of two lists in the library's lines about an optimum: the quantities with divisors, and the quantities with
 /// bounds.
 const LISTS: [&str; 2] = ["weighted", "kept"];
+/// Name of the list of the best shares.
+const SHARES: &str = "shares";
 
 /// An argument that is a dict of quantities and their values.
 struct ValuedArgument {
@@ -95,6 +98,29 @@ pub fn optimum<'py>(
     };
     let part = quantity(system, "of", name.to_str()?)?;
     let request = request(&part, &band, &measure);
+    if let Some((name, from, to)) = &vary
+        && let Some(contacts) = named_shares(system, name)?
+    {
+        if keep.is_some() {
+            return Err(domain(
+                "keep does not work with vary share; leave one of them out",
+            ));
+        }
+        let ranges = contacts.into_iter().map(|contact| ShareRange {
+            contact,
+            from: *from,
+            to: *to,
+        });
+        let table = OptimumTable {
+            setting: setting(
+                system,
+                measure,
+                band.unit(&measure),
+                std::slice::from_ref(&part),
+            ),
+        };
+        return shares(py, &table, &request, &ranges.collect::<Vec<_>>());
+    }
     let tuning = vary.map(|(name, from, to)| {
         let of = system.tunable_named(&name);
         let of = of.map_err(|error| domain(format_args!("vary: {error}")))?;
@@ -122,6 +148,39 @@ pub fn optimum<'py>(
     let values = largest_of(&bounds, &found.largest);
     let lines = table.lines_with(&found.optimum, None, Further::Kept(&values));
     Ok((answer, quantities(py, &values, &lines)?))
+}
+
+/// Returns the contacts whose shares `vary` names, if it names shares.
+fn named_shares(system: &System, name: &str) -> PyResult<Option<Vec<usize>>> {
+    let named = system.shares_named(name);
+    named.map_err(|problem| domain(format_args!("vary: {problem}")))
+}
+
+/// Finds the best friction together with the best shares of contacts.
+fn shares<'py>(
+    py: Python<'py>,
+    table: &OptimumTable<'_>,
+    request: &OptimumRequest,
+    ranges: &[ShareRange],
+) -> PyResult<OptimumAnswer<'py>> {
+    let system = table.setting.system;
+    let found = without_lock(py, |stop| {
+        system.best_shares(request, ranges, &|| stop.goes_on())
+    })?;
+    let found = found.map_err(|error| domain(format_args!("vary: {error}")))?;
+    let answer = answer(py, table, &found.optimum)?;
+    let ([once, ..], shares) = (&answer, PyDict::new(py));
+    for line in table.share_lines(&found) {
+        let Cell::Number(value) = line.value else {
+            continue;
+        };
+        match line.list {
+            Some(_) => shares.set_item(line.key, value)?,
+            None => once.set_item(line.key, value)?,
+        }
+    }
+    once.set_item(SHARES, shares)?;
+    Ok((answer, Vec::new()))
 }
 
 /// The best friction, the best value of a further variable, and the largest value of each kept quantity.

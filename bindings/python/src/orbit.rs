@@ -2,10 +2,11 @@
 
 use crate::asked::{
     DrivenKeywords, FrequencyKeywords, FrequencyValues, FrictionKeywords, FrictionValues, Measure,
-    MovingPart, Optional, driven, harmonics, parts, setting,
+    MovingPart, Optional, driven, harmonics, quantities, setting,
 };
 use crate::columns::NamedArrays;
 use crate::errors::{defect, domain};
+use crate::joined::JoinedQuestion;
 use crate::system::NativeSystem;
 use crate::work::left_at_interrupt;
 use frictiongen::study::SystemAt;
@@ -63,7 +64,33 @@ impl OrbitKeywords {
     }
 }
 
-/// Reads the arguments of `orbit` and `states`. The harmonics of the answer begin with the mean value, order 0.
+/// Computes the steady states of a scene with several contacts. Returns `None` for a scene with a single contact.
+fn joined<'py>(
+    py: Python<'py>,
+    system: &NativeSystem,
+    (frequency, friction): (&FrequencyKeywords<'py>, &FrictionKeywords<'py>),
+    load: &DrivenKeywords<'py>,
+    (of, highest, all): (Option<&Bound<'py, PyAny>>, &Optional<'py>, bool),
+) -> PyResult<Option<Vec<Bound<'py, PyDict>>>> {
+    let system = &system.system;
+    if !system.scene().has_joined_states() {
+        return Ok(None);
+    }
+    let frequencies = FrequencyValues::of(system, frequency, true)?;
+    let question = JoinedQuestion::of(system, frequencies, friction, load, of)?;
+    let question = question.with_harmonics(orders(highest.as_ref())?);
+    question.states(py, all).map(Some)
+}
+
+/// Reads the orders of the harmonics, which begin with the mean value, order 0.
+fn orders(highest: Option<&Bound<'_, PyAny>>) -> PyResult<Vec<u32>> {
+    Ok(match highest {
+        None => Vec::new(),
+        highest => (0..=harmonics(highest)?).collect(),
+    })
+}
+
+/// Reads the arguments of `orbit` and `states`.
 fn question<'py>(
     system: &NativeSystem,
     (frequency, friction): (&FrequencyKeywords<'py>, &FrictionKeywords<'py>),
@@ -74,14 +101,11 @@ fn question<'py>(
     let (measure, system) = driven(&system.system, load)?;
     Ok(OrbitKeywords {
         frequencies: FrequencyValues::of(&system, frequency, true)?,
-        parts: parts(&system, "of", of)?,
+        parts: quantities(&system, "of", of)?,
         system,
         measure,
         frictions: FrictionValues::of(friction, &measure)?,
-        orders: match highest {
-            None => Vec::new(),
-            highest => (0..=harmonics(highest.as_ref())?).collect(),
-        },
+        orders: orders(highest.as_ref())?,
     })
 }
 
@@ -96,10 +120,17 @@ pub fn orbit<'py>(
     of: Optional<'py>,
     highest: Optional<'py>,
 ) -> PyResult<Bound<'py, PyDict>> {
-    let question = question(system, (&frequency, &friction), &load, of.as_ref(), highest)?;
-    let found = question.answer(py, |table, at, frequency, friction| {
-        Ok(vec![table.row(at, frequency, friction)?])
-    })?;
+    let at = (&frequency, &friction);
+    let several = joined(py, system, at, &load, (of.as_ref(), &highest, false))?;
+    let found = match several {
+        Some(found) => found,
+        None => {
+            let question = question(system, at, &load, of.as_ref(), highest)?;
+            question.answer(py, |table, at, frequency, friction| {
+                Ok(vec![table.row(at, frequency, friction)?])
+            })?
+        }
+    };
     let only = found.into_iter().next();
     only.ok_or_else(|| defect("a steady state is missing: please report this with the description"))
 }
@@ -115,7 +146,11 @@ pub fn states<'py>(
     of: Optional<'py>,
     highest: Optional<'py>,
 ) -> PyResult<Vec<Bound<'py, PyDict>>> {
-    let question = question(system, (&frequency, &friction), &load, of.as_ref(), highest)?;
+    let at = (&frequency, &friction);
+    if let Some(found) = joined(py, system, at, &load, (of.as_ref(), &highest, true))? {
+        return Ok(found);
+    }
+    let question = question(system, at, &load, of.as_ref(), highest)?;
     question.answer(py, |table, at, frequency, friction| {
         table.states(at, frequency, friction)
     })

@@ -2,10 +2,11 @@
 
 use crate::asked::{
     DrivenKeywords, FrequencyKeywords, FrequencyValues, FrictionKeywords, FrictionValues, Optional,
-    check_size, driven, harmonics, parts, put_grid, setting,
+    check_size, driven, harmonics, put_grid, quantities, setting,
 };
 use crate::columns::NamedArrays;
 use crate::errors::domain;
+use crate::joined::JoinedQuestion;
 use crate::system::NativeSystem;
 use crate::work::without_lock;
 use frictiongen::OutOfDomain;
@@ -25,12 +26,18 @@ pub fn response<'py>(
     of: Optional<'py>,
     highest: Optional<'py>,
 ) -> PyResult<Bound<'py, PyDict>> {
+    let orders: Vec<u32> = (1..=harmonics(highest.as_ref())?).step_by(2).collect();
+    if system.system.scene().has_joined_states() {
+        let system = &system.system;
+        let frequencies = FrequencyValues::of(system, &frequency, true)?;
+        let question = JoinedQuestion::of(system, frequencies, &friction, &load, of.as_ref())?;
+        return question.with_harmonics(orders).grid(py);
+    }
     let frequencies = FrequencyValues::of(&system.system, &frequency, load.1.is_some())?;
     let (measure, system) = driven(&system.system, &load)?;
     let system = &*system;
     let frictions = FrictionValues::of(&friction, &measure)?;
-    let parts = parts(system, "of", of.as_ref())?;
-    let orders: Vec<u32> = (1..=harmonics(highest.as_ref())?).step_by(2).collect();
+    let parts = quantities(system, "of", of.as_ref())?;
     let table = ResponseTable {
         setting: setting(system, measure, frequencies.unit(&measure), &parts),
         orders: &orders,

@@ -5,10 +5,12 @@ use crate::asked::{
     part, setting,
 };
 use crate::columns::NamedArrays;
-use crate::errors::domain;
+use crate::errors::{domain, wrong_type};
+use crate::joined::JoinedQuestion;
 use crate::system::NativeSystem;
 use crate::work::left_at_interrupt;
-use frictiongen::study::columns::SensitivityTable;
+use frictiongen::study::columns::{JoinedNumber, JoinedSensitivityTable, SensitivityTable};
+use frictiongen::study::joined::JoinedError;
 use frictiongen::study::words;
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
@@ -25,6 +27,11 @@ pub fn sensitivities<'py>(
     load: LoadKeywords<'py>,
 ) -> PyResult<(String, Bound<'py, PyDict>)> {
     let system = &system.system;
+    if system.scene().has_joined_states() {
+        let frequencies = FrequencyValues::of(system, &frequency, true)?;
+        let question = JoinedQuestion::of(system, frequencies, &friction, &(load, None), None)?;
+        return joined(py, &question, &of);
+    }
     let part = part(system, "of", &of)?;
     let frequencies = FrequencyValues::of(system, &frequency, true)?;
     let measure = measure::of(system, &load)?;
@@ -44,6 +51,51 @@ pub fn sensitivities<'py>(
     })?;
     let regime = words::regime(known.regime).to_owned();
     let rows = table.rows(frequency, friction, Ok(known)).map_err(domain)?;
+    let mut arrays = NamedArrays::new(py, &[rows.len()]);
+    arrays.table(&table.parameter_columns(), &rows)?;
+    Ok((regime, arrays.done()))
+}
+
+/// Returns the derivatives of the amplitude of a mass, or of the energy of a contact, for a scene with several contacts.
+fn joined<'py>(
+    py: Python<'py>,
+    question: &JoinedQuestion,
+    of: &Bound<'py, PyAny>,
+) -> PyResult<(String, Bound<'py, PyDict>)> {
+    let system = &question.system;
+    let (frequency, friction) = (
+        question.frequencies.only(system)?,
+        question.frictions.only()?,
+    );
+    let joined = system.joined().map_err(domain)?;
+    let Ok(name) = of.extract::<String>() else {
+        return Err(wrong_type(
+            "of: the name of a mass or of a contact is needed",
+        ));
+    };
+    let number = JoinedNumber::named(&joined, "of", &name).map_err(domain)?;
+    let (owned, own_number) = (question.clone(), number.clone());
+    let rows = left_at_interrupt(py, move |_| {
+        let joined = owned.system.joined()?;
+        let table = JoinedSensitivityTable {
+            setting: owned.table(&joined).setting,
+            joined: &joined,
+            of: &own_number,
+        };
+        table.rows(frequency, friction)
+    })?;
+    let rows = rows.map_err(|error: JoinedError| domain(error))?;
+    let regime = match rows.first() {
+        Some(row) if row.itself().is_none() => {
+            return Err(domain(format_args!("no derivative: {}", row.answer)));
+        }
+        row => row.map_or("", |row| row.regime).to_owned(),
+    };
+    let table = JoinedSensitivityTable {
+        setting: question.table(&joined).setting,
+        joined: &joined,
+        of: &number,
+    };
     let mut arrays = NamedArrays::new(py, &[rows.len()]);
     arrays.table(&table.parameter_columns(), &rows)?;
     Ok((regime, arrays.done()))

@@ -1,22 +1,23 @@
 //! Computes the motion over time under a harmonic load, or without a load: samples and events.
 
 use crate::asked::{
-    FrequencyKeywords, FrequencyValues, FrictionKeywords, FrictionValues, LoadKeywords, Measure,
-    Optional, measure, one, parts, setting, start, whole,
+    FrequencyKeywords, FrequencyValues, FrictionKeywords, FrictionValues, LoadKeywords,
+    MOST_HARMONICS, Measure, Optional, measure, one, parts, setting, start, whole, without,
 };
 use crate::columns::NamedArrays;
 use crate::errors::domain;
-use crate::joined::motions;
+use crate::joined::{JoinedQuestion, motions};
 use crate::system::NativeSystem;
 use crate::work::left_at_interrupt;
 use frictiongen::System;
 use frictiongen::study::columns::{
-    Column, Frequency, FrequencyUnit, HistoryTable, JoinedEventRow, JoinedSample, JoinedTable,
+    Column, Frequency, FrequencyUnit, FrictionSetting, HistoryTable, JoinedEventRow, JoinedSample,
+    JoinedTable,
 };
 use frictiongen::study::history::{
-    FreeRequest, History, HistoryError, HistoryRequest, MOST_SAMPLES,
+    FreeRequest, History, HistoryError, HistoryRequest, MOST_SAMPLES, Spectrum,
 };
-use frictiongen::study::joined::JoinedError;
+use frictiongen::study::joined::{JoinedError, JoinedHistory};
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
 use std::sync::Arc;
@@ -24,19 +25,24 @@ use std::sync::Arc;
 /// Largest number of cycles, of skipped cycles, and of samples in one cycle.
 const MOST: u32 = MOST_SAMPLES as u32;
 
-/// Python arguments of a run: number of cycles, number of skipped cycles, samples in a cycle, and initial state. A flag
-/// for one period of the steady state and the end of a free vibration in s follow.
+/// Python arguments of a run: number of cycles, number of skipped cycles, samples in a cycle, and initial state. The end
+/// of a free vibration in s follows, with flags for one period of the steady state and for the spectra.
 type RunKeywords<'py> = (
     Optional<'py>,
     Optional<'py>,
     Optional<'py>,
     Optional<'py>,
-    bool,
     Optional<'py>,
+    (bool, bool),
 );
 
-/// The samples and the events of a motion, each as arrays by the names of the columns.
-type Arrays<'py> = (Bound<'py, PyDict>, Bound<'py, PyDict>);
+/// The samples, the events and the spectra of a motion, each as arrays by the names of the columns. The spectra are
+/// missing unless the caller asks for them.
+type Arrays<'py> = (
+    Bound<'py, PyDict>,
+    Bound<'py, PyDict>,
+    Option<Bound<'py, PyDict>>,
+);
 
 /// Computes samples and events of the free vibration from a state, in SI units.
 fn free<'py>(
@@ -50,48 +56,31 @@ fn free<'py>(
     let masses_at_zero = || vec![0.0; system.scene().masses.len()];
     let from = match start::is_rest(from)? {
         true => (masses_at_zero(), masses_at_zero()),
-        false => start::state(from, system, (&measure, 1.0))?,
+        false => start::state(from, system, (measure.scale(), 1.0))?,
     };
     let mut at = Frequency::at(system, 1.0);
     // The history has times in s in place of phases.
     at.omega = 1.0;
     let owned = Arc::clone(system);
     if system.scene().is_joined() {
-        let joined = system.joined().map_err(domain)?;
-        let history = left_at_interrupt(py, move |_| {
-            let (x, v) = &from;
-            let run = owned.joined()?.simulation_without_load(friction, (x, v));
-            run?.until(until, samples, false)
-        })?
-        .map_err(|error: JoinedError| domain(error))?;
-        let parts = motions(system, of.as_ref())?;
-        let zeros = vec![0.0; system.scene().masses.len()];
-        if let Some(part) = parts.iter().find(|part| part.among(&zeros).is_none()) {
-            return Err(domain(format_args!(
-                "of: `{}` is no mass and no difference of two masses, which alone a motion in time of several contacts has",
-                part.name
-            )));
+        if !samples.is_multiple_of(2) {
+            return Err(domain(HistoryError::Samples));
         }
+        let joined = system.joined().map_err(domain)?;
+        let parts = motions(system, of.as_ref())?;
         let table = JoinedTable {
             setting: setting(system, measure, FrequencyUnit::Hertz, &parts),
             joined: &joined,
             orders: None,
         };
-        let (history, omega) = (&history, at.omega);
-        let rows = (0..history.taus.len()).map(|index| JoinedSample {
-            history,
-            index,
-            omega,
-        });
-        let events = 0..history.events.len();
-        let events = events.map(|index| JoinedEventRow {
-            history,
-            index,
-            omega,
-        });
-        let samples = arrays(py, &table.sample_columns(), &rows.collect::<Vec<_>>())?;
-        let events = arrays(py, &table.event_columns(), &events.collect::<Vec<_>>())?;
-        return Ok((samples, events));
+        table.check_in_time("of").map_err(domain)?;
+        let history = left_at_interrupt(py, move |_| {
+            let (x, v) = &from;
+            let run = owned.joined()?.simulation_without_load(friction, (x, v));
+            run?.until(until, samples, false)
+        })?;
+        let history = history.map_err(|error: JoinedError| domain(error))?;
+        return several(py, &table, (&history, at.omega));
     }
     let parts = parts(system, "of", of.as_ref())?;
     let request = FreeRequest {
@@ -107,7 +96,88 @@ fn free<'py>(
         at,
         in_seconds: true,
     };
-    tabulated(py, &table, &history)
+    tabulated(py, &table, (&history, None))
+}
+
+/// Returns the samples and the events of a motion of several contacts as arrays.
+fn several<'py>(
+    py: Python<'py>,
+    table: &JoinedTable<'_>,
+    (history, omega): (&JoinedHistory, f64),
+) -> PyResult<Arrays<'py>> {
+    let rows = (0..history.taus.len()).map(|index| JoinedSample {
+        history,
+        index,
+        omega,
+    });
+    let events = (0..history.events.len()).map(|index| JoinedEventRow {
+        history,
+        index,
+        omega,
+    });
+    let samples = arrays(py, &table.sample_columns(), &rows.collect::<Vec<_>>())?;
+    let events = arrays(py, &table.event_columns(), &events.collect::<Vec<_>>())?;
+    Ok((samples, events, None))
+}
+
+/// Length of a motion: number of skipped cycles, of cycles, and of samples in a cycle. Flags ask for one period of the
+/// steady state instead, and for the spectra.
+#[derive(Clone, Copy)]
+struct Extent {
+    skip: u32,
+    cycles: u32,
+    samples: u32,
+    steady: bool,
+    spectrum: bool,
+}
+
+/// Computes samples and events of a motion of several contacts under a harmonic load.
+fn driven<'py>(
+    py: Python<'py>,
+    question: &JoinedQuestion,
+    start: Option<&Bound<'py, PyAny>>,
+    extent: Extent,
+) -> PyResult<Arrays<'py>> {
+    let system = &question.system;
+    let (frequency, friction) = (
+        question.frequencies.only(system)?,
+        question.frictions.only()?,
+    );
+    let joined = system.joined().map_err(domain)?;
+    let table = question.table(&joined);
+    table.check_in_time("of").map_err(domain)?;
+    let samples = u64::from(extent.cycles) * u64::from(extent.samples);
+    if !extent.samples.is_multiple_of(2) {
+        return Err(domain(HistoryError::Samples));
+    }
+    if MOST_SAMPLES < samples.saturating_mul(table.parts().len() as u64) {
+        return Err(domain(HistoryError::TooManySamples));
+    }
+    let beta = friction.at(&question.measure, frequency).beta;
+    let scale = question.measure.scale_at(frequency.omega);
+    let from = match start {
+        Some(start) if !extent.steady && !start::is_rest(start)? => {
+            Some(start::state(start, system, (scale, frequency.omega))?)
+        }
+        _ => None,
+    };
+    let owned = question.clone();
+    let history = left_at_interrupt(py, move |_| {
+        let joined = owned.system.joined()?;
+        let at = owned.table(&joined).at(frequency)?;
+        if extent.steady {
+            let orbit = at.orbit(beta)?;
+            let cycles = u32::try_from(orbit.period()).unwrap_or(u32::MAX);
+            return orbit.simulation()?.history(0, cycles, extent.samples);
+        }
+        let mut run = match &from {
+            Some((x, v)) => at.simulation_from(beta, (x, v))?,
+            None => at.simulation(beta)?,
+        };
+        run.history(extent.skip, extent.cycles, extent.samples)
+    })?;
+    let history = history.map_err(|error: JoinedError| domain(error))?;
+    several(py, &table, (&history, frequency.omega))
 }
 
 /// Returns a table as arrays by the names of its columns.
@@ -121,17 +191,22 @@ fn arrays<'py, R>(
     Ok(arrays.done())
 }
 
-/// Returns the samples and the events of a motion as arrays.
+/// Returns the samples and the events of a motion as arrays, and its spectra if they are given.
 fn tabulated<'py>(
     py: Python<'py>,
     table: &HistoryTable<'_>,
-    history: &History,
+    (history, spectra): (&History, Option<&[Spectrum]>),
 ) -> PyResult<Arrays<'py>> {
     let samples: Vec<_> = table.samples(history).collect();
     let events: Vec<_> = table.events(history).collect();
+    let spectra = spectra.map(|spectra| {
+        let lines: Vec<_> = table.lines(spectra).collect();
+        arrays(py, &table.spectrum_columns(), &lines)
+    });
     Ok((
         arrays(py, &table.sample_columns(), &samples)?,
         arrays(py, &table.event_columns(), &events)?,
+        spectra.transpose()?,
     ))
 }
 
@@ -146,7 +221,7 @@ pub fn simulate<'py>(
     of: Optional<'py>,
     extent: RunKeywords<'py>,
 ) -> PyResult<Arrays<'py>> {
-    let (cycles, skip, samples, from, steady, until) = extent;
+    let (cycles, skip, samples, from, until, (steady, spectrum)) = extent;
     let system = &system.system;
     let number = |argument, given: &Option<Bound<'py, PyAny>>, least, default| {
         given
@@ -157,10 +232,10 @@ pub fn simulate<'py>(
         let (r, hz, omega) = &frequency;
         let (force, base) = &load;
         let loads = [r, hz, omega, force, base, &cycles, &skip];
-        let loaded = steady || loads.iter().any(|given| given.is_some());
+        let loaded = steady || spectrum || loads.iter().any(|given| given.is_some());
         let Some(from) = from.filter(|_| !loaded) else {
             return Err(domain(
-                "until= gives a free vibration: give start and friction too, and leave out the load, its frequency, cycles, skip and steady",
+                "until= gives a free vibration: give start and friction too, and leave out the load, its frequency, cycles, skip, steady and spectrum",
             ));
         };
         let until = one("until", &until)?;
@@ -168,20 +243,48 @@ pub fn simulate<'py>(
         return free(py, system, (&from, until, samples), (&friction, of));
     }
     let frequencies = FrequencyValues::of(system, &frequency, true)?;
-    let measure = measure::constant(system, &load)?;
-    let frictions = FrictionValues::of(&friction, &measure)?;
-    let (frequency, friction) = (frequencies.only(system)?, frictions.only()?);
-    let (r, beta, omega) = (frequency.r, friction.beta, frequency.omega);
-    let parts = parts(system, "of", of.as_ref())?;
     if steady && (cycles.is_some() || skip.is_some()) {
         return Err(domain(
             "steady=True gives one period of the steady state; leave out cycles and skip, which belong to a run",
         ));
     }
+    let extent = Extent {
+        skip: number("skip", &skip, 0, 0)?,
+        cycles: number("cycles", &cycles, 1, 10)?,
+        samples: number("samples", &samples, 2, 200)?,
+        steady,
+        spectrum,
+    };
+    let scene = system.scene();
+    if scene.is_joined() || steady && scene.has_joined_states() {
+        without(&[(spectrum, "spectrum")])?;
+        let load = (load, from.clone().filter(|_| steady));
+        let of = of.as_ref();
+        let question = JoinedQuestion::of(system, frequencies, &friction, &load, of)?;
+        return driven(py, &question, from.as_ref(), extent);
+    }
+    let measure = measure::constant(system, &load)?;
+    let frictions = FrictionValues::of(&friction, &measure)?;
+    let point = (&frequencies, frictions.only()?);
+    one_contact(py, (system, measure), point, (from, of), extent)
+}
+
+/// Computes samples, events and spectra of a motion of a single contact under a harmonic load.
+fn one_contact<'py>(
+    py: Python<'py>,
+    (system, measure): (&Arc<System>, Measure),
+    (frequencies, friction): (&FrequencyValues, FrictionSetting),
+    (from, of): (Optional<'py>, Optional<'py>),
+    extent: Extent,
+) -> PyResult<Arrays<'py>> {
+    let frequency = frequencies.only(system)?;
+    let (r, beta, omega) = (frequency.r, friction.beta, frequency.omega);
+    let Extent { steady, .. } = extent;
+    let parts = parts(system, "of", of.as_ref())?;
     let system = &start::started(system, from.as_ref().filter(|_| steady), &measure)?;
     let from = match from {
         Some(from) if !steady && !start::is_rest(&from)? => {
-            Some(start::state(&from, system, (&measure, omega))?)
+            Some(start::state(&from, system, (measure.scale(), omega))?)
         }
         _ => None,
     };
@@ -189,24 +292,35 @@ pub fn simulate<'py>(
         of: parts.iter().map(|part| part.of).collect(),
         from,
         amplitude: measure.load().map(|load| load.amplitude()),
-        skip: number("skip", &skip, 0, 0)?.into(),
-        cycles: number("cycles", &cycles, 1, 10)?,
-        samples: number("samples", &samples, 2, 200)?,
+        skip: extent.skip.into(),
+        cycles: extent.cycles,
+        samples: extent.samples,
     };
     let owned = Arc::clone(system);
-    let history = left_at_interrupt(py, move |_| match steady {
-        false => owned.history(r, beta, &request),
-        true => {
-            let response = owned.at(r)?.response(beta)?;
-            response.history(&request.of, request.samples)
+    let (history, spectra) = left_at_interrupt(py, move |_| {
+        let of = request.of.iter();
+        if !steady {
+            let history = owned.history(r, beta, &request)?;
+            let of = of.filter(|_| extent.spectrum);
+            let spectra = of.filter_map(|of| history.spectrum(*of)).collect();
+            return Ok((history, spectra));
         }
+        let response = owned.at(r)?.response(beta)?;
+        let history = response.history(&request.of, request.samples)?;
+        let highest = match extent.spectrum {
+            true => (request.samples / 2).min(MOST_HARMONICS),
+            false => 0,
+        };
+        let spectra = of.filter_map(|of| response.spectrum(*of, highest));
+        let spectra: Vec<Spectrum> = spectra.collect();
+        Ok((history, spectra))
     })?
     .map_err(|error: HistoryError| domain(error))?;
-
     let table = HistoryTable {
         setting: setting(system, measure, frequencies.unit(&measure), &parts),
         at: frequency,
         in_seconds: true,
     };
-    tabulated(py, &table, &history)
+    let spectra = Some(spectra.as_slice()).filter(|_| extent.spectrum);
+    tabulated(py, &table, (&history, spectra))
 }

@@ -15,7 +15,7 @@ type Acting<'py> = (Optional<'py>, Optional<'py>, Optional<'py>);
 
 /// The initial state, the ratio μ of static to kinetic friction, and the event budget (the largest number of stops,
 /// break-aways and reversals that the stepper follows in one step).
-pub type Beginning<'py> = (Optional<'py>, Optional<'py>, Optional<'py>);
+type Beginning<'py> = (Optional<'py>, Optional<'py>, Optional<'py>);
 
 /// A load over time, with one number for each sample.
 struct LoadRecord {

@@ -126,6 +126,12 @@ impl NativeSystem {
         }
     }
 
+    /// Returns true if the solver for several contacts computes the steady states of the scene.
+    #[getter]
+    fn is_joined(&self) -> bool {
+        self.system.scene().has_joined_states()
+    }
+
     /// Returns the undamped natural frequencies, rad/s.
     #[getter]
     fn natural_frequencies<'py>(&self, py: Python<'py>) -> Bound<'py, PyArray1<f64>> {

@@ -7,6 +7,7 @@ import subprocess
 from pathlib import Path
 
 import matplotlib
+import matplotlib.pyplot
 import numpy as np
 import pytest
 
@@ -18,6 +19,13 @@ ROOT = Path(__file__).resolve().parents[3]
 SCENES = ROOT / "crates" / "cli" / "scenes"
 #: The recordings of docs/guide.md.
 PAGES = ROOT / "docs" / "measure"
+
+
+@pytest.fixture(autouse=True)
+def close():
+    """Closes the pictures of a test."""
+    yield
+    matplotlib.pyplot.close("all")
 
 
 @pytest.fixture
@@ -63,7 +71,8 @@ def hold(ours, theirs, but=()):
             # Missing values are NaN on both sides.  0 == -0, but neither side has -0.
             np.testing.assert_array_equal(left.to_numpy(float, na_value=np.nan), right.to_numpy(float), err_msg=name)
         else:
-            assert left.fillna("").tolist() == right.fillna("").tolist(), name
+            left, right = (column.astype(object).fillna("").tolist() for column in (left, right))
+            assert left == right, name
         compared += len(left)
     return compared
 

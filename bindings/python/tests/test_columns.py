@@ -25,6 +25,22 @@ ASKED = {
 }  # fmt: skip
 
 
+#: Questions about scenes with several contacts, whose answers have further columns, or classes of their own.
+SEVERAL = {
+    "Limits": lambda pair, at, load: pair.limits(**at, **load),
+    "Orbit": lambda pair, at, load: pair.orbit(**at, beta=BETA, **load),
+    "ByContact": lambda pair, at, load: pair.response(**at, beta=BETA, **load),
+    "Branches": lambda pair, at, load: pair.branch("beta", (BETA, 1.1 * BETA), **at, points=2, **load),
+}
+
+
+def several(name):
+    pair = frictiongen.System(frictiongen.FRAME.replace("excitation", "dampers: { base - lower: 1.0 }, excitation"))
+    for at in ({"r": 0.4}, {"omega": 2 * np.pi * pair.hertz(0.4)}):
+        for load in ({}, {"base": 0.001}):
+            yield SEVERAL[name](pair, at, load)
+
+
 def answers(name):
     frame = frictiongen.System(frictiongen.FRAME)
     r = 0.4
@@ -43,13 +59,13 @@ def test_annotations_of_periodic():
         assert known == {key for key in answer.keys() if "." not in key}
 
 
-@pytest.mark.parametrize("name", ASKED)
+@pytest.mark.parametrize("name", [*ASKED, *(name for name in SEVERAL if name not in ASKED)])
 def test_annotations(name):
     """Checks that a class names every column that belongs to no contact or mass, and no other column."""
-    found = list(answers(name))
+    found = [*(answers(name) if name in ASKED else []), *(several(name) if name in SEVERAL else [])]
     keys = {key for answer in found for key in answer.keys() if "." not in key}
     known = {key for base in type(found[0]).__mro__ for key in base.__dict__.get("__annotations__", {})}
-    known -= {key for key in known if key.startswith("_")} | {"events"}
+    known -= {key for key in known if key.startswith("_")} | {"events", "ends", "along", "unit", "spectrum", "boundaries"}
     # A class without times or angular frequencies may leave out their columns.
     assert keys - known <= {"r", "beta", "frequency_Hz", "omega_rad_s", "friction_N"}
     assert known <= keys | {"tau"}

@@ -99,3 +99,18 @@ def test_an_interrupt_leaves_a_single_run(frame, ctrl_c):
     assert time.perf_counter() - start < 1.3
     # The thread of the first run has no effect on later calls.
     assert frame.orbit(r=0.9, beta=0.4) is not None
+
+
+@pytest.mark.skipif(not hasattr(signal, "pthread_kill"), reason="there are no signals to threads here")
+@pytest.mark.parametrize("question", ["by_contact", "drive"])
+def test_an_interrupt_ends_a_question_about_several_contacts(frame, ctrl_c, question):
+    """Checks that an interrupt ends a grid of many points and a motion of many samples, which take many seconds."""
+    recording = frictiongen.Recording({"base": (np.sin(0.05 * np.arange(3_000_000)), "m/s2")}, rate=1000, drives=True)
+    threading.Timer(0.3, lambda: os.kill(os.getpid(), signal.SIGINT)).start()
+    start = time.perf_counter()
+    with pytest.raises(KeyboardInterrupt):
+        if question == "drive":
+            frame.drive(recording, friction=[0.4, 0.8, 1.2], peaks=True)
+        else:
+            frame.by_contact(r=np.linspace(0.1, 2.5, 500), beta=np.linspace(0.01, 1.5, 500))
+    assert time.perf_counter() - start < 5.0

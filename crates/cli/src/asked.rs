@@ -131,40 +131,9 @@ pub fn parts(system: &System, names: &[String]) -> Result<Vec<MovingPart>, Failu
     Ok(parts)
 }
 
-/// Returns the motions with the given names, each once, for a scene with several contacts. Without names, returns all
-/// masses. The tables of these scenes always contain all contacts.
+/// Returns the motions with the given names for a scene with several contacts. Without names, returns all masses.
 pub fn motions(system: &System, names: &[String]) -> Result<Vec<MovingPart>, Failure> {
-    if names.is_empty() {
-        return Ok(known(system).map(MovingPart::from).collect());
-    }
-    let contacts = system.scene().named_contacts();
-    let of_named = |name: &&String| {
-        let inside = name
-            .split_once('(')
-            .map_or(name.as_str(), |(_, inside)| inside);
-        let inside = inside.trim_end_matches(')').trim();
-        contacts.iter().any(|contact| contact.name == inside)
-    };
-    let refused = |name: &str| {
-        Failure::new(format_args!(
-            "--of `{name}`: the answer has displacement, slip, force and energy of every contact; leave it out"
-        ))
-    };
-    if let Some(name) = names.iter().find(of_named) {
-        return Err(refused(name));
-    }
-    let parts = parts(system, names)?;
-    let of_contact = |part: &&MovingPart| {
-        part.of == Of::Contact
-            || matches!(
-                part.size,
-                MotionQuantity::Force | MotionQuantity::Energy | MotionQuantity::Damping
-            )
-    };
-    match parts.iter().find(of_contact) {
-        None => Ok(parts),
-        Some(part) => Err(refused(&part.name)),
-    }
+    MovingPart::of_joined(system, "--of", names).map_err(Failure::new)
 }
 
 /// Returns all masses of the system.

@@ -16,10 +16,8 @@ use crate::summary::Summary;
 #[cfg(feature = "pictures")]
 use crate::{joined::in_unit, picture};
 use frictiongen::System;
-use frictiongen::study::columns::{Column, Frequency, JoinedRow, JoinedTable, Setting};
+use frictiongen::study::columns::{Along, BranchEndRow, Column, JoinedRow, JoinedTable, Setting};
 use frictiongen::study::joined::{BranchRequest, JoinedBranch};
-use frictiongen::study::sensitivity::OperatingPoint;
-use frictiongen::study::words;
 use frictiongen_codegen::SizeLimits;
 #[cfg(feature = "pictures")]
 use frictiongen_plot::{
@@ -33,7 +31,7 @@ use std::io::Write;
 pub fn run(arguments: &BranchArguments, out: &mut dyn Write) -> Result<(), Failure> {
     let (path, output) = (arguments.file.path(), arguments.output.as_deref());
     let destination = Destination::of(output, path, &arguments.format, true)?;
-    let along = Along::of(arguments)?;
+    let along = AlongOption::of(arguments)?;
     let frequencies = Frequencies::parse(&along.frequency(arguments)?, true)?;
     let frictions = Frictions::parse(&along.friction(arguments)?, Some(&frequencies))?;
     let system = System::try_from(arguments.file.any(&SizeLimits::RUN_TIME)?.scene);
@@ -56,19 +54,14 @@ pub fn run(arguments: &BranchArguments, out: &mut dyn Write) -> Result<(), Failu
         orders: None,
     };
     let (frequency, friction) = (frequencies.only(&system)?, frictions.only()?);
-    let point = table.setting.point(frequency, friction);
-    let parameter = joined.parameter_named(along.symbol(&point), point);
-    let parameter = parameter.map_err(|error| along.wrong(error))?;
+    let request = along.parameter.request(&table, frequency, friction);
     let request = BranchRequest {
         all_states: arguments.states,
         switches: arguments.switch,
         most: arguments.points,
-        ..BranchRequest::new(
-            point,
-            parameter,
-            along.interval(&frequencies, &table.setting),
-        )
+        ..request.map_err(|error| along.wrong(error))?
     };
+    let (point, parameter) = (request.point, request.along);
     let report = BranchReport {
         table: &table,
         name: parameter.symbol(system.scene(), &point),
@@ -86,13 +79,11 @@ pub fn run(arguments: &BranchArguments, out: &mut dyn Write) -> Result<(), Failu
 }
 
 /// The option `--along PARAMETER a:b`.
-struct Along<'t> {
-    name: &'t str,
-    from: f64,
-    to: f64,
+struct AlongOption<'t> {
+    parameter: Along<'t>,
 }
 
-impl<'t> Along<'t> {
+impl<'t> AlongOption<'t> {
     fn of(arguments: &'t BranchArguments) -> Result<Self, Failure> {
         let [name, interval] = arguments.along.as_slice() else {
             return Err(Failure::new(
@@ -109,28 +100,27 @@ impl<'t> Along<'t> {
         let (Some(from), Some(to)) = (from, to) else {
             return Err(wrong("a and b must be numbers"));
         };
-        match from == to {
-            true => Err(wrong("a and b must differ")),
-            false => Ok(Self { name, from, to }),
+        if from == to {
+            return Err(wrong("a and b must differ"));
         }
+        let interval = (from, to);
+        Ok(Self {
+            parameter: Along { name, interval },
+        })
     }
 
     fn wrong(&self, error: impl std::fmt::Display) -> Failure {
-        Failure::new(format_args!("--along {}: {error}", self.name))
-    }
-
-    fn is_frequency(&self) -> bool {
-        ["hz", "r", "omega"].contains(&self.name)
-    }
-
-    fn is_friction(&self) -> bool {
-        ["friction", "beta"].contains(&self.name)
+        Failure::new(format_args!("--along {}: {error}", self.parameter.name))
     }
 
     /// Returns the option of the frequency, or the first frequency of the interval.
     fn frequency(&self, arguments: &BranchArguments) -> Result<FrequencyArguments, Failure> {
         let [r, hz, omega] = self.options(
-            (self.is_frequency(), "frequency", "--r, --hz and --omega"),
+            (
+                self.parameter.is_frequency(),
+                "frequency",
+                "--r, --hz and --omega",
+            ),
             [
                 ("r", &arguments.r),
                 ("hz", &arguments.hz),
@@ -143,7 +133,11 @@ impl<'t> Along<'t> {
     /// Returns the option of the friction, or the first friction of the interval.
     fn friction(&self, arguments: &BranchArguments) -> Result<FrictionArguments, Failure> {
         let [beta, friction] = self.options(
-            (self.is_friction(), "friction", "--beta and --friction"),
+            (
+                self.parameter.is_friction(),
+                "friction",
+                "--beta and --friction",
+            ),
             [("beta", &arguments.beta), ("friction", &arguments.friction)],
         )?;
         Ok(FrictionArguments { beta, friction })
@@ -159,41 +153,16 @@ impl<'t> Along<'t> {
         let count = given.iter().filter(|(_, text)| text.is_some()).count();
         match (varies, count) {
             (true, 0) => {
-                Ok(given.map(|(name, _)| (self.name == name).then(|| format!("{:?}", self.from))))
+                let Along {
+                    name: own,
+                    interval: (from, _),
+                } = self.parameter;
+                Ok(given.map(|(name, _)| (own == name).then(|| format!("{from:?}"))))
             }
             (true, _) => Err(self.wrong(format_args!("the {quantity} varies; leave {names} out"))),
             (false, 1) => Ok(given.map(|(_, text)| text.clone())),
             (false, _) => Err(Failure::new(format_args!("give one of {names}"))),
         }
-    }
-
-    /// Returns the symbol of the parameter at an operating point, which has r and β, or Hz and N under a load.
-    fn symbol(&self, point: &OperatingPoint) -> &str {
-        match point {
-            OperatingPoint::Physical { .. } if self.is_frequency() => "hz",
-            OperatingPoint::Groups { .. } if self.is_frequency() => "r",
-            _ if self.is_friction() => "friction",
-            _ => self.name,
-        }
-    }
-
-    /// Returns the ends of the interval in the unit of the parameter.
-    fn interval(&self, frequencies: &Frequencies, setting: &Setting<'_>) -> (f64, f64) {
-        let converted = |value: f64| {
-            let load = setting.measure.scale();
-            if self.is_frequency() {
-                let frequency: Frequency = frequencies.unit().given(setting.system, value);
-                match load {
-                    Some(_) => frequency.hertz,
-                    None => frequency.r,
-                }
-            } else if let Some(load) = load.filter(|_| self.name == "beta") {
-                load.friction(value)
-            } else {
-                value
-            }
-        };
-        (converted(self.from), converted(self.to))
     }
 }
 
@@ -259,17 +228,22 @@ struct BranchReport<'s> {
 }
 
 impl BranchReport<'_> {
+    /// Returns a row about the points and the end of each branch.
+    fn rows(&self) -> impl Iterator<Item = BranchEndRow> + '_ {
+        self.branches
+            .iter()
+            .map(|(branch, _)| BranchEndRow::of(branch))
+    }
+
     /// Returns a sentence about where each branch begins and ends.
     fn ends(&self) -> String {
-        let all = self.branches.iter().enumerate();
-        let all = all.map(|(index, (branch, _))| {
-            let begins = branch.parent.map_or(String::new(), |parent| {
-                format!(" begins on branch {}", parent.branch)
+        let all = self.rows().enumerate().map(|(index, row)| {
+            let begins = row.parent.map_or(String::new(), |parent| {
+                format!(" begins on branch {parent}")
             });
-            let points = branch.points.len();
             format!(
-                "branch {index}:{begins} {points} points, ends: {}",
-                words::branch_end(branch.end)
+                "branch {index}:{begins} {} points, ends: {}",
+                row.points, row.end
             )
         });
         all.collect::<Vec<_>>().join("; ")
@@ -297,13 +271,9 @@ impl ResultTable for BranchReport<'_> {
     }
 
     fn head(&self) -> Vec<(String, Json)> {
-        let branches = self.branches.iter().map(|(branch, _)| {
-            json!({
-                "points": branch.points.len(),
-                "end": words::branch_end(branch.end),
-                "parent": branch.parent.map(|parent| parent.branch),
-            })
-        });
+        let branches = self
+            .rows()
+            .map(|row| json!({ "points": row.points, "end": row.end, "parent": row.parent }));
         vec![
             ("along".to_owned(), json!(self.name)),
             ("branches".to_owned(), branches.collect()),

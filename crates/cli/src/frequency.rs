@@ -6,12 +6,9 @@ use crate::grid::{self, GridQuantity};
 use crate::measure::Measure;
 use crate::number::survives;
 use frictiongen::System;
-use frictiongen::study::columns::{Frequency, FrequencyUnit as Unit};
+use frictiongen::study::columns::{Frequency, FrequencyUnit as Unit, spread};
 #[cfg(feature = "report")]
 use frictiongen::study::units;
-
-/// Number of frequencies in a range that the user gives without a step.
-const SPREAD: u32 = 200;
 
 /// A continuous range of frequencies, and the unit in which the user gave the range.
 #[derive(Clone, Debug)]
@@ -152,7 +149,7 @@ impl Frequencies {
         }
     }
 
-    /// Parses a range a:b or a:step:b as a grid. A range without a step has 200 equally spaced frequencies.
+    /// Parses a range a:b or a:step:b as a grid. A range without a step is [`spread`].
     pub fn spread(arguments: &FrequencyArguments) -> Result<Self, Failure> {
         let (text, unit) = given(arguments)?;
         let quantity = quantity(unit, true);
@@ -160,9 +157,8 @@ impl Frequencies {
         if 0.0 < step {
             return Self::parse(arguments, true);
         }
-        let part = |index: u32| from + (to - from) * f64::from(index) / f64::from(SPREAD - 1);
         Ok(Self {
-            given: (0..SPREAD).map(part).collect(),
+            given: spread(from, to),
             unit,
             quantity,
         })

@@ -204,7 +204,11 @@ impl<'r> Inputs<'r> {
     /// relative to the base.
     #[must_use]
     pub fn initial_state(&self, system: &System) -> (Vec<f64>, Vec<f64>) {
-        let masses = system.scene().masses.len();
+        self.initial_state_of(system.scene().masses.len())
+    }
+
+    /// Returns the displacements and velocities of a number of masses at the first sample.
+    pub(super) fn initial_state_of(&self, masses: usize) -> (Vec<f64>, Vec<f64>) {
         let [place, velocity] = self.base_step(0).end;
         (vec![place; masses], vec![velocity; masses])
     }

@@ -18,6 +18,7 @@
 pub mod columns;
 mod decay;
 mod drive;
+mod driven;
 mod error;
 mod identify;
 mod least_squares;
@@ -34,6 +35,8 @@ mod tone;
 pub use decay::FreeDecay;
 pub use drive::DriveSample;
 pub use drive::Inputs;
+#[doc(hidden)]
+pub use driven::{DriveError, DrivenMotion};
 pub use error::MeasureError;
 pub use error::unit_of;
 pub use identify::{

@@ -19,14 +19,18 @@ __all__ = [
     "SceneError",
     "StepState",
     "System",
+    "branch",
     "by_contact",
     "curve",
     "drive",
+    "drive_peaks",
     "features",
     "fit",
+    "fit_motion",
     "fit_text",
     "free_decay",
     "identify",
+    "limit_cycle",
     "limits",
     "map",
     "optimum",
@@ -34,6 +38,7 @@ __all__ = [
     "periodic",
     "states",
     "response",
+    "response_spectrum",
     "sensitivities",
     "simulate",
     "step",
@@ -85,6 +90,8 @@ class System:
     @property
     def driven_mass(self) -> str | None: ...
     @property
+    def is_joined(self) -> bool: ...
+    @property
     def natural_frequencies(self) -> NDArray[float64]: ...
     @property
     def resonances(self) -> NDArray[float64]: ...
@@ -99,6 +106,15 @@ class System:
     def with_values(self, values: list[tuple[str, float]]) -> System: ...
 
 def limits(system: System, frequency: _Frequency, load: _Load, estimates: bool, search: bool) -> _Columns: ...
+def branch(
+    system: System,
+    along: tuple[str, tuple[float, float], tuple[Any, bool, Any]],
+    frequency: _Frequency,
+    friction: _Friction,
+    load: _Driven,
+    of: Any | None,
+) -> tuple[_Columns, _Columns, tuple[str, str]]: ...
+def limit_cycle(system: System, friction: Any, start: Any | None, of: Any | None) -> tuple[_Columns, list[float]]: ...
 def by_contact(
     system: System, frequency: _Frequency, friction: _Friction, load: _Driven, of: Any | None
 ) -> _Columns: ...
@@ -123,16 +139,16 @@ def curve(
     fineness: tuple[Any | None, Any | None, Any | None, bool, list[str]],
 ) -> _Columns: ...
 def map(
-    system: System, frequency: _Frequency, friction: _Friction, load: _Driven, of: Any | None
-) -> _Columns: ...
+    system: System, frequency: _Frequency, friction: _Friction, load: _Driven, asked: tuple[Any | None, Any | None]
+) -> tuple[_Columns, _Columns | None]: ...
 def simulate(
     system: System,
     frequency: _Frequency,
     friction: _Friction,
     load: _Load,
     of: Any | None,
-    extent: tuple[Any | None, Any | None, Any | None, Any | None, bool, Any | None],
-) -> tuple[_Columns, _Columns]: ...
+    extent: tuple[Any | None, Any | None, Any | None, Any | None, Any | None, tuple[bool, bool]],
+) -> tuple[_Columns, _Columns, _Columns | None]: ...
 def step(
     system: System,
     dt: Any,
@@ -141,7 +157,13 @@ def step(
     of: Any | None,
     beginning: _Beginning,
 ) -> _Columns: ...
-def drive(system: System, recording: Recording, friction: Any | None, of: Any | None, beginning: _Beginning) -> _Columns: ...
+def drive(
+    system: System, recording: Recording, keywords: tuple[Any | None, Any | None, Any | None, Any | None]
+) -> _Columns: ...
+def drive_peaks(
+    system: System, recording: Recording, keywords: tuple[Any | None, Any | None, Any | None, Any | None]
+) -> _Columns: ...
+def response_spectrum(system: System, recording: Recording, damping: Any) -> _Columns: ...
 def optimum(
     system: System,
     of: Any,
@@ -165,6 +187,9 @@ def identify(
 def fit(
     system: System, hertz: Any, masses: list[tuple[str, Any, Any | None]], gaps: bool, damping: bool
 ) -> tuple[_Columns, _Columns, System]: ...
+def fit_motion(
+    system: System, recording: Recording, friction: Any | None, vary: Any | None
+) -> tuple[dict[str, Any], System]: ...
 def fit_text(system: System, text: str, source: str | None, damping: bool) -> tuple[_Columns, _Columns, System]: ...
 def free_decay(
     system: System, recording: Recording, damping: Any | None, find_damping: bool

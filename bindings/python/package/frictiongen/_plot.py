@@ -87,7 +87,7 @@ def limits(answer: answers.Limits, ax: Axes | None) -> Axes:
     return ax
 
 
-def response(answer: answers.Response, ax: Axes | None, of: str | None) -> Axes:
+def response(answer: answers.Response | answers.ByContact, ax: Axes | None, of: str | None) -> Axes:
     ax = _axes(ax)
     along, label = _frequency(answer)
     friction, _ = _friction(answer)
@@ -185,22 +185,40 @@ def map(answer: answers.Map, ax: Axes | None, shade: str) -> Axes:
     return ax
 
 
-def history(answer: answers.History | answers.Steps | answers.Cycle, ax: Axes | None) -> Axes:
+def branches(answer: answers.Branches, ax: Axes | None, of: str | None) -> Axes:
+    ax = _axes(ax)
+    values, title = _column(answer, _first(answer, of), "amplitude", "m")
+    for place in np.unique(answer.branch):
+        of_branch = answer.branch == place
+        line = np.where(of_branch, values, np.nan)
+        grows = answer.state == "unstable"
+        ax.plot(answer.value, np.where(grows, np.nan, line), "-", color=f"C{place}", label=f"branch {place}")
+        ax.plot(answer.value, np.where(grows, line, np.nan), "--", color=f"C{place}")
+    marked = answer.event != ""
+    ax.plot(answer.value[marked], values[marked], "k.", label="events")
+    ax.set_xlabel(f"{answer.along} ({answer.unit})" if answer.unit else answer.along)
+    ax.set_ylabel(title)
+    ax.legend(title="dashed: unstable")
+    return ax
+
+
+def history(answer: answers.History | answers.Steps | answers.Driven | answers.Cycle, ax: Axes | None) -> Axes:
     ax = _axes(ax)
     unit = ""
+    along, label = (answer.time_s, "time (s)") if "time_s" in answer else (answer["tau"], "phase of the load (rad)")
     for motion in answer.motions:
         inner = answer[motion]
         if "displacement_m" in inner or "displacement" in inner:
             unit = "m" if "displacement_m" in inner else ""
             values, _ = _column(answer, motion, "displacement", "m")
-            ax.plot(answer.time_s, values, label=motion)
-    if "state" in answer.contact:
+            ax.plot(along, values, label=motion)
+    contact = answer.contact
+    if "state" in contact or "sticks" in contact:
+        sticks = contact.state == "stuck" if "state" in contact else contact.sticks
         low, high = ax.get_ylim()
-        ax.fill_between(
-            answer.time_s, low, high, where=answer.contact.state == "stuck", color="0.9", zorder=0, label="stuck"
-        )
+        ax.fill_between(along, low, high, where=sticks, color="0.9", zorder=0, label="stuck")
         ax.set_ylim(low, high)
-    ax.set_xlabel("time (s)")
+    ax.set_xlabel(label)
     ax.set_ylabel("displacement (m)" if unit else "displacement")
     ax.legend()
     return ax

@@ -7,6 +7,7 @@ from html import escape
 from typing import TYPE_CHECKING, Any, NamedTuple, cast
 
 from . import _native
+from ._asked.branches import Branching
 from ._asked.design import Design
 from ._asked.in_time import InTime
 from ._asked.measuring import Measuring
@@ -39,7 +40,7 @@ class Mistake(NamedTuple):
     message: str
 
 
-class System(Steady, InTime, Design, Measuring):
+class System(Steady, Branching, InTime, Design, Measuring):
     """A chain of masses and springs with friction contacts.
 
     :param text: the description.

@@ -55,6 +55,28 @@ impl FrequencyValues {
     pub fn of(system: &System, arguments: &FrequencyKeywords<'_>, in_time: bool) -> PyResult<Self> {
         let (given, unit) = chosen(arguments)?;
         let given = points(argument(unit), given, ACROSS)?;
+        Self::checked(system, (given, unit), in_time)
+    }
+
+    /// Reads the frequencies of a curve of a scene with several contacts: points, or a range `(from, to)`.
+    pub fn spread(system: &System, arguments: &FrequencyKeywords<'_>) -> PyResult<Self> {
+        let (given, unit) = chosen(arguments)?;
+        if ends(argument(unit), given)?.is_none() {
+            return Self::of(system, arguments, true);
+        }
+        let (from, to) = FrequencyRange::given(arguments)?;
+        let given = GivenNumbers {
+            values: columns::spread(from, to),
+            is_one: false,
+        };
+        Self::checked(system, (given, unit), true)
+    }
+
+    fn checked(
+        system: &System,
+        (given, unit): (GivenNumbers, Unit),
+        in_time: bool,
+    ) -> PyResult<Self> {
         let mut r = Vec::with_capacity(given.values.len());
         for (index, value) in given.values.iter().enumerate() {
             let place = || given.place(argument(unit), index);
@@ -152,8 +174,8 @@ impl FrequencyRange {
         self.unit.under(measure)
     }
 
-    /// Reads the bounds of a frequency range from Python.
-    pub fn of(system: &System, arguments: &FrequencyKeywords<'_>) -> PyResult<Self> {
+    /// Reads the bounds of a frequency range from Python, in the given unit.
+    fn given(arguments: &FrequencyKeywords<'_>) -> PyResult<(f64, f64)> {
         let (given, unit) = chosen(arguments)?;
         let argument = argument(unit);
         let Some((from, to)) = ends(argument, given)? else {
@@ -168,6 +190,14 @@ impl FrequencyRange {
                 "{argument} is ({from:?}, {to:?}): a band must begin above 0 and end above its start"
             )));
         }
+        Ok((from, to))
+    }
+
+    /// Reads the bounds of a frequency range from Python.
+    pub fn of(system: &System, arguments: &FrequencyKeywords<'_>) -> PyResult<Self> {
+        let (from, to) = Self::given(arguments)?;
+        let (_, unit) = chosen(arguments)?;
+        let argument = argument(unit);
         let [first, last] = [from, to].map(|value| unit.given(system, value).r);
         if !(0.0 < first && first < last && last.is_finite()) {
             return Err(domain(format_args!(

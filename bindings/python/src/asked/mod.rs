@@ -53,6 +53,16 @@ pub fn setting<'a>(
     }
 }
 
+/// Fails if the caller gives one of these arguments, which a scene with several contacts does not have.
+pub fn without(arguments: &[(bool, &str)]) -> PyResult<()> {
+    match arguments.iter().find(|(given, _)| *given) {
+        None => Ok(()),
+        Some((_, argument)) => Err(domain(format_args!(
+            "{argument} has no answer for a scene with several `contacts`, `dampers` or `friction: stribeck`; leave it out"
+        ))),
+    }
+}
+
 /// Adds the columns of an answer over frequency and friction: frequencies, frictions, and results. The results are in
 /// the order of the frequencies. The results at one frequency are in the order of the frictions.
 pub fn put_grid<R>(
@@ -84,9 +94,9 @@ pub fn names(argument: &str, given: Option<&Bound<'_, PyAny>>) -> PyResult<Vec<S
     })
 }
 
-/// Returns the contact and masses with the given names, each only once. Without names, returns the contact and all
-/// masses.
-pub fn parts(
+/// Returns the quantities with the given names, each only once: displacements, velocities, accelerations, and forces,
+/// energies and equivalent damping of the contact. Without names, returns the contact and all masses.
+pub fn quantities(
     system: &System,
     argument: &str,
     given: Option<&Bound<'_, PyAny>>,
@@ -104,15 +114,26 @@ pub fn parts(
             return Err(domain(format_args!("{argument}: `{name}` is given twice")));
         }
         let part = MovingPart::named(system, &name);
-        let part = part.map_err(|error| domain(format_args!("{argument}: {error}")))?;
-        if part.has_rate() {
-            return Err(domain(format_args!(
-                "{argument}: `{name}`: write the motion alone; `curve(..., rates=True)` has velocities and accelerations"
-            )));
-        }
-        parts.push(part);
+        parts.push(part.map_err(|error| domain(format_args!("{argument}: {error}")))?);
     }
     Ok(parts)
+}
+
+/// Returns the contact and masses with the given names, as [`quantities`] does. Fails for a quantity that is neither a
+/// displacement nor a spring force.
+pub fn parts(
+    system: &System,
+    argument: &str,
+    given: Option<&Bound<'_, PyAny>>,
+) -> PyResult<Vec<MovingPart>> {
+    let parts = quantities(system, argument, given)?;
+    match parts.iter().find(|part| part.has_rate()) {
+        None => Ok(parts),
+        Some(part) => Err(domain(format_args!(
+            "{argument}: `{}`: write the motion alone; `response`, `orbit`, `curve` and `optimum` have velocities, accelerations, and force, energy and equivalent damping of the contact",
+            part.name
+        ))),
+    }
 }
 
 /// Returns the contact or mass with this name.

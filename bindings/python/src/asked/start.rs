@@ -5,6 +5,7 @@ use super::{Optional, numbers};
 use crate::errors::domain;
 use frictiongen::System;
 use frictiongen::study::InitialState;
+use frictiongen::study::units::LoadScale;
 use pyo3::prelude::*;
 use std::sync::Arc;
 
@@ -35,7 +36,8 @@ pub fn started(
     let state = if is_rest(start)? {
         InitialState::rest(system.scene().masses.len())
     } else {
-        let groups = state(start, system, (measure, system.angular_frequency(1.0)))?;
+        let reference = system.angular_frequency(1.0);
+        let groups = state(start, system, (measure.scale(), reference))?;
         match measure.scale() {
             Some(_) => InitialState::at_ratio(groups, 1.0, measure.fall()),
             None => InitialState::groups(groups),
@@ -55,14 +57,14 @@ pub fn is_rest(start: &Bound<'_, PyAny>) -> PyResult<bool> {
     }
 }
 
-/// Reads displacements and velocities of all masses from Python, and returns both as non-dimensional groups.
+/// Reads displacements and velocities of all masses from Python. Under a load, which gives the `scale`, returns both as
+/// non-dimensional groups.
 pub fn state(
     start: &Bound<'_, PyAny>,
     system: &System,
-    (measure, omega): (&Measure, f64),
+    (scale, omega): (Option<LoadScale>, f64),
 ) -> PyResult<(Vec<f64>, Vec<f64>)> {
     let (displacements, velocities): (Bound<'_, PyAny>, Bound<'_, PyAny>) = start.extract()?;
-    let scale = measure.scale();
     let half = |what: &str, given: &Bound<'_, PyAny>, ratio: &dyn Fn(f64) -> f64| {
         let given = numbers(what, given)?.values;
         let masses = system.scene().masses.len();

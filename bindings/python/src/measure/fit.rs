@@ -1,14 +1,17 @@
 //! Fits the parameters of a scene to a sweep that was measured without friction.
 
 use super::once::once;
-use crate::asked::numbers;
+use super::recording::NativeRecording;
+use crate::asked::{Optional, names, numbers, one};
 use crate::columns::NamedArrays;
 use crate::errors::{domain, measurement};
 use crate::system::NativeSystem;
 use crate::work::left_at_interrupt;
 use frictiongen::System;
 use frictiongen::measure::SweepPoint;
-use frictiongen::measure::columns::{fit_values, fitted as fitted_rows, fitted_columns};
+use frictiongen::measure::columns::{
+    fit_values, fitted as fitted_rows, fitted_columns, motion_values,
+};
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
 use std::sync::Arc;
@@ -119,6 +122,39 @@ pub fn fit<'py>(
     let system = &system.system;
     let points = points(system, &hertz, masses, gaps)?;
     answer(py, system, &points, (damping, None))
+}
+
+/// Fits the friction force and numbers of the description to the whole motion in a recording. `friction` is the first
+/// guess of the force, or `None` for a recorded friction. `vary` names the numbers.
+#[pyfunction]
+pub fn fit_motion<'py>(
+    py: Python<'py>,
+    system: &NativeSystem,
+    recording: &NativeRecording,
+    friction: Optional<'py>,
+    vary: Optional<'py>,
+) -> PyResult<(Bound<'py, PyDict>, NativeSystem)> {
+    let system = &system.system;
+    let friction = friction.map(|given| one("friction", &given)).transpose()?;
+    if let Some(force) = friction
+        && !(0.0 < force && force.is_finite())
+    {
+        return Err(domain(format_args!(
+            "friction is {force:?}: a force in N above 0 is needed, which is the first guess"
+        )));
+    }
+    let named = names("vary", vary.as_ref())?.into_iter().map(|name| {
+        let number = system.tunable_named(&name);
+        number.map_err(|error| domain(format_args!("vary: {error}")))
+    });
+    let numbers = named.collect::<PyResult<Vec<_>>>()?;
+    let (owned, record) = (Arc::clone(system), recording.recording.clone());
+    let found = left_at_interrupt(py, move |_| owned.fit_motion(&record, friction, &numbers))?;
+    let found = found.map_err(|error| measurement(py, recording.source.as_deref(), &error))?;
+    Ok((
+        once(py, motion_values(system, &found))?,
+        found.system.into(),
+    ))
 }
 
 /// Fits the parameters of a scene to a sweep, given as the text of a table.

@@ -7,4 +7,5 @@ pub mod identify;
 mod observed;
 mod once;
 pub mod recording;
+pub mod spectrum;
 pub mod transmissibility;

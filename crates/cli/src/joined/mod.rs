@@ -21,7 +21,7 @@ use crate::measure::{self, Measure};
 use crate::output;
 use crate::summary::Summary;
 use frictiongen::System;
-use frictiongen::study::columns::{JoinedTable, Setting};
+use frictiongen::study::columns::{JoinedNumber, JoinedTable, Setting};
 use frictiongen::study::joined::Joined;
 use frictiongen::study::scene::Scene;
 use report::JoinedReport;
@@ -201,7 +201,7 @@ impl<'a> Asked<'a> {
         out: &mut dyn Write,
     ) -> Result<(), Failure> {
         self.question(scene, |question| {
-            let of = sensitivity::number(question.system, question.joined, of)?;
+            let of = JoinedNumber::named(question.joined, "--of", of).map_err(Failure::new)?;
             let report = SensitivityReport {
                 question,
                 of: &of,

@@ -4,30 +4,9 @@ use super::Question;
 use crate::failure::Failure;
 use crate::output::{ResultTable, Visitor};
 use crate::sensitivity::each_row;
-use frictiongen::System;
 use frictiongen::study::columns::{
     Column, JoinedNumber, JoinedSensitivityRow, JoinedSensitivityTable,
 };
-use frictiongen::study::joined::Joined;
-
-/// Returns the number whose derivatives the user requests: the energy that a contact dissipates, or the amplitude of a
-/// mass.
-pub fn number(system: &System, joined: &Joined<'_>, name: &str) -> Result<JoinedNumber, Failure> {
-    let contacts = joined.contact_names();
-    if let Some(contact) = contacts.iter().position(|known| known == name) {
-        return Ok(JoinedNumber::Energy(contact, name.to_owned()));
-    }
-    let known = system.scene().masses.iter();
-    let Some(mass) = known.clone().position(|mass| mass.name == name) else {
-        let masses: Vec<&str> = known.map(|mass| mass.name.as_str()).collect();
-        return Err(Failure::new(format_args!(
-            "--of `{name}`: it is neither a mass nor a contact; give one of the masses {} or of the contacts {}",
-            masses.join(", "),
-            contacts.join(", ")
-        )));
-    };
-    Ok(JoinedNumber::Amplitude(mass, name.to_owned()))
-}
 
 /// Derivatives of a number of a steady state, with the options for the output.
 pub struct SensitivityReport<'q> {

@@ -46,17 +46,10 @@ pub(super) fn write(
     form: OutputFormat,
     out: &mut dyn Write,
 ) -> Result<(), Failure> {
-    let zeros = vec![0.0; question.system.scene().masses.len()];
-    if let Some(part) = question
-        .parts
-        .iter()
-        .find(|part| part.among(&zeros).is_none())
-    {
-        return Err(Failure::new(format_args!(
-            "--of `{}`: a motion in time of several contacts has masses and differences of two masses, such as f2-f1",
-            part.name
-        )));
-    }
+    question
+        .table()
+        .check_in_time("--of")
+        .map_err(Failure::new)?;
     let draws = form.is_picture();
     let (history, frequency) = history(question, time, draws)?;
     let omega = frequency.omega;

@@ -7,31 +7,13 @@ use frictiongen::study::columns::{OptimumLine, OptimumTable};
 use frictiongen::study::joined::JoinedError;
 use frictiongen::study::optimum::{OptimumRequest, ShareRange};
 
-/// Returns the shares that `--vary` names. A share is the friction of a contact, relative to the common friction. `share
-/// pads=a:b` varies the share of one contact. `share=a:b` varies the shares of all contacts but the first, because a
-/// common factor on all shares has the effect of the common friction. Returns `None` if the option names another number,
-/// or if the scene has a single contact.
+/// Returns the shares that `--vary` names, each with its interval. A share is the friction of a contact, relative to the
+/// common friction. Returns `None` if the option names another number, or if the scene has a single contact.
 pub fn ranges(system: &System, text: &str) -> Result<Option<Vec<ShareRange>>, Failure> {
     let vary = Vary::parsed(text)?;
-    let mut words = vary.name.split_whitespace();
-    if !system.scene().is_joined() || words.next() != Some("share") {
+    let named = system.shares_named(vary.name);
+    let Some(indices) = named.map_err(|problem| vary.wrong(&problem))? else {
         return Ok(None);
-    }
-    let contacts = system.scene().named_contacts();
-    let names = || contacts.iter().map(|contact| contact.name.as_str());
-    let name: Vec<&str> = words.collect();
-    let indices: Vec<usize> = match name.as_slice() {
-        [] => (1..contacts.len()).collect(),
-        name => {
-            let name = name.join(" ");
-            let found = names().position(|contact| contact == name);
-            let missing = || {
-                let known = names().collect::<Vec<_>>().join(", ");
-                let problem = format!("there is no contact `{name}`; the contacts are {known}");
-                vary.wrong(&problem)
-            };
-            vec![found.ok_or_else(missing)?]
-        }
     };
     let (from, to) = vary.ends()?;
     if !(0.0 < from && from < to && to.is_finite()) {

@@ -71,7 +71,7 @@ pub fn driven(
     form: OutputFormat,
     out: &mut dyn Write,
 ) -> Result<(), Failure> {
-    let (table, samples) = (&driven.table, &driven.samples);
+    let (table, samples) = (&driven.table, &driven.motion.samples);
     let track = |read: &dyn Fn(&DrivenSample) -> Option<f64>| -> Vec<f64> {
         samples.iter().filter_map(read).collect()
     };

@@ -5,7 +5,7 @@ use super::peaks::PeaksReport;
 use super::read;
 use super::spectrum::ResponseSpectrumReport;
 use crate::args::{DriveArguments, RecordingArguments};
-use crate::asked::{self, MovingPart, number_that, without_rates};
+use crate::asked::{number_that, without_rates};
 use crate::destination::Destination;
 use crate::failure::Failure;
 use crate::grid::{self, GridQuantity};
@@ -13,8 +13,9 @@ use crate::joined::refused;
 use crate::measure::Measure;
 use crate::output;
 use crate::summary::Summary;
-use frictiongen::measure::columns::DrivenTable;
-use frictiongen::{Of, System};
+use frictiongen::System;
+use frictiongen::measure::Inputs;
+use frictiongen::measure::columns::{DrivenTable, PeakQuantities, driven_parts};
 use std::io::Write;
 
 /// Runs `frictiongen drive`.
@@ -46,14 +47,23 @@ pub fn run(arguments: &DriveArguments, out: &mut dyn Write) -> Result<(), Failur
     let names = joined.contact_names();
     let recording = files.inputs()?;
     let inputs = |friction| read::drive(files, &recording, &system, (friction, after));
+    let asked = (names.as_slice(), arguments.of.as_slice());
+    let begun = |inputs: &Inputs<'_>| inputs.joined_stepper(&joined, None).map_err(Failure::new);
     if arguments.peaks {
-        let mut peaks = PeaksReport::new(&system, &names, &arguments.of)?;
+        let quantities = PeakQuantities::named(&system, "--of", asked).map_err(Failure::new)?;
+        let mut rows = Vec::new();
         for friction in frictions {
-            peaks.add(&joined, &inputs(friction)?, friction)?;
+            let inputs = inputs(friction)?;
+            let mut step = begun(&inputs)?;
+            quantities.follow(&mut step).map_err(Failure::new)?;
+            let found = quantities.rows(&joined, (&inputs, step), friction, &|| true);
+            rows.extend(found.map_err(Failure::new)?);
         }
+        let system = &system;
+        let peaks = PeaksReport { system, rows };
         return destination.write(out, |out| output::write(&peaks, &summary, form, out));
     }
-    let parts = motions(&system, &names, &arguments.of)?;
+    let parts = driven_parts(&system, "--of", asked).map_err(Failure::new)?;
     without_rates(&parts)?;
     let table = DrivenTable {
         system: &system,
@@ -62,7 +72,10 @@ pub fn run(arguments: &DriveArguments, out: &mut dyn Write) -> Result<(), Failur
         has_slips: true,
     };
     let friction = frictions.first().copied().flatten();
-    let driven = DrivenReport::of(&joined, &inputs(friction)?, table)?;
+    let inputs = inputs(friction)?;
+    let motion = table.motion(&joined, (&inputs, begun(&inputs)?), &|| true);
+    let motion = motion.map_err(Failure::new)?;
+    let driven = DrivenReport { table, motion };
     destination.write(out, |out| {
         #[cfg(feature = "pictures")]
         if form.is_picture() {
@@ -100,51 +113,4 @@ fn spectrum<'s>(
     let sound = |zeta| (0.0..1.0).contains(&zeta);
     let zeta = number_that("--spectrum", text, sound, needed)?;
     ResponseSpectrumReport::of(system, files, zeta)
-}
-
-/// Returns the motions that the option `--of` names. Without names, returns all contacts and all masses, which are
-/// relative to the base if the base moves.
-fn motions(
-    system: &System,
-    contacts: &[String],
-    names: &[String],
-) -> Result<Vec<MovingPart>, Failure> {
-    let contact = |name: &String| MovingPart {
-        name: name.clone(),
-        ..MovingPart::contact(system)
-    };
-    if names.is_empty() {
-        // Under a recorded acceleration the base drifts by metres. This drift would hide all relative motion.
-        let masses = asked::masses(system, "--of", names)?.into_iter();
-        let masses = masses.map(|mass| MovingPart::from(mass).from_base(system));
-        return Ok(contacts.iter().map(contact).chain(masses).collect());
-    }
-    let mut found: Vec<MovingPart> = Vec::new();
-    for name in names {
-        if found.iter().any(|part| part.name == *name) {
-            return Err(Failure::new(format_args!(
-                "--of `{name}`: it is given twice"
-            )));
-        }
-        found.push(match contacts.iter().find(|contact| *contact == name) {
-            Some(name) => contact(name),
-            None => named(system, contacts, name)?,
-        });
-    }
-    Ok(found)
-}
-
-/// Returns the mass, or the combination of masses and base, with this name.
-pub fn named(system: &System, contacts: &[String], name: &str) -> Result<MovingPart, Failure> {
-    let known = || contacts.join(", ");
-    let part = MovingPart::named(system, name).map_err(|error| {
-        Failure::new(format_args!("--of: {error}; the contacts are {}", known()))
-    })?;
-    if part.of == Of::Contact && 1 < contacts.len() {
-        return Err(Failure::new(format_args!(
-            "--of `{name}`: the scene has several contacts; name one of them: {}",
-            known()
-        )));
-    }
-    Ok(part)
 }

@@ -6,11 +6,9 @@ use crate::failure::Failure;
 use crate::number::computed;
 use crate::output::{ResultTable, Visitor};
 use frictiongen::System;
-use frictiongen::measure::columns::{SpectrumRow, spectrum_columns};
-use frictiongen::measure::{PeakResponse, periods, response_spectrum};
+use frictiongen::measure::columns::{SpectrumRow, spectrum_columns, spectrum_rows};
 use frictiongen::study::columns::Column;
 use frictiongen::study::scene::Excitation;
-use frictiongen::study::units::hertz;
 use serde_json::{Value as Json, json};
 
 /// The response spectrum of a recorded base motion, with the options for the output.
@@ -30,21 +28,10 @@ impl<'s> ResponseSpectrumReport<'s> {
             ));
         }
         let recording = files.inputs()?;
-        let frequencies = system.natural_frequencies().into_iter();
-        let own: Vec<f64> = frequencies.map(|omega| 1.0 / hertz(omega)).collect();
-        let found = |periods: &[f64]| {
-            response_spectrum(&recording, zeta, periods).map_err(|error| {
-                let path = files.recordings.first();
-                path.map_or_else(|| Failure::new(&error), |path| read::told(path, &error))
-            })
-        };
-        let mode = |(index, peak): (usize, PeakResponse)| SpectrumRow {
-            mode: Some(index + 1),
-            peak,
-        };
-        let mut rows: Vec<SpectrumRow> = found(&own)?.into_iter().enumerate().map(mode).collect();
-        let others = found(&periods(&recording))?.into_iter();
-        rows.extend(others.map(|peak| SpectrumRow { mode: None, peak }));
+        let rows = spectrum_rows(system, &recording, zeta).map_err(|error| {
+            let path = files.recordings.first();
+            path.map_or_else(|| Failure::new(&error), |path| read::told(path, &error))
+        })?;
         Ok(Self { system, zeta, rows })
     }
 

@@ -36,6 +36,57 @@ pub struct DrivenTable<'s> {
     pub has_slips: bool,
 }
 
+/// Returns the motions with these names, each once. `contacts` has the names of the contacts. Without names, returns all
+/// contacts and all masses, which are relative to the base if the base moves: under a recorded acceleration the base
+/// drifts by metres, which would hide all relative motion.
+///
+/// # Errors
+/// A message, which begins with the name of the `argument` that contains the names.
+pub fn driven_parts(
+    system: &System,
+    argument: &str,
+    (contacts, names): (&[String], &[String]),
+) -> Result<Vec<MovingPart>, String> {
+    let contact = |name: &String| MovingPart {
+        name: name.clone(),
+        ..MovingPart::contact(system)
+    };
+    if names.is_empty() {
+        let masses = MovingPart::of_joined(system, argument, &[])?.into_iter();
+        let masses = masses.map(|mass| mass.from_base(system));
+        return Ok(contacts.iter().map(contact).chain(masses).collect());
+    }
+    let mut found: Vec<MovingPart> = Vec::new();
+    for name in names {
+        if found.iter().any(|part| part.name == *name) {
+            return Err(format!("{argument} `{name}`: it is given twice"));
+        }
+        found.push(match contacts.iter().find(|contact| *contact == name) {
+            Some(name) => contact(name),
+            None => part_beside(system, argument, (contacts, name))?,
+        });
+    }
+    Ok(found)
+}
+
+/// Returns the mass, or the combination of masses and base, with this name. With a single contact, the name may also be
+/// that of the contact in the description.
+pub(super) fn part_beside(
+    system: &System,
+    argument: &str,
+    (contacts, name): (&[String], &str),
+) -> Result<MovingPart, String> {
+    let known = contacts.join(", ");
+    let part = MovingPart::named(system, name)
+        .map_err(|error| format!("{argument}: {error}; the contacts are {known}"))?;
+    if part.of == Of::Contact && 1 < contacts.len() {
+        return Err(format!(
+            "{argument} `{name}`: the scene has several contacts; name one of them: {known}"
+        ));
+    }
+    Ok(part)
+}
+
 impl DrivenTable<'_> {
     /// Returns the index of the contact that a part names.
     fn contact(&self, part: &MovingPart) -> Option<usize> {

@@ -9,15 +9,15 @@ mod residuals;
 mod spectrum;
 mod transmissibility;
 
-pub use driven::{DrivenSample, DrivenTable};
+pub use driven::{DrivenSample, DrivenTable, driven_parts};
 pub use lines::{QuantityLine, decay_lines, fit_lines, identify_lines, line_columns, motion_lines};
-pub use once::{Keyed, SingleValue, decay_values, fit_values, identify_values};
-pub use peaks::{PeakRow, peak_columns};
+pub use once::{Keyed, SingleValue, decay_values, fit_values, identify_values, motion_values};
+pub use peaks::{PeakQuantities, PeakRow, peak_columns};
 pub use residuals::{
     ExtremeRow, FittedRow, MotionKnown, ResidualRow, extreme_columns, extremes, fitted,
     fitted_columns, residual_columns, residuals,
 };
-pub use spectrum::{SpectrumRow, spectrum_columns};
+pub use spectrum::{SpectrumRow, spectrum_columns, spectrum_rows};
 pub use transmissibility::TransmissibilityTable;
 
 use crate::study::System;

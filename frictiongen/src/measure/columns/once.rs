@@ -1,6 +1,6 @@
 //! Single values of measurements, each with a key for programs.
 
-use crate::measure::{Estimate, FreeDecay, Identified, SweepFit, Unknown};
+use crate::measure::{Estimate, FreeDecay, Identified, MotionFit, SweepFit, Unknown};
 use crate::study::System;
 use crate::study::units::hertz;
 
@@ -115,6 +115,23 @@ pub fn fit_values(system: &System, found: &SweepFit) -> Vec<Keyed> {
         ("is_explained", SingleValue::Flag(found.is_explained())),
         ("scatter", SingleValue::Number(Some(found.scatter))),
         ("condition", SingleValue::Number(Some(found.condition))),
+    ]
+}
+
+/// Returns the single values of a fit to the whole motion in a recording, with their keys.
+#[must_use]
+pub fn motion_values(system: &System, found: &MotionFit) -> Vec<Keyed> {
+    let numbers = found.numbers.iter();
+    let numbers = numbers.map(|(number, found)| (number.symbol(system.scene()), *found));
+    vec![
+        ("friction_N", SingleValue::Estimate(found.friction)),
+        ("numbers", SingleValue::Named(numbers.collect())),
+        ("scatter", SingleValue::Number(Some(found.scatter))),
+        ("freedom", SingleValue::Count(found.freedom)),
+        ("condition", SingleValue::Number(Some(found.condition))),
+        ("runs", SingleValue::Count(found.runs)),
+        ("exact_derivatives", SingleValue::Count(found.derivatives)),
+        ("differences", SingleValue::Count(found.differences)),
     ]
 }
 

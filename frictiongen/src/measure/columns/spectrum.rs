@@ -1,8 +1,9 @@
 //! Rows and columns of the table of a response spectrum.
 
-use crate::measure::PeakResponse;
+use crate::measure::{MeasureError, PeakResponse, Recording, periods, response_spectrum};
 use crate::study::System;
 use crate::study::columns::{Column, Columns, Head, Measure, PhysicalQuantity, TableRow};
+use crate::study::units::hertz;
 
 /// Row of the table: the peak response of one oscillator.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -14,6 +15,28 @@ pub struct SpectrumRow {
 }
 
 impl TableRow for SpectrumRow {}
+
+/// Computes the response spectrum of the recorded base motion, for oscillators with the damping ratio ζ: first at the
+/// natural periods of the scene, and then over the whole range of periods.
+///
+/// # Errors
+/// Same errors as [`response_spectrum`].
+pub fn spectrum_rows(
+    system: &System,
+    recording: &Recording,
+    zeta: f64,
+) -> Result<Vec<SpectrumRow>, MeasureError> {
+    let frequencies = system.natural_frequencies().into_iter();
+    let own: Vec<f64> = frequencies.map(|omega| 1.0 / hertz(omega)).collect();
+    let modes = response_spectrum(recording, zeta, &own)?.into_iter();
+    let modes = modes.enumerate().map(|(index, peak)| SpectrumRow {
+        mode: Some(index + 1),
+        peak,
+    });
+    let others = response_spectrum(recording, zeta, &periods(recording))?.into_iter();
+    let others = others.map(|peak| SpectrumRow { mode: None, peak });
+    Ok(modes.chain(others).collect())
+}
 
 /// Returns the columns of the table, with their names and units.
 #[must_use]

@@ -1,7 +1,7 @@
 //! Tables of branches of steady states along a parameter.
 
 use super::builder::Columns;
-use super::column::{Column, Head};
+use super::column::{Column, Head, TableRow};
 use super::joined::{JoinedRow, JoinedTable};
 use super::setting::{Frequency, FrictionSetting};
 use crate::study::joined::{AnswerUnits, BranchEvent, BranchRequest, JoinedBranch, JoinedError};
@@ -23,7 +23,98 @@ pub struct BranchPlace {
     pub events: String,
 }
 
+/// The parameter along which a branch goes, and the first and the last value of it, as the user gives them.
+#[derive(Clone, Copy, Debug)]
+pub struct Along<'n> {
+    /// Name of the parameter: `r`, `hz`, `omega`, `beta`, `friction`, or a symbol of the scene.
+    pub name: &'n str,
+    /// First and last value of the parameter, in the unit of its name.
+    pub interval: (f64, f64),
+}
+
+impl Along<'_> {
+    /// Returns true if the frequency varies.
+    #[must_use]
+    pub fn is_frequency(&self) -> bool {
+        ["hz", "r", "omega"].contains(&self.name)
+    }
+
+    /// Returns true if the friction varies.
+    #[must_use]
+    pub fn is_friction(&self) -> bool {
+        ["friction", "beta"].contains(&self.name)
+    }
+
+    /// Returns the question for branches from an operating point.
+    ///
+    /// # Errors
+    /// [`JoinedError::UnknownParameter`] if there is no such parameter.
+    pub fn request(
+        &self,
+        table: &JoinedTable<'_>,
+        frequency: Frequency,
+        friction: FrictionSetting,
+    ) -> Result<BranchRequest, JoinedError> {
+        let setting = &table.setting;
+        let point = setting.point(frequency, friction);
+        let symbol = match point {
+            OperatingPoint::Physical { .. } if self.is_frequency() => "hz",
+            OperatingPoint::Groups { .. } if self.is_frequency() => "r",
+            _ if self.is_friction() => "friction",
+            _ => self.name,
+        };
+        let parameter = table.joined.parameter_named(symbol, point)?;
+        let load = setting.measure.scale();
+        let converted = |value: f64| match load {
+            _ if self.is_frequency() => {
+                let frequency = setting.frequency.given(setting.system, value);
+                load.map_or(frequency.r, |_| frequency.hertz)
+            }
+            Some(load) if self.name == "beta" => load.friction(value),
+            _ => value,
+        };
+        let (from, to) = self.interval;
+        let interval = (converted(from), converted(to));
+        Ok(BranchRequest::new(point, parameter, interval))
+    }
+}
+
+/// Row of the table of branches: where a branch begins and ends.
+#[derive(Clone, Copy, Debug)]
+pub struct BranchEndRow {
+    /// Number of points on the branch.
+    pub points: usize,
+    /// Words for the reason why the branch ends.
+    pub end: &'static str,
+    /// Index of the branch on which the branch begins, or `None` if it begins at the first value of the parameter.
+    pub parent: Option<usize>,
+}
+
+impl TableRow for BranchEndRow {}
+
+impl BranchEndRow {
+    /// Returns the row of a branch.
+    #[must_use]
+    pub fn of(branch: &JoinedBranch<'_>) -> Self {
+        Self {
+            points: branch.points.len(),
+            end: words::branch_end(branch.end),
+            parent: branch.parent.map(|parent| parent.branch),
+        }
+    }
+}
+
 impl<'a> JoinedTable<'a> {
+    /// Returns the columns of the table that has one row for each branch.
+    #[must_use]
+    pub fn branch_end_columns(&self) -> Vec<Column<'a, BranchEndRow>> {
+        let mut columns = Columns::new(&self.setting.measure);
+        columns.count("points", |row: &BranchEndRow| Some(row.points));
+        columns.word("end", "bound of the parameter", |row| Some(row.end));
+        columns.count("parent", |row| row.parent);
+        columns.done()
+    }
+
     /// Follows branches, and computes the table row of each of their points. The list has one entry for each branch.
     ///
     /// # Errors

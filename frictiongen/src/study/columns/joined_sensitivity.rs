@@ -36,6 +36,29 @@ pub struct JoinedSensitivityTable<'a> {
 }
 
 impl JoinedNumber {
+    /// Returns the energy that the contact called `name` dissipates, or the amplitude of the mass called `name`.
+    ///
+    /// # Errors
+    /// A message, which begins with the name of the `argument` that contains the name.
+    pub fn named(joined: &Joined<'_>, argument: &str, name: &str) -> Result<Self, String> {
+        let contacts = joined.contact_names();
+        if let Some(contact) = contacts.iter().position(|known| known == name) {
+            return Ok(Self::Energy(contact, name.to_owned()));
+        }
+        let masses = || joined.scene().masses.iter();
+        match masses().position(|mass| mass.name == name) {
+            Some(mass) => Ok(Self::Amplitude(mass, name.to_owned())),
+            None => Err(format!(
+                "{argument} `{name}`: it is neither a mass nor a contact; give one of the masses {} or of the contacts {}",
+                masses()
+                    .map(|mass| mass.name.as_str())
+                    .collect::<Vec<_>>()
+                    .join(", "),
+                contacts.join(", ")
+            )),
+        }
+    }
+
     /// Reads the number of the table, with its derivative, from the sensitivities.
     fn read(&self, of: &JoinedSensitivity) -> Option<Slope> {
         match self {
@@ -102,7 +125,6 @@ impl<'a> JoinedSensitivityTable<'a> {
     /// Returns the columns of the table of derivatives.
     #[must_use]
     pub fn columns(&self) -> Vec<Column<'a, JoinedSensitivityRow>> {
-        let measure = self.setting.measure;
         let mut columns = Columns::new(&self.setting.measure);
         self.setting.frequency(&mut columns);
         self.setting.friction(&mut columns);
@@ -110,7 +132,21 @@ impl<'a> JoinedSensitivityTable<'a> {
             Some(row.regime)
         });
         columns.word("answer", "unsettled", |row| Some(row.answer));
-        of_parameter(&mut columns, &self.widest(), "N s/m");
+        self.add(&mut columns);
+        columns.done()
+    }
+
+    /// Returns the columns of the parameters, without the columns of the operating point.
+    #[must_use]
+    pub fn parameter_columns(&self) -> Vec<Column<'a, JoinedSensitivityRow>> {
+        let mut columns = Columns::new(&self.setting.measure);
+        self.add(&mut columns);
+        columns.done()
+    }
+
+    fn add(&self, columns: &mut Columns<'a, JoinedSensitivityRow>) {
+        let measure = self.setting.measure;
+        of_parameter(columns, &self.widest(), "N s/m");
         let (name, dimension, of) = self.of.told();
         let value = |row: &JoinedSensitivityRow| Some(row.found.as_ref()?.answers.value);
         columns.show(Shown::Files);
@@ -130,7 +166,6 @@ impl<'a> JoinedSensitivityTable<'a> {
             let found = row.parameter()?;
             found.answers.relative(found.value)
         });
-        columns.done()
     }
 
     /// Returns a word that is as long as the longest symbol of a parameter.

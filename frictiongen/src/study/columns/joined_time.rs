@@ -41,6 +41,21 @@ impl TableRow for JoinedEventRow<'_> {
 }
 
 impl<'a> JoinedTable<'a> {
+    /// Fails if the table has a motion that a table of a motion in time cannot have.
+    ///
+    /// # Errors
+    /// A message, which begins with the name of the `argument` that contains the motions.
+    pub fn check_in_time(&self, argument: &str) -> Result<(), String> {
+        let zeros = vec![0.0; self.joined.scene().masses.len()];
+        let mut parts = self.setting.parts.iter();
+        parts.find(|part| part.among(&zeros).is_none()).map_or(Ok(()), |part| {
+            Err(format!(
+                "{argument} `{}`: a motion in time of several contacts has masses and differences of two masses, such as f2-f1",
+                part.name
+            ))
+        })
+    }
+
     /// Returns the factor on the relative displacement of a contact. Under a load, a contact `a - b` of two masses has
     /// the displacement x_b − x_a. Without a load, the contact has the displacement of the later mass minus the
     /// displacement of the earlier mass.

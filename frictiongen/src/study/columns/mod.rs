@@ -64,7 +64,7 @@ mod sensitivity;
 mod setting;
 mod steady;
 
-pub use branch::BranchPlace;
+pub use branch::{Along, BranchEndRow, BranchPlace};
 pub use builder::Columns;
 pub use cell::Cell;
 pub use column::{Column, ColumnAxis, ColumnKind, Head, Shown, TableRow};
@@ -89,6 +89,6 @@ pub use periodic::{PeriodicRow, PeriodicSample, PeriodicTable};
 pub use quantity::{base_load, bound, unbalance};
 pub use sensitivity::{SensitivityRow, SensitivityTable};
 pub use setting::{
-    AtFrequency, AtFriction, Frequency, FrequencyUnit, FrictionSetting, MovingPart, Setting,
+    AtFrequency, AtFriction, Frequency, FrequencyUnit, FrictionSetting, MovingPart, Setting, spread,
 };
 pub use steady::{OrbitRow, OrbitTable, ResponseRow, ResponseTable};

@@ -35,6 +35,57 @@ impl MovingPart {
         Ok(Self { of, size, name })
     }
 
+    /// Returns the motions with these names, each once, for a scene with several contacts. Without names, returns all
+    /// masses. The tables of such a scene have every contact, so that no name may be that of a contact.
+    ///
+    /// # Errors
+    /// A message, which begins with the name of the `argument` that contains the names.
+    pub fn of_joined(
+        system: &System,
+        argument: &str,
+        names: &[String],
+    ) -> Result<Vec<Self>, String> {
+        let scene = system.scene();
+        if names.is_empty() {
+            let masses = (0..scene.masses.len()).map(Of::Mass);
+            let masses = masses.map(|of| Self {
+                of,
+                size: MotionQuantity::Displacement,
+                name: system.name_of_motion(of),
+            });
+            return Ok(masses.collect());
+        }
+        let contacts = scene.named_contacts();
+        let mut parts: Vec<Self> = Vec::new();
+        for name in names {
+            if parts.iter().any(|part| part.name == name.trim()) {
+                return Err(format!("{argument} `{name}`: it is given twice"));
+            }
+            let (_, inside) = name.split_once('(').unwrap_or(("", name));
+            let inside = inside.trim_end_matches(')').trim();
+            let is_contact = contacts.iter().any(|contact| contact.name == inside);
+            let part = match is_contact {
+                true => None,
+                false => {
+                    let part = Self::named(system, name);
+                    Some(part.map_err(|error| format!("{argument}: {error}"))?)
+                }
+            };
+            parts.push(part.filter(|part| !part.is_of_contact()).ok_or_else(|| {
+                format!(
+                    "{argument} `{name}`: the answer has displacement, slip, force and energy of every contact; leave it out"
+                )
+            })?);
+        }
+        Ok(parts)
+    }
+
+    /// Returns true for a quantity of the contact.
+    fn is_of_contact(&self) -> bool {
+        use MotionQuantity::{Damping, Energy, Force};
+        self.of == Of::Contact || matches!(self.size, Force | Energy | Damping)
+    }
+
     /// Returns the motion of a mass relative to the base if the base moves. Returns any other motion unchanged.
     #[must_use]
     pub fn from_base(self, system: &System) -> Self {
@@ -146,6 +197,16 @@ impl FrequencyUnit {
             },
         }
     }
+}
+
+/// Number of frequencies in a range without a step.
+const SPREAD: u32 = 200;
+
+/// Returns the evenly spaced numbers of a range that a curve of a scene with several contacts has.
+#[must_use]
+pub fn spread(from: f64, to: f64) -> Vec<f64> {
+    let number = |index: u32| from + (to - from) * f64::from(index) / f64::from(SPREAD - 1);
+    (0..SPREAD).map(number).collect()
 }
 
 /// A frequency of the excitation, as ratio r, in Hz and in rad/s.

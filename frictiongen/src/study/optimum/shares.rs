@@ -38,6 +38,33 @@ pub struct SharesOptimum {
 }
 
 impl System {
+    /// Returns the indices of the contacts whose shares a name selects. `share pads` selects one contact. `share` selects
+    /// all contacts but the first, because a common factor on all shares has the effect of the common friction. Returns
+    /// `None` for another name, and for a scene with a single contact.
+    ///
+    /// # Errors
+    /// The reason in words, if there is no such contact.
+    #[doc(hidden)]
+    pub fn shares_named(&self, name: &str) -> Result<Option<Vec<usize>>, String> {
+        let mut words = name.split_whitespace();
+        if !self.scene().is_joined() || words.next() != Some("share") {
+            return Ok(None);
+        }
+        let contacts = self.scene().named_contacts();
+        let names = || contacts.iter().map(|contact| contact.name.as_str());
+        let name: Vec<&str> = words.collect();
+        if name.is_empty() {
+            return Ok(Some((1..contacts.len()).collect()));
+        }
+        let name = name.join(" ");
+        let found = names().position(|contact| contact == name);
+        let found = found.ok_or_else(|| {
+            let known = names().collect::<Vec<_>>().join(", ");
+            format!("there is no contact `{name}`; the contacts are {known}")
+        });
+        Ok(Some(vec![found?]))
+    }
+
     /// Finds the common friction and the shares with which the largest amplitude of a mass over a band of frequencies is
     /// smallest. The search calls `watch` after each steady state, and ends with the best result so far if `watch`
     /// returns false.

@@ -7,17 +7,19 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from .. import _plot
-from .table import Floats, Table, Words, item
+from .table import Floats, Single, Table, Words, item
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
 
 
-class Optimum(Table):
+class Optimum(Single):
     """The friction that makes the largest amplitude over a frequency band as small as possible.
 
     * `friction_N` and `beta`: the best friction.  `amplitude` (`amplitude_m`): the largest amplitude at this friction.
     * `value`: the optimised number of the description, if `vary` was given.
+    * `shares`: the best share of each contact, if `vary` named shares.  `amplitude_before` (`amplitude_before_m`): the
+      largest amplitude with the shares of the description.
     * `decisive`: the quantity with the largest quotient, if several quantities were given.  `quotient`: its quotient.
       `amplitude` and `peaks` belong to this quantity.
     * `kind`: the reason that limits the amplitude.  `end`: the way the search ended.
@@ -50,6 +52,7 @@ class Optimum(Table):
     evaluations: int
     decisive: str
     quotient: float
+    shares: dict[str, float]
     peaks: Table
     tolerances: Table
     sensitivities: Table
@@ -65,7 +68,9 @@ class Optimum(Table):
         *,
         several: list[tuple[str, str, dict[str, float]]],
     ) -> None:
-        super().__init__({name: value for name, value in columns.items() if value is not None})
+        columns = {name: value for name, value in columns.items() if value is not None}
+        self.shares = columns.pop("shares", {})
+        super().__init__(columns)
         self.peaks = Table(peaks)
         self.tolerances = Table(tolerances)
         self.sensitivities = Table(sensitivities)
@@ -106,7 +111,8 @@ class Sensitivities(Table):
     * `["amplitude"].relative`: per cent of the answer for one per cent of the parameter.  For a phase it is the change
       of the phase.
 
-    A derivative that does not exist is NaN.
+    With several contacts, the answer has the `amplitude` of a mass, or the `energy` that a contact takes.  A derivative
+    that does not exist is NaN.
     """
 
     parameter: Words

@@ -104,6 +104,12 @@ class Features:
     def __getitem__(self, name: str) -> FeatureTable:
         return self._tables[name]
 
+    def __eq__(self, other: object) -> bool:
+        """Returns whether all lists are equal."""
+        return self._tables == other._tables if isinstance(other, Features) else NotImplemented
+
+    __hash__ = None  # type: ignore[assignment]
+
     def __iter__(self) -> Iterator[str]:
         return iter(self._tables)
 

@@ -177,6 +177,43 @@ class Fit(Table):
         return f"Fit: natural frequencies {natural} Hz"
 
 
+class MotionFit:
+    """Friction force and numbers of the description that explain the whole motion in a recording.
+
+    * `friction_N`: the friction force with its interval, or None if it was recorded.
+    * `numbers`: the fitted numbers of the description by name.
+    * `scatter`: root mean square of the residuals, each divided by the root mean square of its channel.  Above 0.1 the
+      description does not explain the recording.
+    * `freedom`: number of measured values less that of the unknowns.
+    * `condition`: factor by which a relative error of the data may grow.
+    * `runs`, `exact_derivatives`: numbers of computed motions, and of those with exact derivatives.  `differences`: number
+      of derivatives that are differences of two motions, because the motion grazes an event.
+    * `system`: the system with the values that were found.
+    """
+
+    friction_N: Estimate | None
+    numbers: dict[str, Estimate]
+    scatter: float
+    freedom: int
+    condition: float
+    runs: int
+    exact_derivatives: int
+    differences: int
+    #: The system with the values that were found.
+    system: System
+
+    def __init__(self, once: dict[str, Any], system: System) -> None:
+        self.__dict__.update(once)
+        self.friction_N = None if once["friction_N"] is None else Estimate(*once["friction_N"])
+        self.numbers = _estimates(once["numbers"])
+        self.system = system
+
+    def __repr__(self) -> str:
+        named = {"friction": self.friction_N, **self.numbers}
+        found = ", ".join(f"{name} {value.value:.6g}" for name, value in named.items() if value is not None)
+        return f"MotionFit: {found}, scatter {self.scatter:.3g}"
+
+
 class FreeDecay(Table):
     """Friction and damping found in a free vibration, and a line for each extreme that was used.
 

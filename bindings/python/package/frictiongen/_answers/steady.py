@@ -8,7 +8,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from .. import _plot
-from .table import Columns, Counts, Flags, Floats, Grid, Table, Words, frame
+from .table import Counts, Flags, Floats, Grid, Single, Table, Words, frame
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
@@ -19,6 +19,9 @@ class Limits(Table):
     """Both limits over frequency.  A limit may be infinite.
 
     Below `continuous_limit` the contact can slide all the time.  From `sliding_limit` on it can be stuck.
+
+    With several contacts, all of them slide below `continuous_limit`, and none slides from `sliding_limit` on.
+    `slides_first` is then the contact that slides first below `sliding_limit`.
 
     With stiction 1 the contact slides all the time below both limits, and is stuck from `sliding_limit` on.  With a
     larger stiction the regime may depend on the start.
@@ -38,6 +41,7 @@ class Limits(Table):
     continuous_limit_per_mode: Floats
     continuous_limit_without_search_N: Floats
     continuous_limit_per_mode_N: Floats
+    slides_first: Words
 
     def plot(self, ax: Axes | None = None) -> Axes:
         """Draws both limits over frequency, in N if a load was given.
@@ -85,15 +89,16 @@ class Response(Grid):
 class ByContact(Grid):
     """Steady states over frequency and friction, with the numbers of each contact.
 
-    * `regime`: continuous, stick-slip or stuck.  Empty without a steady state.
-    * `state`: stable or marginal, or the reason why there is no steady state.  Without one, numbers are NaN and counts
+    * `regime`: continuous (all contacts slide), stuck (none slides) or stick-slip.  Empty without a steady state.
+    * `state`: stable, marginal or unstable, or the reason why there is no steady state.  Without one, numbers are NaN and counts
       are -1.
     * `period` in cycles of the excitation.  `largest_multiplier`: modulus of the largest Floquet multiplier.
     * `stuck_from` (`stuck_from_N`): the common friction from which a state exists in which no contact slides.
       `slides_first`: the contact that slides first below it.
+    * `found_by`: the start from which the search found the state.
     * `marginal`: names of the contacts whose place or force depends on the start.
 
-    `answer[name]` of a contact has its `regime`, `stops`, `reversals`, `stuck_fraction`, and over the period the largest
+    `answer[name]` of a contact, or of a stop, has its `regime`, `stops`, `reversals`, `stuck_fraction`, and over the period the largest
     `slip` (`slip_m`), the largest `force` (`force_N`), the `energy` (`energy_J`) that it takes, and its `amplitude`.
     `answer[name]` of a mass has its `amplitude` (`amplitude_m`).
     """
@@ -105,12 +110,15 @@ class ByContact(Grid):
     stuck_from: Floats
     stuck_from_N: Floats
     slides_first: Words
+    found_by: Words
     marginal: Words
 
-    @property
-    def contacts(self) -> dict[str, Columns]:
-        """Numbers of the contacts by name, as in `answer.contacts["brace"].stuck_fraction`."""
-        return {name: self[name] for name in self._contacts}
+    def plot(self, ax: Axes | None = None, of: str | None = None) -> Axes:
+        """Draws the amplitude of one motion over frequency, one line for each friction.
+
+        :raises ImportError: if matplotlib is not installed.
+        """
+        return _plot.response(self, ax, of)
 
 
 class Map(Grid):
@@ -141,7 +149,14 @@ class Map(Grid):
     sliding_limit: Floats
     sliding_limit_N: Floats
 
+    #: Frictions at the boundaries between regions, with the regions `below` and `above`, if asked for.
+    boundaries: Table | None
+
     _beside = ("continuous_limit", "continuous_limit_N", "sliding_limit", "sliding_limit_N")
+
+    def __init__(self, columns: dict[str, Any], boundaries: dict[str, Any] | None = None) -> None:
+        super().__init__(columns)
+        self.boundaries = None if boundaries is None else Table(boundaries)
 
     def plot(self, ax: Axes | None = None, shade: str = "region") -> Axes:
         """Draws the map with both limits.
@@ -192,7 +207,7 @@ class Curve(Table):
         return _plot.curve(self, ax, of)
 
 
-class Orbit(Table):
+class Orbit(Single):
     """The steady state at one point.
 
     * `state`: stable, marginal, unstable or unsettled, or the reason why there is no steady state.  Without one,
@@ -202,6 +217,8 @@ class Orbit(Table):
     * `multipliers`: Floquet multipliers.
     * `sticking_intervals`: start and length of each stop in tau, one line for each.
     * `longest_stop_s`, `sticking_intervals_s`: in seconds, with a load or a frequency in a unit.
+
+    With several contacts, the columns are those of :class:`ByContact`, each with one value.
     """
 
     regime: str
@@ -214,13 +231,17 @@ class Orbit(Table):
     largest_multiplier: float
     offset: float
     offset_m: float
-    marginal: bool
+    marginal: bool | str
     from_rest: bool
     cycles_followed: int
     multipliers: NDArray[np.complex128]
     sticking_intervals: Floats
     longest_stop_s: float
     sticking_intervals_s: Floats
+    stuck_from: float
+    stuck_from_N: float
+    slides_first: str
+    found_by: str
 
     def to_frame(self) -> DataFrame:
         """Returns a pandas frame of one line with the single values of the orbit.
@@ -231,7 +252,8 @@ class Orbit(Table):
         return frame({name: value for name, value in self._columns.items() if name not in beside})
 
     def __repr__(self) -> str:
-        return f"Orbit: {self.regime}, {self.state}, {self.stops} stops in {self.period} cycles"
+        each = [self.stops] if "stops" in self else [contact.stops for contact in self.contacts.values()]
+        return f"Orbit: {self.regime}, {self.state}, {sum(each)} stops in {self.period} cycles"
 
 
 class Cycle(Table):

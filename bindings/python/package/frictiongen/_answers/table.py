@@ -91,6 +91,18 @@ class Columns:
     def __iter__(self) -> Iterator[str]:
         return iter(self.keys())
 
+    def __eq__(self, other: object) -> bool:
+        """Returns whether both have the same type, names and values.  NaN equals NaN."""
+        if not isinstance(other, Columns) or type(self) is not type(other):
+            return NotImplemented
+        return _same(self._compared(), other._compared())
+
+    def _compared(self) -> dict[str, Any]:
+        """Returns all values that `==` compares, by name."""
+        return vars(self)
+
+    __hash__ = None  # type: ignore[assignment]
+
     def __dir__(self) -> list[str]:
         return [*super().__dir__(), *(name for name in self._columns if "." not in name)]
 
@@ -127,6 +139,17 @@ def _missing(answer: object, name: str, columns: dict[str, Any]) -> str:
     if groups:
         return f"{message}: without a load (`force` or `base`) it is {groups[0]!r}"
     return f"{message}; it has {', '.join(columns)}"
+
+
+def _same(one: Any, other: Any) -> bool:
+    """Returns whether two values are the same, also inside dicts and lists."""
+    if isinstance(one, dict) and isinstance(other, dict):
+        return list(one) == list(other) and all(_same(value, other[name]) for name, value in one.items())
+    if isinstance(one, (list, tuple)) and isinstance(other, (list, tuple)):
+        return len(one) == len(other) and all(map(_same, one, other))
+    if isinstance(one, (np.ndarray, np.generic, float)):
+        return np.array_equal(one, other, equal_nan=np.asarray(one).dtype.kind in "fc")
+    return bool(one == other)
 
 
 def item(answer: object, name: str, columns: dict[str, Any]) -> Any:
@@ -171,6 +194,11 @@ class Table(Columns):
         return {name: Motion(name, _inner(self._columns, name)) for name in names}
 
     @property
+    def contacts(self) -> dict[str, Motion]:
+        """Numbers of the contacts by name, as in `answer.contacts["brace"].stuck_fraction`."""
+        return {name: Motion(name, _inner(self._columns, name)) for name in self._contacts}
+
+    @property
     def contact(self) -> Motion:
         """Motion of the contact, or of the first one."""
         found: Motion = self[next(iter(self._contacts), "contact")]
@@ -184,13 +212,31 @@ class Table(Columns):
             return f"<pre>{escape(repr(self))}</pre>"
         return str(whole.to_html(max_rows=10, index=False))
 
+    def __len__(self) -> int:
+        """Returns the number of lines of the frame."""
+        return int(np.size(next(iter(self._columns.values()), np.empty(0))))
+
+    def __bool__(self) -> bool:
+        """Returns true, also for an answer without lines."""
+        return True
+
     def _repr_size(self) -> str:
-        first = next(iter(self._columns.values()), np.empty(0))
-        return f"{np.size(first)} lines"
+        return f"{len(self)} lines"
 
     def __repr__(self) -> str:
         names = [name for name in self._columns if "." not in name]
         return f"{type(self).__name__} of {self._repr_size()}: {', '.join([*names, *self.motions])}"
+
+
+class Single(Table):
+    """Answer of one line.  Its values are a Python int, float, bool or str, and lists are arrays."""
+
+    def __init__(self, columns: dict[str, Any]) -> None:
+        plain = {name: value.item() if isinstance(value, np.generic) else value for name, value in columns.items()}
+        super().__init__(plain)
+
+    def __len__(self) -> int:
+        return 1
 
 
 class Grid(Table):
@@ -214,6 +260,10 @@ class Grid(Table):
         """Shape of the frequencies, followed by that of the frictions."""
         return np.shape(self.r) + np.shape(self._friction)
 
+    def __len__(self) -> int:
+        """Returns the number of points, which is the number of lines of the frame."""
+        return int(np.prod(self.shape))
+
     @property
     def _friction(self) -> Floats:
         """Frictions as they were given: in N with a load, else ratios."""
@@ -236,7 +286,9 @@ class Grid(Table):
     def to_xarray(self) -> Dataset:
         """Returns an xarray dataset with the dimensions frequency and friction, as far as these are arrays.
 
-        The coordinates are the frequency and the friction that were given, with their units as attributes.
+        The coordinates `frequency` and `friction` select points, as in `.sel(frequency=2.5, method="nearest")`.  They are
+        in rad/s if frequencies were given so, or else in Hz, and in N; without units, they are ratios.  `r`, `beta` and
+        the other columns of frequency and friction are coordinates, too.  Units are attributes.
 
         :raises ImportError: if xarray is not installed.
 
@@ -245,6 +297,8 @@ class Grid(Table):
         >>> answer = frame.response(hz=[1.0, 2.5], friction=[0.4, 0.6, 1.0], base=0.001).to_xarray()
         >>> dict(answer.sizes), answer["lower.amplitude_m"].dims
         ({'frequency': 2, 'friction': 3}, ('frequency', 'friction'))
+        >>> str(answer.regime.sel(frequency=2.5, friction=1.0).values)
+        'stuck'
         """
         try:
             import xarray
@@ -263,6 +317,11 @@ class Grid(Table):
             variables[name] = (dimensions, np.asarray(values), {} if unit is None else {"units": unit})
         given = [*_FREQUENCY, *_FRICTION]
         coordinates = {name: variables.pop(name) for name in given if name in variables}
+        for dimension, names in (("frequency", ("omega_rad_s", *_FREQUENCY)), ("friction", _FRICTION)):
+            own = (coordinates[name] for name in names if name in coordinates)
+            label = next((entry for entry in own if entry[0] == (dimension,)), None)
+            if label is not None:
+                coordinates[dimension] = label
         return xarray.Dataset(variables, coordinates)
 
     def _repr_size(self) -> str:

@@ -42,7 +42,8 @@ class Design(Base):
         :param base: amplitude of the base motion in m, or text such as `"0.2g"`, `"2 m/s2"`, `"0.1 m/s"`.
         :param force: amplitude of the force in N, or an unbalance such as `"0.02 kg m"`.
         :param vary: a second variable of the optimisation: the name of a number in the description, and its interval.
-            It needs a single quantity.
+            It needs a single quantity.  With several contacts, `share pads` is the share of one contact, and `share` are
+            those of all contacts but the first.
         :param keep: upper bounds, as a dict of quantities and values above 0.  The result is the best friction with which
             no quantity exceeds its bound over the band.  It needs a single quantity as `of`.
         :param start: the initial state at each frequency and friction, as for :meth:`orbit`.
@@ -78,12 +79,13 @@ class Design(Base):
         omega: float | None = None,
         beta: float | None = None,
         friction: float | None = None,
-        force: float | None = None,
-        base: float | None = None,
+        force: float | str | None = None,
+        base: float | str | None = None,
     ) -> Sensitivities:
         """Computes the exact derivatives of amplitude, phase and both limits with respect to every parameter.
 
-        :param of: name of the mass whose amplitude and phase are differentiated, or `contact`.
+        :param of: name of the mass whose amplitude and phase are differentiated, or `contact`.  With several contacts: a
+            mass for its amplitude, or a contact for the energy that it takes.
 
         >>> import frictiongen
         >>> frame = frictiongen.System(frictiongen.FRAME)

@@ -3,10 +3,10 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Mapping
-from typing import TYPE_CHECKING, cast
+from typing import TYPE_CHECKING, Literal, cast, overload
 
 from .. import _native
-from .._answers.in_time import History, Steps
+from .._answers.in_time import Driven, History, Peaks, ResponseSpectrum, Steps
 from .._recording import Recording
 from .base import Base, names, state
 
@@ -27,8 +27,8 @@ class InTime(Base):
         omega: float | None = None,
         beta: float | None = None,
         friction: float | None = None,
-        force: float | None = None,
-        base: float | None = None,
+        force: float | str | None = None,
+        base: float | str | None = None,
         of: str | Iterable[str] | None = None,
         cycles: int | None = None,
         skip: int | None = None,
@@ -36,6 +36,7 @@ class InTime(Base):
         start: str | tuple[ArrayLike, ArrayLike] | None = None,
         steady: bool = False,
         until: float | None = None,
+        spectrum: bool = False,
     ) -> History:
         """Computes the exact motion and all events over time, from rest, from a state, or in the steady state.
 
@@ -50,6 +51,7 @@ class InTime(Base):
             "rest".  A run starts from rest by default.  For a steady state, :meth:`orbit` describes the default.
         :param steady: whether to return one period of the steady state instead of a run.
         :param until: end of the free vibration in s.
+        :param spectrum: whether to return also the spectrum of each motion, for a scene with one contact.
 
         >>> import frictiongen
         >>> frame = frictiongen.System(frictiongen.FRAME)
@@ -69,7 +71,7 @@ class InTime(Base):
                 (beta, friction),
                 (force, base),
                 names(of),
-                (cycles, skip, samples, state(start), bool(steady), until),
+                (cycles, skip, samples, state(start), until, (bool(steady), bool(spectrum))),
             )
         )
 
@@ -126,17 +128,41 @@ class InTime(Base):
             )
         )
 
+    @overload
     def drive(
         self,
         recording: Recording,
         *,
         friction: float | None = None,
         of: str | Iterable[str] | None = None,
-        start: tuple[ArrayLike, ArrayLike] | Steps | None = None,
-        stiction: float | None = None,
-        budget: int | None = None,
-    ) -> Steps:
-        """Computes the motion under a recorded input.
+        start: tuple[ArrayLike, ArrayLike] | None = None,
+        after: float = 0.0,
+        peaks: Literal[False] = False,
+    ) -> Driven: ...
+
+    @overload
+    def drive(
+        self,
+        recording: Recording,
+        *,
+        friction: ArrayLike | None = None,
+        of: str | Iterable[str] | None = None,
+        start: tuple[ArrayLike, ArrayLike] | None = None,
+        after: float = 0.0,
+        peaks: Literal[True],
+    ) -> Peaks: ...
+
+    def drive(
+        self,
+        recording: Recording,
+        *,
+        friction: ArrayLike | None = None,
+        of: str | Iterable[str] | None = None,
+        start: tuple[ArrayLike, ArrayLike] | None = None,
+        after: float = 0.0,
+        peaks: bool = False,
+    ) -> Driven | Peaks:
+        """Computes the motion of a scene with any number of contacts under a recorded input.
 
         The channel of the excitation is `base` (displacement, velocity or acceleration) or `force`.  A channel with the
         name of a mass is a force on this mass.  The channel `friction` is the friction force, if it changes.
@@ -147,9 +173,16 @@ class InTime(Base):
 
         :param recording: recording of the inputs.  `Recording(..., drives=True)` also takes a single or a constant
             channel.
-        :param friction: kinetic friction force, N.  The default is the channel `friction`.
-        :param start: as for `step`.  The default is rest relative to the base.
-        :param budget: event budget, as for `step`.
+        :param friction: kinetic friction force, N, of which each contact has its share.  With `peaks` it may be a list or
+            an array.  The default is the channel `friction`.
+        :param of: names of the motions to return: masses, contacts, `roof-base`, `roof-first`, `spring(a-b)`, `shear`.  The
+            default is all contacts and all masses, relative to the base if the base moves.  With `peaks` also `vel(roof)`,
+            `accel(roof)`, `slip(pads)`, `force(pads)`, `energy(pads)`.
+        :param start: initial displacements and velocities of all masses, m and m/s.  The default is rest relative to the
+            base.
+        :param after: time in s for which the motion goes on after the recording, without forces and with a base that
+            keeps its last recorded displacement, or its last velocity under accelerations.
+        :param peaks: whether to return the largest values of quantities instead of the motion.
 
         >>> import frictiongen, numpy
         >>> frame = frictiongen.System(frictiongen.FRAME)
@@ -157,12 +190,32 @@ class InTime(Base):
         >>> recording = frictiongen.Recording({"base": (shaking, "m/s2")}, rate=1000, drives=True)
         >>> bool(frame.drive(recording, friction=0.2).work.friction > 0)
         True
+        >>> frame.drive(recording, friction=[0.2, 0.4], peaks=True, of="upper-lower").unit.tolist()
+        ['m', 'm']
         """
         if not isinstance(recording, Recording):
             raise TypeError(f"a Recording is needed, not {type(recording).__name__}")
-        return Steps(
-            _native.drive(self._native, recording._native, friction, names(of), (_start(start), stiction, budget))
-        )
+        if isinstance(start, Steps):
+            raise TypeError("start: displacements and velocities are needed; `step` continues earlier steps")
+        asked = self._native, recording._native, (friction, names(of), after, state(start))
+        return Peaks(_native.drive_peaks(*asked)) if peaks else Driven(_native.drive(*asked))
+
+    def response_spectrum(self, recording: Recording, *, damping: float) -> ResponseSpectrum:
+        """Computes the response spectrum of a recorded base motion, with the natural periods of the scene.
+
+        :param recording: recording with the channel `base`.
+        :param damping: damping ratio of the oscillators, such as 0.05.
+
+        >>> import frictiongen, numpy
+        >>> frame = frictiongen.System(frictiongen.FRAME)
+        >>> shaking = 0.5 * numpy.sin(12 * 1e-2 * numpy.arange(2001))
+        >>> recording = frictiongen.Recording({"base": (shaking, "m/s2")}, rate=100, drives=True)
+        >>> frame.response_spectrum(recording, damping=0.05).mode.tolist()[:3]
+        [1, 2, -1]
+        """
+        if not isinstance(recording, Recording):
+            raise TypeError(f"a Recording is needed, not {type(recording).__name__}")
+        return ResponseSpectrum(_native.response_spectrum(self._native, recording._native, damping))
 
 
 def _start(start: tuple[ArrayLike, ArrayLike] | Steps | None) -> tuple[ArrayLike, ArrayLike] | _native.StepState | None:

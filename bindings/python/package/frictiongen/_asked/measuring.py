@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from .. import _native
-from .._answers.measuring import Fit, FreeDecay, Identification, Transmissibilities
+from .._answers.measuring import Fit, FreeDecay, Identification, MotionFit, Transmissibilities
 from .._files import File, name_of, text_of
 from .._observation import Observation
 from .._recording import Recording
@@ -122,6 +122,34 @@ class Measuring(Base):
     def _fitted(self, found: tuple[dict[str, Any], dict[str, Any], _native.System]) -> Fit:
         once, columns, system = found
         return Fit(once, columns, type(self)._of(system))
+
+    def fit_motion(
+        self, recording: Recording, *, friction: float | None = None, vary: str | Iterable[str] | None = None
+    ) -> MotionFit:
+        """Fits the friction force and numbers of the description to the whole motion in a recording, sample by sample.
+
+        The recording has the channels of :meth:`drive`, and displacements or velocities of masses.  The motion starts from
+        rest.
+
+        :param friction: first guess of the friction force, N.  Leave it out if the recording has a channel `friction`.
+        :param vary: names of the numbers to fit, as for :meth:`optimum`.  Their first guesses are those of the
+            description.
+
+        >>> import frictiongen, numpy
+        >>> plate = frictiongen.System('''struct Plate {
+        ...     masses: { plate: 2.0 }, springs: { base - plate: 750.0 }, contact: plate - wall, excitation: plate,
+        ... }''')
+        >>> load = 20 * numpy.sin(9 * 0.01 * numpy.arange(300))
+        >>> motion = plate.step(0.01, force=load, friction=3.0)["plate"].displacement_m
+        >>> recording = frictiongen.Recording({"force": (load, "N"), "plate": (motion, "m")}, rate=100, drives=True)
+        >>> found = plate.fit_motion(recording, friction=2.0)
+        >>> round(found.friction_N.value, 6)
+        3.0
+        """
+        if not isinstance(recording, Recording):
+            raise TypeError(f"a Recording is needed, not {type(recording).__name__}")
+        once, system = _native.fit_motion(self._native, recording._native, friction, names(vary, "vary"))
+        return MotionFit(once, type(self)._of(system))
 
     def free_decay(
         self, recording: Recording, *, damping: float | None = None, find_damping: bool = False

@@ -80,14 +80,16 @@ class Steady(Base):
         of: str | Iterable[str] | None = None,
         harmonics: int | None = None,
         start: str | tuple[ArrayLike, ArrayLike] | None = None,
-    ) -> Response:
+    ) -> Response | ByContact:
         """Computes regime, amplitudes and phases over frequency and friction, in every regime.
 
         Frequencies and frictions may each be a number, a list or an array, or a band (from, to), which 161 frequencies
         or 81 frictions cover.  The shape of the answer is the shape of the frequencies, followed by the shape of the
-        frictions.
+        frictions.  With several contacts the answer is that of :meth:`by_contact`.
 
-        :param of: names of the motions to return: masses, or `contact`.  The default is all motions.
+        :param of: names of the quantities to return: masses, `contact`, `roof-base`, `roof-first`, `vel(roof)`,
+            `accel(roof)`, `spring(a-b)`, `shear`, `force(contact)`, `energy(contact)`, `zeta_eq`.  The default is the
+            contact and all masses.
         :param harmonics: the order up to which the harmonics X1, X3, ... are returned too.
         :param start: the initial state, as for :meth:`orbit`.
 
@@ -99,11 +101,10 @@ class Steady(Base):
         >>> response["upper"].amplitude.round(3).tolist()
         [1.098, 0.07, 0.0]
         """
-        return Response(
-            _native.response(
-                self._native, (r, hz, omega), (beta, friction), ((force, base), state(start)), names(of), harmonics
-            )
+        columns = _native.response(
+            self._native, (r, hz, omega), (beta, friction), ((force, base), state(start)), names(of), harmonics
         )
+        return ByContact(columns) if self._native.is_joined else Response(columns)
 
     def by_contact(
         self,
@@ -118,12 +119,13 @@ class Steady(Base):
         of: str | Iterable[str] | None = None,
         start: str | tuple[ArrayLike, ArrayLike] | None = None,
     ) -> ByContact:
-        """Computes the steady states of a scene with several contacts or dashpots, with the numbers of each contact.
+        """Computes the steady states of a scene with any number of contacts, with the numbers of each contact.
 
         Frequencies and frictions are given as for :meth:`response`.  The friction is the common force F: each contact
         has its share of it.
 
-        :param of: names of the masses to return.  The default is all masses.  Every contact is in the answer.
+        :param of: names of the motions to return besides all contacts: masses, `roof-first`, `vel(roof)`, `accel(roof)`,
+            `spring(a-b)`, `shear`.  The default is all masses.
         :param start: the initial state, as for :meth:`orbit`.
 
         >>> import frictiongen
@@ -160,11 +162,12 @@ class Steady(Base):
     ) -> Orbit:
         """Computes the steady state at one frequency and one friction.
 
-        The answer contains the stops and the stability of the state.  If several states exist, it is the state that
+        The answer contains the stops and the stability of the state, and with several contacts the numbers of each.  If several states exist, it is the state that
         motion from rest reaches.  A contact that never slides may rest at any place within an interval.  The answer is
         then the state in the middle of the interval, without a constant force in the contact.  `offset` is the place
         where motion from rest leaves the contact.
 
+        :param of: names of the quantities to return, as for :meth:`response`.
         :param harmonics: the order up to which the harmonics X0, X1, ... are returned too.
         :param start: "rest", or displacements and velocities of all masses at a maximum of the excitation, in m and m/s
             with a load.  The answer is the state that motion reaches from there.  A contact that never slides then stays
@@ -198,12 +201,12 @@ class Steady(Base):
         harmonics: int | None = None,
         start: str | tuple[ArrayLike, ArrayLike] | None = None,
     ) -> list[Orbit]:
-        """Finds stable steady states at one frequency and one friction, from a fixed list of initial states.
+        """Finds steady states at one frequency and one friction, stable or not.
 
-        The initial states are rest or `start`, the stuck contact, the closed form and motions at neighbouring frictions.
-        The search may miss other states.  It looks neither for unstable states nor for the mirror image of an asymmetric
-        state.  `from_rest` marks the state that motion from rest or from `start` reaches.  With stiction 1 there is one
-        state, or one continuum.  If the search finds no state, the list has one entry, whose `state` is the reason.
+        The search starts from rest or `start`, the stuck contacts, the closed form and other states, and applies Newton's
+        method where several states may exist.  It may miss states.  `from_rest` marks the state that motion from rest or
+        from `start` reaches; with several contacts, `found_by` is the start from which the search found the state.  If
+        the search finds no stable state, the first entry has the reason as its `state`.
 
         :param harmonics: the order up to which the harmonics X0, X1, ... are returned too.
         :param start: the initial state, as for :meth:`orbit`.
@@ -281,9 +284,13 @@ class Steady(Base):
         harmonics: int | None = None,
         rates: bool = False,
         start: str | Iterable[str] | tuple[ArrayLike, ArrayLike] | None = None,
-    ) -> Curve:
+    ) -> Curve | ByContact:
         """Computes responses along frequency over a band (from, to), with more points where a curve bends.
 
+        With several contacts the answer is that of :meth:`by_contact`, at 200 frequencies over the band, or at the
+        frequencies of a list or an array.
+
+        :param of: names of the quantities to return, as for :meth:`response`.
         :param accuracy: largest distance of the curve from straight lines between its points, relative to the curve.
             5e-4 by default.
         :param step: largest distance between neighbouring points, in the unit of the frequency.
@@ -304,16 +311,15 @@ class Steady(Base):
             start = "rest"
         else:
             words, start = ["rest"], state(cast("tuple[ArrayLike, ArrayLike] | None", start))
-        return Curve(
-            _native.curve(
-                self._native,
-                (r, hz, omega),
-                (beta, friction),
-                ((force, base), start),
-                names(of),
-                (accuracy, step, harmonics, bool(rates), list(words)),
-            )
+        columns = _native.curve(
+            self._native,
+            (r, hz, omega),
+            (beta, friction),
+            ((force, base), start),
+            names(of),
+            (accuracy, step, harmonics, bool(rates), list(words)),
         )
+        return ByContact(columns) if self._native.is_joined else Curve(columns)
 
     def map(
         self,
@@ -327,13 +333,16 @@ class Steady(Base):
         base: float | str | None = None,
         of: str | Iterable[str] | None = None,
         start: str | tuple[ArrayLike, ArrayLike] | None = None,
-    ) -> Map:
+        boundaries: int | None = None,
+    ) -> Map | ByContact:
         """Computes the regime of the contact at every pair of a frequency and a friction, on all cores.
 
         A tuple (from, to) is a band, which 161 frequencies or 81 frictions cover.  A list or an array has the points
-        themselves.
+        themselves.  With several contacts the answer is that of :meth:`by_contact`.
 
         :param start: the initial state, as for :meth:`orbit`.
+        :param boundaries: number of significant digits, from 1 to 12, of the frictions at the boundaries between regions,
+            which the answer then has too, for a scene with one contact.
 
         >>> import frictiongen, numpy
         >>> frame = frictiongen.System(frictiongen.FRAME)
@@ -343,6 +352,7 @@ class Steady(Base):
         >>> frame.map(hz=(1, 7), friction=[0.4, 0.8], base=0.001).shape
         (161, 2)
         """
-        return Map(
-            _native.map(self._native, (r, hz, omega), (beta, friction), ((force, base), state(start)), names(of)),
+        columns, found = _native.map(
+            self._native, (r, hz, omega), (beta, friction), ((force, base), state(start)), (names(of), boundaries)
         )
+        return ByContact(columns) if self._native.is_joined else Map(columns, found)
