@@ -3,6 +3,7 @@
 mod balance;
 mod branch;
 mod free;
+mod modes;
 mod reference;
 mod refused;
 mod sensitivity;
