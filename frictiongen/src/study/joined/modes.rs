@@ -16,6 +16,8 @@ const ALL_SETS: usize = 4;
 const RIGID: f64 = 1e-13;
 /// Largest |Im λ| of a root λ that counts as real, divided by |λ|. Rounding splits a double root by about this much.
 const CRITICAL: f64 = 1e-7;
+/// Largest damping ratio of a root that counts as undamped. Rounding causes it.
+const UNDAMPED: f64 = 1e-15;
 /// Largest modulus of a root that counts as 0, divided by the largest natural frequency or damping rate of the chain.
 const ZERO: f64 = 1e-12;
 /// Largest number of masses for which [`Joined::resonances`] uses the coupling of the modes by damping.
@@ -45,7 +47,10 @@ impl DampedMode {
 
     fn of(root: Complex<f64>) -> Self {
         let size = root.norm();
-        let decay_rate = (-root.re).max(0.0);
+        let decay_rate = match -root.re {
+            rate if rate <= UNDAMPED * size => 0.0,
+            rate => rate,
+        };
         if root.im <= CRITICAL * size {
             return Self {
                 frequency: 0.0,

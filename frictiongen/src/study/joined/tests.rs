@@ -2,6 +2,7 @@
 
 mod balance;
 mod branch;
+mod features;
 mod free;
 mod modes;
 mod reference;
