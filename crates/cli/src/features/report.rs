@@ -80,7 +80,18 @@ impl ResultTable for FeaturesReport<'_> {
             text.push_str(&format!(", {} to {} Hz", hertz[0], hertz[1]));
         }
         let mut lines = vec![("range", text)];
-        if self.system.modal().is_damped() {
+        if let Ok(joined) = self.system.joined()
+            && self.system.scene().is_joined()
+        {
+            lines.push((
+                "not listed",
+                "invariant points, thresholds and regimes, which need a single contact without dashpots".to_owned(),
+            ));
+            if joined.is_damped() {
+                let text = "there are no antiresonances".to_owned();
+                lines.push(("with damping", text));
+            }
+        } else if self.system.modal().is_damped() {
             lines.push((
                 "with damping",
                 "there are no antiresonances, invariant points or inversions; two frictions can have the same \
