@@ -54,7 +54,10 @@ pub fn rows(sets: &[DampedModes], number: impl Fn(f64) -> String) -> Vec<[String
 
 /// Writes the table of damped modes.
 pub fn write(sets: &[DampedModes], out: &mut dyn Write) -> io::Result<()> {
-    let rows = rows(sets, |value| computed(value).trim().to_owned());
+    let rows = rows(sets, |value| match value {
+        value if (1e-3..1e5).contains(&value) => format!("{value:.6}"),
+        value => computed(value),
+    });
     let widest = |column: usize, least: usize| {
         let cells = rows.iter().filter_map(|row| row.get(column));
         let widths = cells.map(|cell| cell.chars().count());

@@ -89,6 +89,7 @@ impl Search<'_> {
             }
             let mut detail = match zeta {
                 0.0 => format!("mode {number}: undamped"),
+                zeta if zeta < 1e-3 => format!("mode {number}: zeta {zeta:.5e}"),
                 zeta => format!("mode {number}: zeta {zeta:.6}"),
             };
             if let Ok(found) = self.joined.stuck_limit(self.ratio(mode)) {
