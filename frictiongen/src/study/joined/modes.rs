@@ -4,10 +4,11 @@ use super::error::JoinedError;
 use super::scene::Joined;
 use crate::Complex;
 use crate::study::joints::Chain;
+use crate::study::large::singular;
 use crate::study::system::System;
 use frictiongen_kernel::Float;
 use frictiongen_model::scene::Node;
-use nalgebra::{DMatrix, DVector, SVD, Schur};
+use nalgebra::{DMatrix, DVector, Schur};
 
 /// Largest number of contacts for which the list contains every set of stuck contacts. With more contacts it contains
 /// no contact, each contact alone, and all contacts.
@@ -185,7 +186,7 @@ fn modes(chain: &Chain, stuck: u32, is_coupled: bool) -> Option<Vec<DampedMode>>
     if basis.is_empty() {
         return Some(Vec::new());
     }
-    let (frequencies, shapes) = undamped(chain, stuck, &basis)?;
+    let (frequencies, shapes) = undamped(chain, stuck, &basis);
     let dashpots = stretches(&chain.dashpots, chain.masses.len()) * &basis;
     let own = DMatrix::from_fn(basis.nrows(), basis.nrows(), |row, column| {
         let row = chain.damping.get(row);
@@ -299,24 +300,27 @@ fn stretches(links: &[(Node, Node, f64)], masses: usize) -> DMatrix<f64> {
 }
 
 /// Returns the natural frequencies without damping, and the mode shapes as rows. Rigid-body modes have the frequency 0.
-fn undamped(chain: &Chain, stuck: u32, basis: &DMatrix<f64>) -> Option<(Vec<f64>, DMatrix<f64>)> {
+fn undamped(chain: &Chain, stuck: u32, basis: &DMatrix<f64>) -> (Vec<f64>, DMatrix<f64>) {
     let contacts = chain.contacts.iter().enumerate();
     let held = contacts.filter(|(index, _)| is_in(stuck, *index));
     let held = held.filter_map(|(_, joint)| Some((joint.ends.0, joint.ends.1, joint.stiffness?)));
     let springs: Vec<_> = chain.springs.iter().copied().chain(held).collect();
     let springs = stretches(&springs, chain.masses.len()) * basis;
-    // A matrix with fewer rows than columns would lack shapes of rigid-body modes.
-    let rows = springs.nrows().max(basis.ncols());
-    let springs = springs.resize_vertically(rows, 0.0);
+    let columns = springs.column_iter();
+    let columns: Vec<Vec<f64>> = columns.map(|own| own.iter().copied().collect()).collect();
     // The natural frequencies are singular values. As roots of eigenvalues of the stiffness matrix, low frequencies
     // would lose up to half of their digits.
-    let found = SVD::try_new(springs, false, true, f64::EPSILON, 100 * rows)?;
-    let largest = found.singular_values.max();
-    let frequencies = found.singular_values.iter().map(|own| match own {
-        own if *own <= RIGID * largest => 0.0,
-        own => *own,
+    let (found, shapes) = singular(&columns);
+    let largest = found.last().copied().unwrap_or_default();
+    let frequencies = found.into_iter().map(|own| match own {
+        own if own <= RIGID * largest => 0.0,
+        own => own,
     });
-    Some((frequencies.collect(), found.v_t?))
+    let shapes = DMatrix::from_fn(basis.ncols(), basis.ncols(), |mode, body| {
+        let entry = shapes.get(mode).and_then(|shape| shape.get(body));
+        entry.copied().unwrap_or_default()
+    });
+    (frequencies.collect(), shapes)
 }
 
 /// Returns the modes in groups. Damping couples only modes of the same group.

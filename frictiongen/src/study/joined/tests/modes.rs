@@ -330,6 +330,36 @@ fn undamped_frequencies_of_stiff_and_soft_springs() {
     }
 }
 
+/// A stuck contact joins two masses, and the spring between them has no effect. The frequencies are those of the joined
+/// chain in double-double.
+#[test]
+fn frequencies_of_a_joined_chain() {
+    let masses = "m0: 1.9, m1: 0.62, m2: 0.15, m3: 1.2, m4: 6.7, m5: 0.59, m6: 5.97";
+    let chain = |masses: &str, springs: &str, contact: &str| {
+        format!(
+            "struct Chain {{ masses: {{ {masses} }}, springs: {{ base - m0: 3460, m0 - m1: 9.2, m1 - m2: 5500,
+            m2 - m3: 1966, {springs} }}, {contact}, excitation: base }}"
+        )
+    };
+    let found = sets(&chain(
+        &format!("{masses}, m7: 2.5"),
+        "m3 - m4: 6718, m4 - m5: 6966, m5 - m6: 262, m6 - m7: 169",
+        "contacts: { pads: m3 - m4, floor: m7 - wall { stiffness: 37 } }",
+    ));
+    let exact = system(&chain(
+        &format!("{}, m7: 2.5", masses.replace("m3: 1.2, m4: 6.7", "m3: 7.9")),
+        "m3 - m5: 6966, m5 - m6: 262, m6 - m7: 169, m7 - wall: 37",
+        "contact: m0 - wall",
+    ));
+    assert_eq!(found[3].modes.len(), 7);
+    for (mode, frequency) in found[3].modes.iter().zip(exact.natural_frequencies()) {
+        assert!(
+            apart(mode.frequency, frequency) < 1e-13,
+            "{mode:?} {frequency}"
+        );
+    }
+}
+
 /// The list of the frame has every set, and modal damping adds to the dashpot.
 #[test]
 fn the_frame_has_four_sets() {
