@@ -6,7 +6,7 @@ pub mod draw;
 pub mod report;
 
 use crate::args::{FeaturesArguments, FrequencyArguments, FrictionArguments};
-use crate::asked;
+use crate::asked::{self, MovingPart};
 use crate::destination::Destination;
 #[cfg(feature = "pictures")]
 use crate::destination::OutputFormat;
@@ -68,7 +68,10 @@ pub fn run(arguments: &FeaturesArguments, out: &mut dyn Write) -> Result<(), Fai
         ));
     }
     let mut parts = match is_joined {
-        true => asked::motions(&system, &arguments.of)?,
+        true => {
+            let masses = asked::masses(&system, "--of", &arguments.of)?;
+            masses.into_iter().map(MovingPart::from).collect()
+        }
         false => asked::parts(&system, &arguments.of)?,
     };
     asked::without_rates(&parts)?;

@@ -799,16 +799,16 @@ fn features_that_several_contacts_do_not_have() {
             "features --friction 0.3 --base 1",
             "--friction has no answer",
         ),
-        ("features --of pads", "leave it out"),
+        (
+            "features --of pads",
+            "there is no mass `pads`; the masses are lower, upper",
+        ),
         (
             "features --of upper-lower",
-            "features exist for the contact and for masses",
+            "`upper-lower` is no mass, and this answer has masses only",
         ),
         ("features --of roof", "there is no mass `roof`"),
-        (
-            "features --of vel(upper)",
-            "displacements and forces of springs only",
-        ),
+        ("features --of vel(upper)", "`vel(upper)` is no mass"),
         ("features --r 2:1", "write 1:2"),
         ("features --r 0:1", "--r"),
         ("features --force 1", "--force"),
