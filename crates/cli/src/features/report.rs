@@ -8,6 +8,7 @@ use crate::output::{ResultTable, Visitor};
 use frictiongen::System;
 use frictiongen::study::columns::{Column, FeatureLine, FeatureTable, MovingPart, Setting};
 use frictiongen::study::features::Sensed;
+use frictiongen::study::joined::JoinedError;
 use serde_json::{Value as Json, json};
 
 /// The features of a response, with the options for the output.
@@ -87,6 +88,16 @@ impl ResultTable for FeaturesReport<'_> {
                 "not listed",
                 "invariant points, thresholds and regimes, which need a single contact without dashpots".to_owned(),
             ));
+            let scale = self.measure.scale();
+            let joined = scale.map_or_else(
+                || joined.clone(),
+                |scale| joined.with_length(scale.length()),
+            );
+            if let Err(error @ (JoinedError::NotLinear | JoinedError::NoAmplitude)) =
+                joined.stuck_limit(from)
+            {
+                lines.push(("without frictions", error.to_string()));
+            }
             if joined.is_damped() {
                 let text = "there are no antiresonances".to_owned();
                 lines.push(("with damping", text));

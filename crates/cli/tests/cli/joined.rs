@@ -790,6 +790,25 @@ fn features_of_several_contacts() {
     );
 }
 
+/// A belt has modes, and the output says why it has no friction from which no contact slides. A scene without springs
+/// needs units.
+#[test]
+fn features_of_a_belt_and_without_springs() {
+    let belt = "struct Belt { masses: { block: 1 }, springs: { block - wall: 1 },
+        contacts: { pads: block - wall { speed: 0.3 } }, dampers: { block - wall: 0.1 }, excitation: block }";
+    let without_load = output(belt, &words("features"));
+    assert!(without_load.contains("the amplitude of the load is needed"));
+    let printed = output(belt, &words("features --force 1"));
+    let reason = "without frictions            with stops, moving surfaces or constant forces";
+    assert!(
+        printed.contains(reason) && printed.contains("mode 1: zeta 0.050000"),
+        "{printed}"
+    );
+    assert!(failure(BLOCK, &words("features")).contains("the scene has no spring"));
+    let csv = output(BLOCK, &words("features --force 2 --hz 0.1:2 --csv"));
+    assert_eq!(texts(&csv, "detail")[0], "mode 1: rigid body");
+}
+
 /// Requests without an answer name the option and the reason, in one line.
 #[test]
 fn features_that_several_contacts_do_not_have() {

@@ -131,7 +131,7 @@ impl Joined<'_> {
         let names = self.contact_names();
         let sets = sets(chain.contacts.len()).into_iter();
         let of_set = |stuck: u32| {
-            let own = names.iter().enumerate();
+            let own = names.iter().take(chain.contacts.len()).enumerate();
             let own = own.filter(|(index, _)| is_in(stuck, *index));
             Ok(DampedModes {
                 stuck: own.map(|(_, name)| name.clone()).collect(),

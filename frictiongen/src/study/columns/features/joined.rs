@@ -35,6 +35,10 @@ pub(super) fn lines(
     range: [f64; 2],
 ) -> Result<Vec<FeatureLine>, FeatureError> {
     let joined = setting.system.joined()?;
+    let is_physical = setting.frequency.is_physical() && setting.measure.scale().is_some();
+    if !is_physical && joined.scene().springs.is_empty() {
+        return Err(JoinedError::NoSpring.into());
+    }
     let joined = match setting.measure.scale() {
         Some(scale) => joined.with_length(scale.length()),
         None => joined,
