@@ -8,8 +8,10 @@ use crate::columns::{NamedArrays, cell};
 use crate::errors::domain;
 use crate::system::NativeSystem;
 use crate::work::left_at_interrupt;
-use frictiongen::Of;
-use frictiongen::study::columns::{Column, FeatureLists, FeatureTable, FeatureVisitor, TableRow};
+use frictiongen::study::columns::{
+    Column, FeatureLists, FeatureTable, FeatureVisitor, Measure, MovingPart, TableRow,
+};
+use frictiongen::{Of, System};
 use frictiongen::study::{features::Sensed, sensitivity::Parameter};
 use numpy::PyArray1;
 use pyo3::prelude::*;
@@ -20,7 +22,7 @@ use std::sync::Arc;
 const MOST_FRICTIONS: usize = 16;
 
 /// Returns every list of features by name, such as peaks. Each list has its columns, and the derivatives of its numbers
-/// with respect to every parameter.
+/// with respect to every parameter. A scene with several contacts or dashpots has one list, `lines`.
 #[pyfunction]
 pub fn features<'py>(
     py: Python<'py>,
@@ -43,6 +45,15 @@ pub fn features<'py>(
         )));
     }
     let mut parts = parts(system, "of", of.as_ref())?;
+    if system.scene().is_joined() {
+        if !frictions.is_empty() {
+            return Err(domain(
+                "a scene with several `contacts` or `dampers` has no features at one friction; leave beta and friction out",
+            ));
+        }
+        parts.retain(|part| of.is_some() || matches!(part.of, Of::Mass(_)));
+        return joined(py, system, (measure, &band), parts);
+    }
     if of.is_none() && !system.modal().on_moving_base {
         // A mass that rubs on a fixed support has the same motion as the contact. The answer therefore lists this
         // motion only once.
@@ -61,6 +72,30 @@ pub fn features<'py>(
         all: PyDict::new(py),
     };
     found.visit(&setting, &mut lists)?;
+    Ok(lists.all)
+}
+
+/// Returns the features of a scene with several contacts or dashpots as one list, `lines`, without derivatives.
+fn joined<'py>(
+    py: Python<'py>,
+    system: &Arc<System>,
+    (measure, band): (Measure, &FrequencyRange),
+    parts: Vec<MovingPart>,
+) -> PyResult<Bound<'py, PyDict>> {
+    let unit = band.unit(&measure);
+    let range = [band.from, band.to];
+    let (owned, named) = (Arc::clone(system), parts.clone());
+    let rows = left_at_interrupt(py, move |_| {
+        let setting = setting(&owned, measure, unit, &named);
+        FeatureTable { setting }.joined_rows(range).map_err(domain)
+    })??;
+    let setting = setting(system, measure, unit, &parts);
+    let mut lists = Lists {
+        table: FeatureTable { setting },
+        all: PyDict::new(py),
+    };
+    let columns = lists.table.columns(&rows);
+    lists.list("lines", &columns, &rows)?;
     Ok(lists.all)
 }
 

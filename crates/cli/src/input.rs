@@ -97,14 +97,8 @@ impl FileArgument {
         )))
     }
 
-    /// Reads and parses a scene description for a command that requires constant kinetic friction. Fails for any other
-    /// friction law, and for a scene with several contacts or dashpots.
-    pub fn constant_level(&self, limits: &SizeLimits) -> Result<Description, Failure> {
-        Ok(self.constant_level_with_text(limits)?.0)
-    }
-
-    /// Reads and parses a scene description as [`constant_level`](Self::constant_level) does, and returns it with its
-    /// text.
+    /// Reads and parses a scene description for a command that requires constant kinetic friction, and returns it with
+    /// its text. Fails for any other friction law, and for a scene with several contacts or dashpots.
     pub fn constant_level_with_text(
         &self,
         limits: &SizeLimits,

@@ -35,6 +35,7 @@ mod limit_cycle;
 mod limits;
 mod map;
 mod measure;
+mod modes;
 mod new;
 mod number;
 mod optimum;

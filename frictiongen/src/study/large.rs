@@ -29,7 +29,7 @@ pub(super) fn modal(scene: &Scene) -> Modal {
 
 /// Returns the singular values of the matrix G in ascending order, and its right singular vectors. `g` lists the
 /// columns of G.
-fn singular(g: &[Vec<f64>]) -> (Vec<f64>, Vec<Vec<f64>>) {
+pub(super) fn singular(g: &[Vec<f64>]) -> (Vec<f64>, Vec<Vec<f64>>) {
     let n = g.len();
     let rows = g.first().map_or(0, Vec::len);
     let g = DMatrix::from_iterator(rows, n, g.iter().flatten().copied());

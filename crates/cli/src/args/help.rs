@@ -359,6 +359,13 @@ With --beta or --friction, for each friction:
   peak                      at each resonance, the largest amplitude over all regimes
 With two frictions or more:
   same amplitude            frequencies at which two neighbouring frictions have exactly the same amplitude
+With several contacts, dashpots or masses that no spring holds:
+  resonance                 a damped natural frequency of the chain with a set of stuck contacts, its damping ratio, and
+                            the friction from which no contact slides at this frequency
+  decay                     an overdamped mode, which is two decay rates
+  limit of sliding          the largest friction in the range below which a contact slides
+  limit of continuous motion  at a damped resonance, the friction up to which all contacts slide all the time
+  antiresonance             a frequency at which the mass rests, without damping, free and with all contacts stuck
 
 Found:
   exact    a formula gives the feature

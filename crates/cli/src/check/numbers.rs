@@ -1,5 +1,6 @@
 //! Prints numbers that reveal a wrong unit: natural frequencies, damping, mass and static displacement.
 
+use crate::modes;
 use crate::number::computed;
 use crate::summary::row;
 use frictiongen::System;
@@ -18,15 +19,17 @@ pub fn write(scene: &Scene, out: &mut dyn Write) -> io::Result<()> {
     let Ok(system) = System::try_from(scene.clone()) else {
         return Ok(());
     };
-    let frequencies: Vec<f64> = system
-        .natural_frequencies()
-        .into_iter()
-        .map(hertz)
-        .collect();
-    writeln!(out, "natural frequencies (Hz)   {}", row(&frequencies))?;
-    let ratios = system.modal().damping_ratios.iter().map(|zeta| zeta.hi);
-    let ratios: Vec<f64> = ratios.collect();
-    writeln!(out, "modal damping ratios       {}", row(&ratios))?;
+    match modes::of(&system) {
+        Some(sets) => modes::write(&sets, out)?,
+        None => {
+            let frequencies = system.natural_frequencies().into_iter().map(hertz);
+            let frequencies: Vec<f64> = frequencies.collect();
+            writeln!(out, "natural frequencies (Hz)   {}", row(&frequencies))?;
+            let ratios = system.modal().damping_ratios.iter().map(|zeta| zeta.hi);
+            let ratios: Vec<f64> = ratios.collect();
+            writeln!(out, "modal damping ratios       {}", row(&ratios))?;
+        }
+    }
     let mass: f64 = scene.masses.iter().map(|mass| mass.value).sum();
     writeln!(out, "total mass (kg)            {}", row(&[mass]))?;
     let (load, words) = match scene.excitation {
@@ -92,7 +95,7 @@ pub fn json(scene: &Scene) -> Option<Map<String, Json>> {
         Excitation::Base => "a base motion of 1 mm",
         Excitation::Force(_) => "a force of 1 N",
     };
-    let fields = json!({
+    let mut fields = json!({
         "natural_frequencies_Hz": frequencies,
         "damping_ratios": ratios,
         "damping": scene.damping_acts_on(),
@@ -100,6 +103,9 @@ pub fn json(scene: &Scene) -> Option<Map<String, Json>> {
         "static_displacements_m": placed,
         "static_displacements_under": under,
     });
+    if let (Some(sets), Some(fields)) = (modes::of(&system), fields.as_object_mut()) {
+        fields.insert("damped_modes".to_owned(), modes::json(&sets));
+    }
     match fields {
         Json::Object(fields) => Some(fields),
         _ => None,

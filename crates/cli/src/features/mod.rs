@@ -6,19 +6,20 @@ pub mod draw;
 pub mod report;
 
 use crate::args::{FeaturesArguments, FrequencyArguments, FrictionArguments};
-use crate::asked;
+use crate::asked::{self, MovingPart};
 use crate::destination::Destination;
 #[cfg(feature = "pictures")]
 use crate::destination::OutputFormat;
 use crate::failure::Failure;
 use crate::frequency::Band;
 use crate::friction::Frictions;
+use crate::joined;
 use crate::measure;
 use crate::output;
 use crate::summary::Summary;
 use frictiongen::study::columns::FeaturesAsked;
 use frictiongen::{Of, System};
-use frictiongen_codegen::SizeLimits;
+use frictiongen_codegen::{Description, SizeLimits};
 use report::FeaturesReport;
 use std::io::Write;
 
@@ -47,7 +48,7 @@ pub fn run(arguments: &FeaturesArguments, out: &mut dyn Write) -> Result<(), Fai
             "at most {MOST_FRICTIONS} frictions are possible, because each has its own list"
         )));
     }
-    let description = arguments.file.constant_level(&SizeLimits::RUN_TIME)?;
+    let (description, is_joined) = described(arguments)?;
     let system = System::try_from(description.scene).map_err(Failure::new)?;
     let frequency = FrequencyArguments {
         r: arguments.r.clone(),
@@ -66,9 +67,15 @@ pub fn run(arguments: &FeaturesArguments, out: &mut dyn Write) -> Result<(), Fai
             "a band is a:b, without a step, because all its features are listed",
         ));
     }
-    let mut parts = asked::parts(&system, &arguments.of)?;
+    let mut parts = match is_joined {
+        true => {
+            let masses = asked::masses(&system, "--of", &arguments.of)?;
+            masses.into_iter().map(MovingPart::from).collect()
+        }
+        false => asked::parts(&system, &arguments.of)?,
+    };
     asked::without_rates(&parts)?;
-    if arguments.of.is_empty() && !system.modal().on_moving_base {
+    if !is_joined && arguments.of.is_empty() && !system.modal().on_moving_base {
         // A mass that rubs on a fixed support has the same motion as the contact. The output therefore lists this
         // motion only once.
         let rubbing = system.modal().rubbing().map(Of::Mass);
@@ -88,8 +95,14 @@ pub fn run(arguments: &FeaturesArguments, out: &mut dyn Write) -> Result<(), Fai
         frictions: &frictions,
         peaks: true,
     };
-    let features = system.features(measure.load()).map_err(Failure::new)?;
-    let lines = report::table(&system, &band, measure, &parts).rows(&features, asked);
+    let table = report::table(&system, &band, measure, &parts);
+    let lines = match is_joined {
+        true => table.joined_rows(asked.range),
+        false => {
+            let features = system.features(measure.load()).map_err(Failure::new)?;
+            table.rows(&features, asked)
+        }
+    };
     let lines = lines.map_err(Failure::new)?;
     let report = FeaturesReport {
         system: &system,
@@ -104,4 +117,20 @@ pub fn run(arguments: &FeaturesArguments, out: &mut dyn Write) -> Result<(), Fai
         }
         form => output::write(&report, &summary, form, out),
     })
+}
+
+/// Reads the scene description. Returns true with it if the solver for several contacts computes its features. Fails
+/// for options that need the features of a single contact.
+fn described(arguments: &FeaturesArguments) -> Result<(Description, bool), Failure> {
+    let description = arguments.file.any(&SizeLimits::RUN_TIME)?;
+    let is_joined = description.scene.is_joined();
+    if is_joined {
+        joined::refused(&[
+            (arguments.beta.is_some(), "--beta"),
+            (arguments.friction.is_some(), "--friction"),
+        ])?;
+    } else {
+        arguments.file.check_constant(&description)?;
+    }
+    Ok((description, is_joined))
 }

@@ -8,6 +8,7 @@ use crate::output::{ResultTable, Visitor};
 use frictiongen::System;
 use frictiongen::study::columns::{Column, FeatureLine, FeatureTable, MovingPart, Setting};
 use frictiongen::study::features::Sensed;
+use frictiongen::study::joined::JoinedError;
 use serde_json::{Value as Json, json};
 
 /// The features of a response, with the options for the output.
@@ -80,7 +81,28 @@ impl ResultTable for FeaturesReport<'_> {
             text.push_str(&format!(", {} to {} Hz", hertz[0], hertz[1]));
         }
         let mut lines = vec![("range", text)];
-        if self.system.modal().is_damped() {
+        if let Ok(joined) = self.system.joined()
+            && self.system.scene().is_joined()
+        {
+            lines.push((
+                "not listed",
+                "invariant points, thresholds and regimes, which need a single contact without dashpots".to_owned(),
+            ));
+            let scale = self.measure.scale();
+            let joined = scale.map_or_else(
+                || joined.clone(),
+                |scale| joined.with_length(scale.length()),
+            );
+            if let Err(error @ (JoinedError::NotLinear | JoinedError::NoAmplitude)) =
+                joined.stuck_limit(from)
+            {
+                lines.push(("without frictions", error.to_string()));
+            }
+            if joined.is_damped() {
+                let text = "there are no antiresonances".to_owned();
+                lines.push(("with damping", text));
+            }
+        } else if self.system.modal().is_damped() {
             lines.push((
                 "with damping",
                 "there are no antiresonances, invariant points or inversions; two frictions can have the same \

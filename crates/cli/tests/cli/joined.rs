@@ -6,7 +6,7 @@
     reason = "a test may fail"
 )]
 
-use crate::common::{cells, column, json, output, texts, words};
+use crate::common::{cells, column, column_with_gaps, json, output, texts, words};
 
 /// Two floors with a brace, a pair of pads and a dashpot.
 const FRAME: &str = "struct Frame { masses: { lower: 2.0, upper: 1.5 },
@@ -243,7 +243,7 @@ fn expands_several_contacts() {
 /// Commands and options without an answer name the fields and another command, in one line.
 #[test]
 fn the_rest_is_refused_by_name() {
-    for line in ["features", "compile --accuracy 1e-4 --r 0.2:2.5"] {
+    for line in ["features --beta 0.3", "compile --accuracy 1e-4 --r 0.2:2.5"] {
         let told = failure(FRAME, &words(line));
         assert!(
             told.contains("`contacts`") && told.lines().count() == 1,
@@ -720,4 +720,184 @@ fn an_optimum_with_friction_that_depends_on_the_speed() {
         (peak - amplitude).abs() < 1e-6 * amplitude,
         "{peak} {amplitude}"
     );
+}
+
+/// The printed modes of a block are those of its closed form, free and stuck: √(k/m)/2π and c/(2√(km)).
+#[test]
+fn check_prints_damped_modes_once() {
+    let scene = "struct Block { masses: { block: 2 }, springs: { base - block: 50 },
+        contacts: { pads: block - wall { stiffness: 150 } }, dampers: { base - block: 4 }, excitation: block }";
+    let printed = output(scene, &words("check"));
+    let table: Vec<&str> = printed.lines().skip(1).take(3).collect();
+    assert_eq!(
+        table,
+        [
+            "damped modes                     f (Hz)          zeta",
+            "free                           0.795775      0.200000",
+            "pads stuck                     1.591549      0.100000",
+        ]
+    );
+    assert!(!printed.contains("natural frequencies") && !printed.contains("modal damping"));
+    let read = crate::common::json(&output(scene, &words("check --json")));
+    let sets = read["damped_modes"].as_array().expect("sets");
+    assert_eq!(
+        (sets.len(), &sets[0]["stuck"], &sets[1]["stuck"][0]),
+        (2, &serde_json::json!([]), &"pads".into())
+    );
+    let mode = &sets[1]["modes"][0];
+    for (name, wanted) in [
+        ("frequency_Hz", 5.0 / std::f64::consts::PI),
+        ("damping_ratio", 0.1),
+        ("decay_rate_per_s", 1.0),
+    ] {
+        let found = mode[name].as_f64().expect(name);
+        assert!((found - wanted).abs() < 1e-12, "{name}: {found}");
+    }
+    // A block with modal damping has its modal numbers, which the contact does not change.
+    let modal =
+        "struct Block { masses: { block: 2 }, springs: { base - block: 50 }, contact: block - wall,
+        damping: modal(0.02), excitation: block }";
+    assert!(output(modal, &words("check")).contains("modal damping ratios       "));
+    let read = crate::common::json(&output(modal, &words("check --json")));
+    assert!(read.get("damped_modes").is_none());
+}
+
+/// An overdamped mode is two decays, and a mass without a spring has the frequency 0.
+#[test]
+fn check_prints_decays_and_rigid_bodies() {
+    let scene = "struct Block { masses: { block: 2, tail: 1 }, springs: { base - block: 50 },
+        contacts: { pads: block - tail }, dampers: { base - block: 52 }, excitation: block }";
+    let printed = output(scene, &words("check"));
+    let rows: Vec<Vec<&str>> = printed
+        .lines()
+        .map(|line| line.split_whitespace().collect())
+        .collect();
+    assert_eq!(rows[2], ["free", "0", "0"]);
+    assert_eq!(rows[3], ["decay", "1.000000", "1/s"]);
+    assert_eq!(rows[4], ["decay", "25.000000", "1/s"]);
+    let read = crate::common::json(&output(scene, &words("check --json")));
+    let mode = &read["damped_modes"][0]["modes"][1];
+    assert!(mode["damping_ratio"].is_null() && mode["frequency_Hz"] == 0.0);
+    assert!((mode["decay_rate_per_s"].as_f64().expect("a rate") - 1.0).abs() < 1e-12);
+}
+
+/// `features` lists the resonances of all sets, the friction from which no contact slides, and antiresonances. The three
+/// formats agree, and the frictions are those of `orbit`.
+#[test]
+fn features_of_several_contacts() {
+    let undamped = FRAME.replace(
+        "dampers: { lower - upper: 1.5 }, damping: modal(0.01), ",
+        "",
+    );
+    let line = "features --hz 1:20 --base 2e-3 --of lower";
+    let csv = output(&undamped, &words(&format!("{line} --csv")));
+    let (of, detail) = (texts(&csv, "of"), texts(&csv, "detail"));
+    let features = texts(&csv, "feature");
+    let count = |name: &str| features.iter().filter(|feature| **feature == name).count();
+    assert_eq!(count("resonance"), 2 + 2 + 1 + 1, "{csv}");
+    assert_eq!(count("antiresonance"), 1);
+    assert_eq!(count("limit of sliding"), 1);
+    let sets: Vec<&str> = of.iter().take(6).copied().collect();
+    let expected = [
+        "free",
+        "free",
+        "brace stuck",
+        "brace stuck",
+        "pads stuck",
+        "brace + pads stuck",
+    ];
+    assert_eq!(sets, expected);
+    assert_eq!(detail[5], "mode 1: undamped; slides whatever the friction");
+    let [hertz, friction] = ["frequency_Hz", "friction_N"].map(|name| column_with_gaps(&csv, name));
+    // All contacts stuck: 5500 N/m and 3.5 kg. The lower mass rests where the upper one is an absorber.
+    let of_ratio = |ratio: f64| ratio.sqrt() / std::f64::consts::TAU;
+    assert!((hertz[5] - of_ratio(5500.0 / 3.5)).abs() < 1e-9 && friction[5].is_infinite());
+    let place = features
+        .iter()
+        .position(|feature| *feature == "antiresonance");
+    let place = place.expect("an antiresonance");
+    assert!((hertz[place] - of_ratio(1200.0 / 1.5)).abs() < 1e-9);
+    let orbit = format!("orbit --hz {:?} --friction 1 --base 2e-3 --csv", hertz[0]);
+    let stuck = column(&output(&undamped, &words(&orbit)), "stuck_from_N")[0];
+    assert!(
+        (stuck / friction[0] - 1.0).abs() < 1e-9,
+        "{stuck} {}",
+        friction[0]
+    );
+    let read = crate::common::json(&output(&undamped, &words(&format!("{line} --json"))));
+    let points = read["points"].as_array().expect("points");
+    assert_eq!(points.len(), features.len());
+    for (point, hertz) in points.iter().zip(&hertz) {
+        assert_eq!(point["frequency_Hz"].as_f64(), Some(*hertz));
+    }
+    let printed = output(&undamped, &words(line));
+    assert!(
+        printed.contains("not listed ") && !printed.contains("with damping"),
+        "{printed}"
+    );
+    let damped = output(FRAME, &words("features"));
+    assert!(
+        damped.contains("there are no antiresonances") && damped.contains(": zeta 0.0"),
+        "{damped}"
+    );
+    let rigid = FRAME.replace(" { stiffness: 4.0e3 }", "");
+    let limits = output(&rigid, &words("features --csv"));
+    assert!(
+        texts(&limits, "feature").contains(&"limit of continuous motion"),
+        "{limits}"
+    );
+}
+
+/// A belt has modes, and the output says why it has no friction from which no contact slides. A scene without springs
+/// needs units.
+#[test]
+fn features_of_a_belt_and_without_springs() {
+    let belt = "struct Belt { masses: { block: 1 }, springs: { block - wall: 1 },
+        contacts: { pads: block - wall { speed: 0.3 } }, dampers: { block - wall: 0.1 }, excitation: block }";
+    let without_load = output(belt, &words("features"));
+    assert!(without_load.contains("the amplitude of the load is needed"));
+    let printed = output(belt, &words("features --force 1"));
+    let reason = "without frictions            with stops, moving surfaces or constant forces";
+    assert!(
+        printed.contains(reason) && printed.contains("mode 1: zeta 0.050000"),
+        "{printed}"
+    );
+    assert!(failure(BLOCK, &words("features")).contains("the scene has no spring"));
+    let csv = output(BLOCK, &words("features --force 2 --hz 0.1:2 --csv"));
+    assert_eq!(texts(&csv, "detail")[0], "mode 1: rigid body");
+}
+
+/// Requests without an answer name the option and the reason, in one line.
+#[test]
+fn features_that_several_contacts_do_not_have() {
+    for (line, words_of) in [
+        ("features --beta 0.3", "--beta has no answer"),
+        (
+            "features --friction 0.3 --base 1",
+            "--friction has no answer",
+        ),
+        (
+            "features --of pads",
+            "there is no mass `pads`; the masses are lower, upper",
+        ),
+        (
+            "features --of upper-lower",
+            "`upper-lower` is no mass, and this answer has masses only",
+        ),
+        ("features --of roof", "there is no mass `roof`"),
+        ("features --of vel(upper)", "`vel(upper)` is no mass"),
+        ("features --r 2:1", "write 1:2"),
+        ("features --r 0:1", "--r"),
+        ("features --force 1", "--force"),
+    ] {
+        let undamped = FRAME.replace(
+            "dampers: { lower - upper: 1.5 }, damping: modal(0.01), ",
+            "",
+        );
+        let told = failure(&undamped, &words(line));
+        assert!(
+            told.contains(words_of) && told.lines().count() == 1,
+            "{line}: {told}"
+        );
+    }
 }

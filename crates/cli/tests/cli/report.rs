@@ -366,6 +366,8 @@ fn several_contacts_have_a_page() {
         "brace: hysteresis loop, area = energy",
         "pads: hysteresis loop, area = energy",
         "The first contact that slides",
+        "Damped modes",
+        "<th scope=\"row\">brace + pads stuck</th>",
         "2 contacts and 1 mass, from r = 0.6 to r = 1.9.",
     ] {
         assert!(page.contains(text), "{text}: {page}");

@@ -153,13 +153,15 @@ fn the_tuned_frame() {
 #[test]
 fn the_features() {
     let upper = concat!(env!("CARGO_MANIFEST_DIR"), "/scenes/thesis/two_m2.friction");
+    let storeys = concat!(env!("CARGO_MANIFEST_DIR"), "/scenes/storeys.friction");
     let (mut commands, mut numbers) = (0, 0);
     let mut last = String::new();
     for line in part(FEATURES).lines() {
         if let Some(rest) = line.strip_prefix("frictiongen features ") {
             let rest = rest
                 .replace("frame.friction", FRAME)
-                .replace("two_m2.friction", upper);
+                .replace("two_m2.friction", upper)
+                .replace("crates/cli/scenes/storeys.friction", storeys);
             let (rest, drawn) = match rest.split_once(" -o ") {
                 Some((rest, _)) => (rest.to_owned(), true),
                 None => (rest, false),
@@ -186,7 +188,7 @@ fn the_features() {
         }
     }
     println!("{commands} commands, {numbers} numbers");
-    assert!(commands == 3 && numbers >= 9, "{commands} {numbers}");
+    assert!(commands == 4 && numbers >= 12, "{commands} {numbers}");
 }
 
 /// Folder of the recordings.

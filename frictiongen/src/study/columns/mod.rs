@@ -71,7 +71,7 @@ pub use column::{Column, ColumnAxis, ColumnKind, Head, Shown, TableRow};
 #[cfg(feature = "desk")]
 pub use curve::{CurveRow, CurveTable};
 pub use features::{
-    FeatureLine, FeatureLists, FeatureTable, FeatureVisitor, FeaturesAsked, Ground,
+    FeatureLine, FeatureLists, FeatureTable, FeatureVisitor, FeaturesAsked, Ground, words_of_set,
 };
 #[cfg(feature = "desk")]
 pub use history::{EventRow, HarmonicRow, HistoryTable, SampleRow};

@@ -8,6 +8,7 @@
 mod functions;
 mod invariant;
 mod isolate;
+mod joined;
 mod peaks;
 mod places;
 mod regimes;
@@ -15,11 +16,13 @@ mod sensed;
 mod sliding;
 
 use super::error::UnknownMass;
+use super::joined::JoinedError;
 use super::system::System;
 use super::units::{Load, LoadError};
 use crate::Of;
 use frictiongen_kernel::number::dd::Dd;
 pub use invariant::{Antiresonance, Condition, Edge, InvariantPoint, InvariantQuantity, Inversion};
+pub use joined::StuckLimit;
 pub use peaks::{Crossing, ResonantPeak, TruePeak};
 pub use regimes::{RegimeEnd, RegimeRange};
 use sensed::Variations;
@@ -70,6 +73,8 @@ pub enum FeatureError {
     /// The range contains more poles or zeros than the search can examine. Towards the frequency ratio r = 0, poles
     /// and zeros become infinitely close.
     Crowded,
+    /// The solver for several contacts returns no result.
+    Joined(JoinedError),
 }
 
 impl std::fmt::Display for FeatureError {
@@ -78,6 +83,7 @@ impl std::fmt::Display for FeatureError {
             Self::Range => "a range of frequencies must begin above 0, and end above its start and below infinity",
             Self::Friction => "a friction must be finite and not negative",
             Self::UnknownMass(error) => return error.fmt(f),
+            Self::Joined(error) => return error.fmt(f),
             Self::Combination => {
                 "features exist for the contact and for masses; ask `curve` for a relative motion or a force"
             }
@@ -94,6 +100,12 @@ impl std::error::Error for FeatureError {}
 impl From<UnknownMass> for FeatureError {
     fn from(error: UnknownMass) -> Self {
         Self::UnknownMass(error)
+    }
+}
+
+impl From<JoinedError> for FeatureError {
+    fn from(error: JoinedError) -> Self {
+        Self::Joined(error)
     }
 }
 
@@ -151,12 +163,17 @@ const FAR_BELOW: f64 = 0.02;
 impl System {
     /// Returns the default range of the frequency ratio r, from below the lowest resonance to above the highest. If
     /// the highest resonance is far above the lowest, the range begins at a higher r. At low r the sub-harmonics of
-    /// the highest resonance would be too close together.
+    /// the highest resonance would be too close together. For a scene with several contacts or dashpots, the range
+    /// includes the resonances of the chain with each set of stuck contacts.
     #[must_use]
     pub fn about_resonances(&self) -> [f64; 2] {
-        let all = self.resonances();
-        let lowest = all.first().copied().unwrap_or(1.0);
-        let highest = all.last().copied().unwrap_or(1.0);
+        let joined = self.joined().ok().filter(|_| self.scene.is_joined());
+        let all: Vec<f64> = match joined {
+            Some(joined) => joined.resonances().iter().map(|mode| mode[0]).collect(),
+            None => self.resonances().to_vec(),
+        };
+        let lowest = all.iter().copied().reduce(f64::min).unwrap_or(1.0);
+        let highest = all.iter().copied().reduce(f64::max).unwrap_or(1.0);
         [(BELOW * lowest).max(FAR_BELOW * highest), ABOVE * highest]
     }
 
@@ -191,7 +208,9 @@ impl System {
     /// start.
     ///
     /// # Errors
-    /// [`LoadError`] for a load that does not fit the scene.
+    /// [`LoadError`] for a load that does not fit the scene. [`LoadError::SeveralContacts`] for a scene with several
+    /// contacts or dashpots. [`damped_modes`](System::damped_modes) has the resonances of such a scene, and
+    /// `frictiongen features` lists its features.
     pub fn features(&self, load: Option<Load>) -> Result<Features<'_>, LoadError> {
         self.single().map_err(|_| LoadError::SeveralContacts)?;
         Ok(Features {

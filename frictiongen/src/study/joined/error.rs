@@ -52,6 +52,8 @@ pub enum JoinedError {
     NotLinear,
     /// The frequency is an undamped resonance of the linear chain, whose response is then unbounded.
     Resonance,
+    /// The search for the eigenvalues of the damped chain does not converge.
+    Modes,
     /// The quantity is one that only a single contact has, or one that no motion has.
     Quantity,
     /// The interval of a contact's share does not begin above 0, does not end above its start, or is not finite. Also
@@ -108,6 +110,10 @@ impl fmt::Display for JoinedError {
             Self::Resonance => write!(
                 f,
                 "this frequency is an undamped resonance of the linear chain, so that its response is unbounded; choose another frequency, or add damping"
+            ),
+            Self::Modes => write!(
+                f,
+                "the search for the damped modes does not converge; change a coefficient of `dampers` slightly"
             ),
             Self::Shares => write!(
                 f,

@@ -209,7 +209,7 @@ impl<'a> Joined<'a> {
     }
 
     /// Returns the reference angular frequency √(k₁/m₁), in rad per unit of time.
-    pub(super) fn reference(&self) -> f64 {
+    pub(in crate::study) fn reference(&self) -> f64 {
         self.reference
     }
 }

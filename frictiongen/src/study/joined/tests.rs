@@ -2,8 +2,10 @@
 
 mod balance;
 mod branch;
+mod features;
 mod free;
 mod limits_at_rest;
+mod modes;
 mod neighbours;
 mod reference;
 mod refused;

@@ -10,11 +10,12 @@ use crate::interrupt;
 use crate::joined::Question;
 use crate::joined::draw::{self, CurveRows, Picture};
 use crate::measure::{self, Measure};
+use crate::modes;
 use crate::report::asked::{FRACTIONS, PLACES, RANGE, given_band, given_frictions};
 use crate::report::words::number;
 use frictiongen::System;
 use frictiongen::study::columns::{Frequency, JoinedRow};
-use frictiongen::study::joined::JoinedOrbit;
+use frictiongen::study::joined::{DampedModes, JoinedOrbit};
 use frictiongen::study::scene::Scene;
 use frictiongen_plot::Figure;
 use serde_json::{Value as Json, json};
@@ -58,6 +59,8 @@ pub(super) struct Contents<'a> {
     pub question: &'a Question<'a>,
     /// Range of frequencies that the page shows.
     pub band: &'a Band,
+    /// Damped modes with each set of stuck contacts. `None` for a long chain.
+    pub modes: Option<Vec<DampedModes>>,
     /// States in which no contact slides, at frequencies over the range.
     pub stuck: Vec<StuckAnswers>,
     /// Steady states on the response curves, with one curve for each friction.
@@ -120,6 +123,7 @@ impl Contents<'_> {
             "file": file,
             "name": self.question.system.scene().name,
             "chosen": self.chosen,
+            "damped_modes": self.modes.as_deref().map(modes::json),
             "stuck": stuck.collect::<Vec<_>>(),
             "points": points.collect::<Vec<_>>(),
         })
@@ -188,6 +192,7 @@ pub(super) fn contents(
     write(&Contents {
         question: &base,
         band: &band,
+        modes: modes::of(&system),
         stuck,
         curves,
         figures,

@@ -5,6 +5,7 @@ use crate::args::ReportArguments;
 use crate::failure::Failure;
 use crate::file::write_page;
 use crate::measure;
+use crate::modes;
 use crate::report::page::document;
 use crate::report::scene::{drawing, masses_and_springs};
 use crate::report::words::{PageUnits, digits};
@@ -39,6 +40,7 @@ fn page(contents: &Contents<'_>, (file, documentation): (&str, &str)) -> String 
             aside aria-label="What was chosen" { @for line in &contents.chosen { p { (line) } } }
         }
         (chain(contents))
+        (damped_modes(contents))
         (figures(contents))
         (stuck(contents))
         @if let Some(loops) = &contents.loops { (contacts(contents, loops)) }
@@ -148,6 +150,27 @@ fn chain(contents: &Contents<'_>) -> Markup {
                         } } }
                     } }
                 }
+            }
+        }
+    }
+}
+
+/// Returns the section of the page with the damped modes as HTML.
+fn damped_modes(contents: &Contents<'_>) -> Markup {
+    html! {
+        @if let Some(sets) = &contents.modes {
+            section #modes {
+                h2 { "Damped modes" }
+                p {
+                    "The modes of the chain with its dashpots and its damping. Stuck contacts are springs if they are elastic, and otherwise join their two "
+                    "sides. Contacts that do not stick have no friction."
+                }
+                div.scroll tabindex="0" role="region" aria-label="Damped modes" { table {
+                    thead { tr { th scope="col" { "contacts" } th scope="col" { "f (Hz)" } th scope="col" { "damping ratio" } } }
+                    tbody { @for [name, frequency, zeta] in modes::rows(sets, digits) { tr {
+                        th scope="row" { (name) } td { (frequency) } td { (zeta) }
+                    } } }
+                } }
             }
         }
     }

@@ -65,7 +65,7 @@ pub struct FeatureLine {
 }
 
 impl FeatureLine {
-    fn new(feature: &'static str, of: impl Into<String>, ground: Ground) -> Self {
+    pub(super) fn new(feature: &'static str, of: impl Into<String>, ground: Ground) -> Self {
         Self {
             feature,
             of: of.into(),
@@ -106,7 +106,7 @@ impl FeatureLine {
         Some((name, parameter, relative))
     }
 
-    fn saying(mut self, detail: impl Into<String>) -> Self {
+    pub(super) fn saying(mut self, detail: impl Into<String>) -> Self {
         self.detail = detail.into();
         self
     }

@@ -1,5 +1,6 @@
 //! Columns of the table of features, which has one line for each feature.
 
+use super::joined;
 use super::lines::{FeatureLine, FeaturesAsked, lines};
 use crate::study::columns::builder::Columns;
 use crate::study::columns::column::{Column, ColumnKind, Head, Shown};
@@ -28,6 +29,16 @@ impl<'a> FeatureTable<'a> {
         asked: FeaturesAsked<'_>,
     ) -> Result<Vec<FeatureLine>, FeatureError> {
         lines(features, &self.setting, asked)
+    }
+
+    /// Returns all features of a scene with several contacts, with dashpots, or with masses that no path of springs
+    /// connects to a support.
+    ///
+    /// # Errors
+    /// [`FeatureError::Combination`] for the motion of another part than a mass. [`FeatureError::Joined`] if the solver
+    /// for several contacts returns no result. [`FeatureError::Range`], [`FeatureError::Crowded`].
+    pub fn joined_rows(&self, range: [f64; 2]) -> Result<Vec<FeatureLine>, FeatureError> {
+        joined::lines(&self.setting, range)
     }
 
     /// Returns the symbol of a parameter, as the table prints it.
