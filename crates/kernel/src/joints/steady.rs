@@ -375,7 +375,8 @@ impl<S: Float, Z: Size> Search<S, Z> {
     }
 
     /// Returns true if the motion settles on a periodic motion. The result is also true if all contacts stick and the
-    /// motion vibrates about the periodic motion for ever.
+    /// motion vibrates about the periodic motion for ever, and if the motion has come to a periodic motion about which an
+    /// undamped part of the chain could vibrate.
     fn accepts(&self, motion: &mut Motion<S, Z>, steady: &Steady<S, Z>) -> Result<bool, Halt> {
         if steady.period > 1 && self.repeats_earlier(motion, steady)? {
             return Ok(false);
@@ -384,7 +385,9 @@ impl<S: Float, Z: Size> Search<S, Z> {
         if self.quiet >= QUIET && !slides && steady.is_bounded(self.tolerances.noise) {
             return Ok(true);
         }
-        Ok(steady.is_stable() && self.confirm(motion, steady)?)
+        let is_bounded = steady.is_bounded(self.tolerances.noise);
+        let is_there = is_bounded && self.away(motion.state(), steady) <= self.tolerances.close;
+        Ok((steady.is_stable() || is_there) && self.confirm(motion, steady)?)
     }
 
     /// Returns a steady state in which each contact that never slides is in the middle of the interval in which it can
