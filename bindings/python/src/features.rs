@@ -11,8 +11,8 @@ use crate::work::left_at_interrupt;
 use frictiongen::study::columns::{
     Column, FeatureLists, FeatureTable, FeatureVisitor, Measure, MovingPart, TableRow,
 };
-use frictiongen::{Of, System};
 use frictiongen::study::{features::Sensed, sensitivity::Parameter};
+use frictiongen::{Of, System};
 use numpy::PyArray1;
 use pyo3::prelude::*;
 use pyo3::types::{PyDict, PyList};
