@@ -251,7 +251,7 @@ def test_several_contacts_are_the_commands(command):
     storeys = frictiongen.System.from_file(SCENES / "storeys.friction")
     hz, friction = [0.9, 1.2, 2.5], [1e4, 1e5, 3e6]
     answer = storeys.by_contact(hz=hz, friction=friction, base="2 m/s2")
-    theirs = command("orbit", "storeys.friction", "--hz", ",".join(map(str, hz)), "--friction", "1e4,1e5,3e6", "--base", "2 m/s2")
+    theirs = command("map", "storeys.friction", "--hz", ",".join(map(str, hz)), "--friction", "1e4,1e5,3e6", "--base", "2 m/s2")
     assert hold(answer.to_frame(), theirs) > 500
     assert list(answer.contacts) == [f"damper_{floor}" for floor in range(1, 6)] == list(storeys.contacts)
     assert list(answer.masses) == storeys.masses and answer.masses["roof"].amplitude_m.shape == (3, 3)
@@ -266,7 +266,7 @@ def test_several_contacts_start_where_they_are_told(command, start, option):
     asked = {"hz": 0.9, "friction": 3e6, "base": 0.001}
     answer = storeys.by_contact(**asked, start=start)
     theirs = command(
-        "orbit", "storeys.friction", "--hz", "0.9", "--friction", "3e6", "--base", "0.001", "--from", option
+        "map", "storeys.friction", "--hz", "0.9", "--friction", "3e6", "--base", "0.001", "--from", option
     )
     assert hold(answer.to_frame(), theirs) > 50
     assert abs(answer["roof"].amplitude_m / storeys.by_contact(**asked)["roof"].amplitude_m - 1) > 0.01

@@ -67,7 +67,7 @@ def load(point):
 
 def test_orbit_and_states(scene, command):
     system, file, point = scene
-    hold(system.orbit(**point).to_frame(), command("orbit", file, *options(point)))
+    hold(system.orbit(**point, harmonics=2).to_frame(), command("orbit", file, *options(point), "--harmonics", "2"))
     found = system.states(**point)
     theirs = command("orbit", file, *options(point), "--states")
     assert len(found) == len(theirs)
@@ -99,12 +99,15 @@ def test_response_curve_and_map(scene, command):
     listed = ["--hz", ",".join(map(repr, hz)), "--friction", ",".join(map(repr, friction)), *options(load(point))]
     several = isinstance(system.response(**asked), frictiongen.ByContact)
     if several:
-        theirs = command("response", file, *listed)
-        answers = [system.response(**asked), system.map(**asked), system.curve(**asked), system.by_contact(**asked)]
+        response = system.response(**asked, harmonics=3)
+        hold(response.to_frame(), command("response", file, *listed, "--harmonics", "3"))
+        assert len(response) == 4 and response.plot().has_data()
+        # These have amplitudes alone.
+        theirs = command("map", file, *listed)
+        answers = [system.map(**asked), system.curve(**asked), system.by_contact(**asked)]
         for answer in answers:
             hold(answer.to_frame(), theirs)
             assert answer == answers[0] and len(answer) == 4 and answer.plot().has_data()
-        hold(answers[0].to_frame(), command("map", file, *listed))
     band = (0.98 * point["hz"], 1.02 * point["hz"])
     ours = system.curve(hz=band, friction=point["friction"], **load(point))
     theirs = command("curve", file, "--hz", f"{band[0]!r}:{band[1]!r}", *options(point, ("hz",)))
@@ -267,8 +270,6 @@ def test_what_several_contacts_do_not_have():
     point = SCENES["three contacts"][1]
     band = (2.9, 3.1)
     for name, ask in {
-        "harmonics": lambda: system.orbit(**point, harmonics=3),
-        "harmonics ": lambda: system.response(**point, harmonics=3),
         "accuracy": lambda: system.curve(hz=band, friction=3e3, base=0.003, accuracy=0.1),
         "rates": lambda: system.curve(hz=band, friction=3e3, base=0.003, rates=True),
         'start="up"': lambda: system.curve(hz=band, friction=3e3, base=0.003, start="up"),
@@ -287,6 +288,19 @@ def test_what_several_contacts_do_not_have():
         system.sensitivities("roof", **point)
     shear = system.orbit(**point, of=["shear", "accel(upper)", "upper-lower", "spring(base-lower)"])
     assert shear["shear"].amplitude_N > 0 and shear["accel(upper)"].amplitude_m_s2 > 0
+
+
+def test_features_of_several_contacts(command, tmp_path):
+    text, _ = SCENES["three contacts"]
+    file = tmp_path / "frame.friction"
+    file.write_text(text, encoding="utf-8")
+    features = System(text).features(base=0.003)
+    # The derivatives, which such a scene does not have, are no columns here.
+    theirs = command("features", file, "--base", "0.003").drop(columns=["per_cent_for_one", "parameter"])
+    hold(features.to_frame(), theirs)
+    assert features.keys() == ["lines"]
+    with pytest.raises(ValueError, match="a single contact"):
+        features.plot()
 
 
 def test_labels_of_a_dataset(scene):

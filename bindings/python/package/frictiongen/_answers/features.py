@@ -79,6 +79,9 @@ class Features:
     * `regimes`.  `found` tells whether all were found or only those that samples show.
     * `peaks`, with their estimates.
     * `crossings`: the frequencies at which two neighbouring frictions give the same amplitude.
+
+    A scene with several contacts, dashpots or free masses has one list instead, `lines`: the damped resonances with each
+    set of stuck contacts, antiresonances, and the friction from which no contact slides.
     """
 
     resonances: FeatureTable
@@ -92,6 +95,7 @@ class Features:
     regimes: FeatureTable
     peaks: FeatureTable
     crossings: FeatureTable
+    lines: FeatureTable
 
     def __init__(self, tables: dict[str, tuple[dict[str, Any], _Moved]]) -> None:
         self._tables = {name: FeatureTable(*table) for name, table in tables.items()}
@@ -122,11 +126,16 @@ class Features:
 
         :raises ImportError: if pandas is not installed.
         """
+        if "lines" in self._tables:
+            return self.lines.to_frame()
         return joined({name: table._columns for name, table in self._tables.items()}, "feature")
 
     def plot(self, ax: Axes | None = None) -> Axes:
         """Draws regimes, resonances and invariant points over frequency and friction.
 
         :raises ImportError: if matplotlib is not installed.
+        :raises ValueError: for a scene with several contacts, dashpots or free masses.
         """
+        if "lines" in self._tables:
+            raise ValueError("a picture of features needs a single contact without dashpots; plot a map or a curve")
         return _plot.features(self, ax)
