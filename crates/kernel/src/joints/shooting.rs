@@ -1,8 +1,8 @@
 //! Newton's method that finds a periodic motion of a chain with several contacts.
 
 use super::cycle::Watch;
-use super::least::{apart, solve, sort_by};
-use super::model::Model;
+use super::least::{solve, sort_by};
+use super::model::{Contact, Model};
 use super::neutral::neutral;
 use super::run::Motion;
 use super::size::{Size, set};
@@ -11,10 +11,10 @@ use super::state::FREE;
 use super::steady::{Search, Steady, from_one, modulus};
 use super::tangent::{Both, ShotSpan};
 use super::unknowns::Unknowns;
-use crate::Float;
 use crate::errors::Halt;
 use crate::number::complex::{Complex, mul};
 use crate::number::matrix::SquareMatrix;
+use crate::{Float, Scalar};
 
 /// Largest number of Newton steps in one attempt to find a periodic motion. A step computes the derivatives, or uses
 /// those of the previous step.
@@ -22,6 +22,9 @@ const STEPS: usize = 24;
 /// Largest ratio of the residual after a Newton step to the residual before, at which the next step uses the same
 /// derivatives. At a larger ratio, the next step computes new derivatives.
 const SLOW: f64 = 1e-2;
+/// Number of shots in a row that end in other phases than they begin, after which a motion that repeats has an event at
+/// the start of its period. Rounding then decides the phases there.
+const TURNS: usize = 2;
 /// Residual (non-dimensional change of the state in a period) above which the next Newton step computes the
 /// derivatives together with the motion.
 const FAR: f64 = 1e-4;
@@ -57,6 +60,7 @@ impl<S: Float, Z: Size> Search<S, Z> {
         let mut before = S::constant(f64::INFINITY);
         let mut known: Option<Z::Square<S>> = None;
         let mut is_new = true;
+        let mut turns = 0;
         for _ in 0..STEPS {
             let derives = known.is_none() || before > far;
             let shot = match self.shoot(&start, span, derives) {
@@ -68,15 +72,18 @@ impl<S: Float, Z: Size> Search<S, Z> {
             if span != ShotSpan::Half && shot.moving != self.moving {
                 (self.moving, known) = (shot.moving, None);
             }
-            if shot.end.state().phases != start.state().phases {
+            let from = self.unknowns().read(&start);
+            let to = self.unknowns().read(&shot.end);
+            let residual = residual(&start, &shot.end, (&from, &to));
+            let is_close = residual <= S::constant(50.0) * same;
+            let has_turned = shot.end.state().phases != start.state().phases;
+            turns = if has_turned { turns + 1 } else { 0 };
+            if has_turned && !(turns > TURNS && is_close) {
                 start = shot.end;
                 continue;
             }
-            let from = self.unknowns().read(&start);
-            let to = self.unknowns().read(&shot.end);
-            let residual = apart(to.as_ref(), from.as_ref());
-            let stops = is_new && residual >= half * before && residual <= S::constant(50.0) * same;
-            let found = residual <= exact || stops;
+            let stops = is_new && residual >= half * before && is_close;
+            let found = residual <= exact || stops || has_turned;
             // The code uses the derivatives of an earlier step as long as the residual falls quickly.
             let kept = known.take().filter(|_| !found && residual <= slow * before);
             is_new = kept.is_none() || shot.derivatives.is_some();
@@ -152,8 +159,8 @@ impl<S: Float, Z: Size> Search<S, Z> {
         let mut slips = Slips::new(start.model());
         let mut end = start.clone();
         self.pass(&mut end, span, &mut Both(&mut slips, &mut watch))?;
-        let end = self.unknowns().read(&end);
-        let residual = apart(end.as_ref(), from.as_ref());
+        let to = self.unknowns().read(&end);
+        let residual = residual(&start, &end, (&from, &to));
         self.moving = slips.slides(start.model());
         let model = start.model();
         let zero = S::constant(0.0);
@@ -216,6 +223,26 @@ impl<S: Float, Z: Size> Search<S, Z> {
             }
         }
     }
+}
+
+/// Returns the largest difference between the unknowns at the start and at the end of a shot. A rigid contact whose phase
+/// differs there has its event at this instant, so that its place is an unknown at one end only.
+fn residual<S: Float, Z: Size>(
+    start: &Motion<S, Z>,
+    end: &Motion<S, Z>,
+    (from, to): (&Z::Unknowns<S>, &Z::Unknowns<S>),
+) -> S {
+    let model = start.model();
+    let differs = |j: usize| start.state().phase(j) != end.state().phase(j);
+    let is_one_sided = |index: usize| {
+        let contact = index.checked_sub(2 * model.wall());
+        contact.is_some_and(|j| differs(j) && model.contact(j).is_some_and(Contact::is_rigid))
+    };
+    let pairs = from.as_ref().iter().zip(to.as_ref()).enumerate();
+    let pairs = pairs.filter(|(index, _)| !is_one_sided(*index));
+    pairs.fold(S::constant(0.0), |most, (_, (from, to))| {
+        Scalar::max(most, (*to - *from).abs())
+    })
 }
 
 /// Replaces a matrix M by 1 − M, where 1 is the unit matrix.

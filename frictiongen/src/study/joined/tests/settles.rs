@@ -4,7 +4,7 @@
 use super::system;
 
 /// Scenes of a random search, each with r and β.
-const SCENES: [(&str, f64, f64); 5] = [
+const SCENES: [(&str, f64, f64); 6] = [
     (
         "struct S { masses: { m0: 1.126 }, springs: { base - m0: 0.717, m0 - wall: 1.976 }, contacts: {
         c0: base - m0 { share: 0.204, stiction: 1.095, stiffness: 3.465 },
@@ -47,6 +47,16 @@ const SCENES: [(&str, f64, f64); 5] = [
         c2: m2 - wall { share: 0.423 } }, excitation: base }",
         2.8459047805788646,
         2.9719991233258853,
+    ),
+    (
+        // A contact has an event at the start of each period, where the base turns.
+        "struct S { masses: { m0: 0.648, m1: 0.326, m2: 0.579 },
+        springs: { base - m0: 1.571, m0 - m1: 1.238, m1 - m2: 2.778 },
+        contacts: { c0: m1 - m2 { share: 0.491, stiction: 1.651 }, c1: base - m0 { share: 0.215, stiction: 1.842 },
+        c2: m0 - wall { share: 0.451, stiffness: 0.757 }, c3: base - m2 { share: 0.942 } },
+        excitation: base, damping: modal(0.0024) }",
+        0.8156021176790658,
+        0.9227316134245567,
     ),
 ];
 
