@@ -59,10 +59,15 @@ fn a_single_contact_has_the_properties_of_a_named_one() {
         assert_eq!(single, named, "{properties}");
         assert_eq!(single.is_joined(), is_joined, "{properties}");
     }
-    assert_eq!(
-        read("contact: b - wall { stiffness: 40, stiction: 1.2 }"),
-        read("contact: b - wall, stiffness: 40, stiction: 1.2")
-    );
+    let fields = read("contact: b - wall, stiffness: 40, stiction: 1.2");
+    for mixed in [
+        "contact: b - wall { stiffness: 40, stiction: 1.2 }",
+        "contact: b - wall { stiffness: 40 }, stiction: 1.2",
+        "stiffness: 40, contact: b - wall { stiction: 1.2 }",
+        "contact: b - wall {}, stiffness: 40, stiction: 1.2",
+    ] {
+        assert_eq!(read(mixed), fields, "{mixed}");
+    }
 }
 
 #[test]

@@ -250,8 +250,9 @@ impl Syntax {
 }
 
 impl Fields {
-    /// Moves a `contact` with properties in braces to `contacts`. A description with both fields stays as it is, and the
-    /// lowering reports it.
+    /// Moves a `contact` with properties in braces to `contacts`, with the fields `stiffness` and `stiction` of the
+    /// description. A description with both fields stays as it is, and the lowering reports it. So does a number that
+    /// stands in braces and in a field.
     pub(crate) fn list_contact(&mut self) {
         if !self.contacts.is_missing() {
             return;
@@ -260,7 +261,15 @@ impl Fields {
             return;
         };
         let place = entry.from.place;
-        if let Some(named) = entry.named.take() {
+        if let Some(mut named) = entry.named.take() {
+            let fields = [&mut self.stiffness, &mut self.stiction];
+            let own = [&mut named.stiffness, &mut named.stiction];
+            for (own, field) in own.into_iter().zip(fields) {
+                if let (None, Slot::Given(number)) = (&own, &*field) {
+                    *own = Some(*number);
+                    *field = Slot::Missing;
+                }
+            }
             let entries = vec![named];
             let list = List {
                 entries,

@@ -15,6 +15,8 @@ use crate::study::words;
 #[cfg(feature = "desk")]
 use rayon::prelude::*;
 
+/// Largest offset of a contact that rounding can cause, divided by its amplitude.
+const ROUNDING: f64 = 1e-12;
 /// Number of neighbouring frequencies of a curve that one core computes one after the other.
 #[cfg(feature = "desk")]
 const CURVE_RUN: usize = 8;
@@ -336,7 +338,11 @@ impl<'a> JoinedTable<'a> {
             let motion = MotionGroups::of_amplitude(amplitude);
             match (courses.next().flatten(), self.orders) {
                 (Some(course), Some(orders)) => {
-                    (motion.with_course(&course, orders), Some(course.middle()))
+                    let offset = course.middle();
+                    // A state that is symmetric to within rounding has no offset.
+                    let is_offset = offset.abs() > ROUNDING * amplitude;
+                    let offset = if is_offset { offset } else { 0.0 };
+                    (motion.with_course(&course, orders), Some(offset))
                 }
                 _ => (motion, None),
             }
