@@ -11,7 +11,7 @@ use crate::common::{column, failure, output, texts, words};
 /// One mass with three steady states at r = 0.55 and β = 0.1.
 const BLOCK: &str = "struct Block { masses: { m: 1 }, springs: { base - m: 1 },
     contact: m - base, excitation: base, stiction: 1.5 }";
-/// The same block. Its contact has the name `pads`.
+/// The scene of [`BLOCK`], in which the contact is called `pads`.
 const PADS: &str = "struct Block { masses: { m: 1 }, springs: { base - m: 1 },
     contacts: { pads: m - base { stiction: 1.5 } }, excitation: base }";
 /// Two masses, a belt and a stop, which give the scene a length.

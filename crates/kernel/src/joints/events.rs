@@ -38,7 +38,8 @@ impl<S: Float, Z: Size> Motion<S, Z> {
                     let force = sign::<S>(side) * contact.level.value(self.time, 0);
                     set(self.state.forces.as_mut(), j, force);
                     self.state.set_phase(j, side);
-                    // The sliding velocity is the rate of the force, whose leading zeros are one less.
+                    // The sliding velocity is proportional to the rate of the force, so that its power series has one
+                    // leading zero less.
                     let zeros = self.state.zeros.as_ref().get(j).copied();
                     let (zeros, zero_side) = zeros.unwrap_or_default();
                     let left = if zero_side == side {

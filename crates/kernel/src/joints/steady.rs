@@ -138,7 +138,7 @@ impl<S: Float, Z: Size> Motion<S, Z> {
     /// [`Halt`] if the motion exceeds a bound.
     pub fn settle(&self, omega: S) -> Result<Option<Steady<S, Z>>, Halt> {
         let mut motion = self.clone().with_tables();
-        motion.reach(omega, ATTEMPTS, Place::Centred)
+        motion.reach(omega, (ATTEMPTS, Place::Centred), None)
     }
 
     /// Searches as [`settle`](Self::settle) does. If the steady state is the only one, Newton's method starts from
@@ -148,12 +148,8 @@ impl<S: Float, Z: Size> Motion<S, Z> {
     ///
     /// [`Halt`] if the motion exceeds a bound.
     pub fn settle_near(&self, omega: S, near: &Steady<S, Z>) -> Result<Option<Steady<S, Z>>, Halt> {
-        let motion = self.clone().with_tables();
-        let mut search = Search::new(&motion, omega, S::constant(1.0));
-        match search.only(&motion, Some(near)) {
-            Ok(Some(steady)) => Ok(Some(steady)),
-            _ => self.settle(omega),
-        }
+        let mut motion = self.clone().with_tables();
+        motion.reach(omega, (ATTEMPTS, Place::Centred), Some(near))
     }
 
     /// Searches for the steady state that the motion reaches, under loads of the angular frequency ω. A contact that
@@ -168,7 +164,7 @@ impl<S: Float, Z: Size> Motion<S, Z> {
     /// [`Halt`] if the motion exceeds a bound.
     pub fn settle_from(&self, omega: S) -> Result<Option<Steady<S, Z>>, Halt> {
         let mut motion = self.clone().with_tables();
-        motion.reach(omega, ATTEMPTS, Place::Reached)
+        motion.reach(omega, (ATTEMPTS, Place::Reached), None)
     }
 
     /// Searches as [`settle`](Self::settle) does, or as [`settle_from`](Self::settle_from) if `place` is
@@ -181,7 +177,7 @@ impl<S: Float, Z: Size> Motion<S, Z> {
     /// [`Halt`] if the motion exceeds a bound.
     pub fn settle_soon(&self, omega: S, attempts: usize, place: Place) -> Result<Soon<S, Z>, Halt> {
         let mut motion = self.clone().with_tables();
-        if let Some(steady) = motion.reach(omega, attempts, place)? {
+        if let Some(steady) = motion.reach(omega, (attempts, place), None)? {
             return Ok(Ok(steady));
         }
         let search = Search::new(&motion, omega, S::constant(1.0));
@@ -190,12 +186,13 @@ impl<S: Float, Z: Size> Motion<S, Z> {
         Ok(Err(watch.cycle(search.length(MAX_PERIOD))))
     }
 
-    /// Searches for a steady state. Afterwards the motion is at the end of the last cycle that the search has followed.
+    /// Searches for a steady state, by Newton's method from `near` if the steady state is the only one. Afterwards the
+    /// motion is at the end of the last cycle that the search has followed.
     fn reach(
         &mut self,
         omega: S,
-        attempts: usize,
-        place: Place,
+        (attempts, place): (usize, Place),
+        near: Option<&Steady<S, Z>>,
     ) -> Result<Option<Steady<S, Z>>, Halt> {
         let mut search = Search::new(self, omega, S::constant(1.0));
         if place == Place::Reached {
@@ -204,7 +201,7 @@ impl<S: Float, Z: Size> Motion<S, Z> {
         let start = self.clone();
         // If this search exceeds a bound, the code ignores the error, because the search below may still find a steady
         // state.
-        if let Ok(Some(steady)) = search.only(&start, None) {
+        if let Ok(Some(steady)) = search.only(&start, near) {
             return Ok(Some(steady));
         }
         let mut search = Search::new(self, omega, S::constant(1.0));

@@ -97,7 +97,7 @@ pub(crate) struct SpringEntry {
 pub(crate) struct ContactEntry {
     pub(crate) from: Name,
     pub(crate) to: Name,
-    /// The same contact with its properties, if it has properties in braces.
+    /// The contact with the properties in its braces. `None` if it has no braces.
     pub(crate) named: Option<JointEntry>,
 }
 
@@ -250,9 +250,9 @@ impl Syntax {
 }
 
 impl Fields {
-    /// Moves a `contact` with properties in braces to `contacts`, with the fields `stiffness` and `stiction` of the
-    /// description. A description with both fields stays as it is, and the lowering reports it. So does a number that
-    /// stands in braces and in a field.
+    /// Moves a `contact` that has braces to the list `contacts`. The fields `stiffness` and `stiction` of the description
+    /// become its properties. A number that stands both in the braces and in a field stays in both, and a contact beside
+    /// the field `contacts` stays where it is. The lowering reports these errors.
     pub(crate) fn list_contact(&mut self) {
         if !self.contacts.is_missing() {
             return;

@@ -389,8 +389,7 @@ impl<'a> JoinedTable<'a> {
             return Ok(Vec::new());
         }
         let contacts = 0..self.joined.contact_names().len();
-        let of_contact =
-            |index| Course::of_contact(self.joined, index, MotionQuantity::Displacement);
+        let of_contact = |index| Course::of_contact(self.joined, index);
         let of_part = |part: &MovingPart| match part.size {
             MotionQuantity::Displacement => Course::of(self.joined, part.of, part.size),
             _ => None,

@@ -54,12 +54,12 @@ impl Joined<'_> {
         if self.is_damped() {
             return Err(FeatureError::Damped);
         }
-        let all = if is_stuck { u32::MAX } else { 0 };
-        let nodes = self.chain().nodes(all);
+        let stuck = if is_stuck { u32::MAX } else { 0 };
+        let nodes = self.chain().nodes(stuck);
         let Some(Node::Mass(body)) = nodes.get(mass).copied() else {
             return Ok(Vec::new());
         };
-        let Some(scene) = self.linear_scene(&nodes, is_stuck) else {
+        let Some(scene) = self.linear_scene(&nodes, stuck) else {
             return Ok(Vec::new());
         };
         let modal = at_rest(&scene, large::modal(&scene));
@@ -71,8 +71,8 @@ impl Joined<'_> {
     }
 
     /// Returns the scene without friction, in which stuck rigid contacts have joined masses. `nodes` has the node of
-    /// each mass. Returns `None` if the load acts on no mass, or if the scene has no spring.
-    fn linear_scene(&self, nodes: &[Node], is_stuck: bool) -> Option<Scene> {
+    /// each mass. Bit i of `stuck` belongs to contact i. Returns `None` if the load acts on no mass, or if the scene has no spring.
+    fn linear_scene(&self, nodes: &[Node], stuck: u32) -> Option<Scene> {
         let scene = self.scene();
         let node = |old: Node| match old {
             Node::Mass(mass) => nodes.get(mass).copied().unwrap_or(old),
@@ -95,9 +95,7 @@ impl Joined<'_> {
                 Node::Wall | Node::Base => {}
             }
         }
-        let held = self.chain().contacts.iter().filter(|_| is_stuck);
-        let held = held.filter_map(|joint| Some((joint.ends.0, joint.ends.1, joint.stiffness?)));
-        let springs = self.chain().springs.iter().copied().chain(held);
+        let springs = self.chain().springs_of(stuck);
         let springs = springs.map(|(from, to, stiffness)| Spring {
             from: node(from),
             to: node(to),

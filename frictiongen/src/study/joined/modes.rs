@@ -214,7 +214,7 @@ fn modes(chain: &Chain, stuck: u32, is_coupled: bool) -> Option<Vec<DampedMode>>
         // A rigid-body mode has one or two roots that are 0. The list has one entry for it.
         let zero = if rigid == 0 { 0.0 } else { ZERO * most };
         let roots = roots.into_iter().filter(|root| zero < root.norm());
-        // Of two conjugate roots, the list has the one with Im λ > 0.
+        // The roots of an oscillation are conjugate. The list has one of them, with Im λ > 0.
         let roots = roots.filter(|root| -CRITICAL * root.norm() <= root.im);
         found.extend(roots.map(DampedMode::of));
     }
@@ -223,6 +223,18 @@ fn modes(chain: &Chain, stuck: u32, is_coupled: bool) -> Option<Vec<DampedMode>>
 }
 
 impl Chain {
+    /// Returns the springs of the chain, and the elastic contacts of a set that sticks, each as the spring that it is then.
+    /// Bit i of the set belongs to contact i.
+    pub(in crate::study) fn springs_of(
+        &self,
+        stuck: u32,
+    ) -> impl Iterator<Item = (Node, Node, f64)> {
+        let contacts = self.contacts.iter().enumerate();
+        let held = contacts.filter(move |(index, _)| is_in(stuck, *index));
+        let held = held.filter_map(|(_, own)| Some((own.ends.0, own.ends.1, own.stiffness?)));
+        self.springs.iter().copied().chain(held)
+    }
+
     /// Returns the node of each mass after the rigid contacts of a set have joined masses to bodies, or held them. Bit
     /// i of the set belongs to contact i. The bodies have the numbers of masses, in the order of their first masses.
     pub(in crate::study) fn nodes(&self, stuck: u32) -> Vec<Node> {
@@ -301,10 +313,7 @@ fn stretches(links: &[(Node, Node, f64)], masses: usize) -> DMatrix<f64> {
 
 /// Returns the natural frequencies without damping, and the mode shapes as rows. Rigid-body modes have the frequency 0.
 fn undamped(chain: &Chain, stuck: u32, basis: &DMatrix<f64>) -> (Vec<f64>, DMatrix<f64>) {
-    let contacts = chain.contacts.iter().enumerate();
-    let held = contacts.filter(|(index, _)| is_in(stuck, *index));
-    let held = held.filter_map(|(_, joint)| Some((joint.ends.0, joint.ends.1, joint.stiffness?)));
-    let springs: Vec<_> = chain.springs.iter().copied().chain(held).collect();
+    let springs: Vec<_> = chain.springs_of(stuck).collect();
     let springs = stretches(&springs, chain.masses.len()) * basis;
     let columns = springs.column_iter();
     let columns: Vec<Vec<f64>> = columns.map(|own| own.iter().copied().collect()).collect();

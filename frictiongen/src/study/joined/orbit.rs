@@ -100,19 +100,7 @@ impl ContactOrbit<'_> {
     /// # Errors
     /// [`JoinedError::Engine`] if the solver does not support the chain.
     pub fn motion(&self) -> Result<Waveform, JoinedError> {
-        self.course(MotionQuantity::Displacement)
-    }
-
-    /// Returns the course of the force in the contact over a period.
-    ///
-    /// # Errors
-    /// Same errors as [`motion`](Self::motion).
-    pub fn force_course(&self) -> Result<Waveform, JoinedError> {
-        self.course(MotionQuantity::Force)
-    }
-
-    fn course(&self, size: MotionQuantity) -> Result<Waveform, JoinedError> {
-        let course = Course::of_contact(&self.orbit.joined, self.index, size);
+        let course = Course::of_contact(&self.orbit.joined, self.index);
         self.orbit.waveform(course)
     }
 

@@ -28,9 +28,7 @@ pub(in crate::study) enum Course {
     /// A displacement of masses, its derivative, or a force of springs.
     Combination(Combination),
     /// The relative displacement in a contact or a stop, from the second node to the first, times 1 or −1.
-    Displacement((usize, usize), f64),
-    /// The force in the contact with this index, times 1 or −1.
-    Force(usize, f64),
+    Contact((usize, usize), f64),
 }
 
 impl Course {
@@ -39,17 +37,9 @@ impl Course {
         Combination::of(joined.scene(), of, size).map(Self::Combination)
     }
 
-    /// Returns the course of the relative displacement or of the force in the contact or stop with this index.
-    pub fn of_contact(joined: &Joined<'_>, index: usize, size: MotionQuantity) -> Option<Self> {
-        let sign = joined.sign(index);
-        match size {
-            MotionQuantity::Displacement => {
-                let nodes = joined.nodes(index)?;
-                Some(Self::Displacement(nodes, sign))
-            }
-            MotionQuantity::Force => Some(Self::Force(index, sign)),
-            _ => None,
-        }
+    /// Returns the course of the relative displacement in the contact or stop with this index.
+    pub fn of_contact(joined: &Joined<'_>, index: usize) -> Option<Self> {
+        Some(Self::Contact(joined.nodes(index)?, joined.sign(index)))
     }
 
     /// Returns the quantity from the start of a stretch (time interval of a power series) to its fraction `end`.
@@ -60,10 +50,9 @@ impl Course {
                 let factor = combination.in_units(1.0, setting);
                 (combination.terms_of(series), factor)
             }
-            Self::Displacement((plus, minus), sign) => {
+            Self::Contact((plus, minus), sign) => {
                 (series.place_terms(*plus, *minus), sign / units.length)
             }
-            Self::Force(index, sign) => (series.force_terms(*index), sign / units.force),
         };
         Piece {
             start: series.start,

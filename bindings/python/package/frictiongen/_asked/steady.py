@@ -162,10 +162,10 @@ class Steady(Base):
     ) -> Orbit:
         """Computes the steady state at one frequency and one friction.
 
-        The answer contains the stops and the stability of the state, and with several contacts the numbers of each.  If several states exist, it is the state that
-        motion from rest reaches.  A contact that never slides may rest at any place within an interval.  The answer is
-        then the state in the middle of the interval, without a constant force in the contact.  `offset` is the place
-        where motion from rest leaves the contact.
+        The answer contains the stops and the stability of the state, and with several contacts the numbers of each.  If
+        several states exist, it is the state that motion from rest reaches.  A contact that never slides may rest at
+        any place within an interval.  The answer is then the state in the middle of the interval, without a constant
+        force in the contact.  `offset` is the place where motion from rest leaves the contact.
 
         :param of: names of the quantities to return, as for :meth:`response`.
         :param harmonics: the order up to which the harmonics X0, X1, ... are returned too.
