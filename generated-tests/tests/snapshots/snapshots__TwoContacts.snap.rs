@@ -42,7 +42,7 @@ pub struct TwoContacts;
 pub struct TwoContactsStepper(
     ::frictiongen::kernel::joints::Stepper<
         ::core::primitive::f64,
-        ::frictiongen::kernel::joints::Fixed<2, 4, 2, 1, 6, 36, 0, 10>,
+        ::frictiongen::kernel::joints::Fixed<2, 4, 2, 1, 6, 36, 0, 10, 0, 9>,
         [::core::primitive::f64; 680],
     >,
 );
@@ -96,7 +96,7 @@ pub struct TwoContactsFriction {
 pub struct TwoContactsSimulation(
     ::frictiongen::kernel::joints::Simulation<
         ::core::primitive::f64,
-        ::frictiongen::kernel::joints::Fixed<2, 4, 2, 1, 6, 36, 0, 10>,
+        ::frictiongen::kernel::joints::Fixed<2, 4, 2, 1, 6, 36, 0, 10, 0, 9>,
     >,
 );
 /// [`TwoContacts`] at one frequency.
@@ -105,7 +105,7 @@ pub struct TwoContactsSimulation(
 pub struct TwoContactsAt(
     ::frictiongen::kernel::joints::At<
         ::core::primitive::f64,
-        ::frictiongen::kernel::joints::Fixed<2, 4, 2, 1, 6, 36, 0, 10>,
+        ::frictiongen::kernel::joints::Fixed<2, 4, 2, 1, 6, 36, 0, 10, 0, 9>,
     >,
 );
 /// State of [`TwoContacts`] in which no contact slides, in closed form.  Displacements are over P/k₁ (over Y for base motion), and forces are over P (over k₁Y).
@@ -114,7 +114,7 @@ pub struct TwoContactsAt(
 pub struct TwoContactsStuck(
     ::frictiongen::kernel::joints::StuckState<
         ::core::primitive::f64,
-        ::frictiongen::kernel::joints::Fixed<2, 4, 2, 1, 6, 36, 0, 10>,
+        ::frictiongen::kernel::joints::Fixed<2, 4, 2, 1, 6, 36, 0, 10, 0, 9>,
     >,
 );
 /// Steady state of [`TwoContacts`].  Displacements are over P/k₁ (over Y for base motion), forces are over P (over k₁Y), and energies are over P²/k₁ (over k₁Y²).
@@ -123,7 +123,7 @@ pub struct TwoContactsStuck(
 pub struct TwoContactsOrbit(
     ::frictiongen::kernel::joints::Orbit<
         ::core::primitive::f64,
-        ::frictiongen::kernel::joints::Fixed<2, 4, 2, 1, 6, 36, 0, 10>,
+        ::frictiongen::kernel::joints::Fixed<2, 4, 2, 1, 6, 36, 0, 10, 0, 9>,
     >,
 );
 #[allow(
@@ -169,7 +169,7 @@ const _: () = {
         /// is its share. The start of a motion sets the stretch.
         const CHAIN: ::frictiongen::kernel::joints::Model<
             ::core::primitive::f64,
-            ::frictiongen::kernel::joints::Fixed<2, 4, 2, 1, 6, 36, 0, 10>,
+            ::frictiongen::kernel::joints::Fixed<2, 4, 2, 1, 6, 36, 0, 10, 0, 9>,
         > = ::frictiongen::kernel::joints::Model {
             size: ::frictiongen::kernel::joints::Fixed,
             masses: &[2000.0, 1500.0],
@@ -365,7 +365,7 @@ const _: () = {
     impl ::core::ops::Deref for TwoContactsStepper {
         type Target = ::frictiongen::kernel::joints::Stepper<
             ::core::primitive::f64,
-            ::frictiongen::kernel::joints::Fixed<2, 4, 2, 1, 6, 36, 0, 10>,
+            ::frictiongen::kernel::joints::Fixed<2, 4, 2, 1, 6, 36, 0, 10, 0, 9>,
             [::core::primitive::f64; 680],
         >;
         fn deref(&self) -> &Self::Target {
@@ -466,7 +466,7 @@ const _: () = {
     impl ::core::ops::Deref for TwoContactsSimulation {
         type Target = ::frictiongen::kernel::joints::Simulation<
             ::core::primitive::f64,
-            ::frictiongen::kernel::joints::Fixed<2, 4, 2, 1, 6, 36, 0, 10>,
+            ::frictiongen::kernel::joints::Fixed<2, 4, 2, 1, 6, 36, 0, 10, 0, 9>,
         >;
         fn deref(&self) -> &Self::Target {
             &self.0
@@ -492,7 +492,7 @@ const _: () = {
     impl ::core::ops::Deref for TwoContactsAt {
         type Target = ::frictiongen::kernel::joints::At<
             ::core::primitive::f64,
-            ::frictiongen::kernel::joints::Fixed<2, 4, 2, 1, 6, 36, 0, 10>,
+            ::frictiongen::kernel::joints::Fixed<2, 4, 2, 1, 6, 36, 0, 10, 0, 9>,
         >;
         fn deref(&self) -> &Self::Target {
             &self.0
@@ -535,7 +535,7 @@ const _: () = {
     impl ::core::ops::Deref for TwoContactsStuck {
         type Target = ::frictiongen::kernel::joints::StuckState<
             ::core::primitive::f64,
-            ::frictiongen::kernel::joints::Fixed<2, 4, 2, 1, 6, 36, 0, 10>,
+            ::frictiongen::kernel::joints::Fixed<2, 4, 2, 1, 6, 36, 0, 10, 0, 9>,
         >;
         fn deref(&self) -> &Self::Target {
             &self.0
@@ -601,7 +601,7 @@ const _: () = {
     impl ::core::ops::Deref for TwoContactsOrbit {
         type Target = ::frictiongen::kernel::joints::Orbit<
             ::core::primitive::f64,
-            ::frictiongen::kernel::joints::Fixed<2, 4, 2, 1, 6, 36, 0, 10>,
+            ::frictiongen::kernel::joints::Fixed<2, 4, 2, 1, 6, 36, 0, 10, 0, 9>,
         >;
         fn deref(&self) -> &Self::Target {
             &self.0

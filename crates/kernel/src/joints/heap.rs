@@ -6,7 +6,8 @@
 use super::run::Motion;
 use super::size::{Size, Value};
 use super::steady::{Place, Soon, Steady};
-use super::table::{Table, Tables};
+use super::stepper::Layout;
+use super::table::{Room, Table, Tables};
 use crate::Float;
 use crate::errors::Halt;
 use smallvec::{SmallVec, smallvec};
@@ -43,7 +44,7 @@ impl Size for Heap {
     type Square<T: Value> = Vec<T>;
     type Points<T: Value> = Vec<T>;
     type Row<T: Value> = Vec<T>;
-    type Constants<T: Value> = Vec<T>;
+    type Constants<T: Value> = Arc<[T]>;
     type Cells<T: Value> = Vec<T>;
     type Tables<S: Float> = KeptTables<S>;
 
@@ -55,14 +56,15 @@ impl Size for Heap {
 
     fn tables<S: Float>(&self) -> KeptTables<S> {
         KeptTables {
-            all: None,
+            shared: Arc::default(),
+            is_used: false,
             last: None,
-            ends: [Vec::new(), Vec::new()],
+            room: Room::default(),
         }
     }
 
-    fn none<T: Value>(&self) -> Vec<T> {
-        Vec::new()
+    fn none<T: Value>(&self) -> Arc<[T]> {
+        Arc::new([])
     }
 
     fn masses<T: Value>(&self, value: T) -> Short<T> {
@@ -92,34 +94,55 @@ impl Size for Heap {
     fn row<T: Value>(&self, count: usize, value: T) -> Vec<T> {
         vec![value; count]
     }
+
+    fn layout(stored: &Layout) -> Layout {
+        *stored
+    }
 }
 
 /// Tables by the sets of sticking contacts to which they belong.
 type TableMap<S> = BTreeMap<u64, Arc<Table<S, Heap>>>;
 
+/// Tables that motions share. Their chains differ only in the amplitudes of the loads, in the friction forces and in μ.
+#[derive(Clone, Debug, Default)]
+pub struct SharedTables(Arc<Mutex<TableMap<f64>>>);
+
+impl Motion<f64, Heap> {
+    /// Makes searches for the steady state of this motion use, and complete, the tables of similar motions.
+    #[must_use]
+    pub fn sharing(mut self, tables: &SharedTables) -> Self {
+        self.tables.shared = Arc::clone(&tables.0);
+        self
+    }
+}
+
 /// Tables of the sets of sticking contacts that have occurred so far. Copies of a motion share them.
 #[derive(Clone, Debug)]
 pub struct KeptTables<S: Float> {
-    all: Option<Arc<Mutex<TableMap<S>>>>,
+    shared: Arc<Mutex<TableMap<S>>>,
+    is_used: bool,
     last: Option<Arc<Table<S, Heap>>>,
-    ends: [Vec<S>; 2],
+    room: Room<Vec<S>>,
 }
 
 impl<S: Float> Tables<S, Heap> for KeptTables<S> {
     type Found = Arc<Table<S, Heap>>;
 
-    fn enable(&mut self, coordinates: Vec<S>) {
-        self.all.get_or_insert_default();
-        self.ends = [coordinates.clone(), coordinates];
+    fn enable(&mut self, coordinates: Vec<S>, matrix: Vec<S>) {
+        self.is_used = true;
+        self.room = Room {
+            before: coordinates.clone(),
+            after: coordinates,
+            matrix,
+        };
     }
 
     fn take(&mut self, key: u64, make: impl FnOnce() -> Table<S, Heap>) -> Option<Self::Found> {
-        let all = self.all.as_ref()?;
-        let last = self.last.take();
-        Some(last.unwrap_or_else(|| {
-            let mut all = all.lock().unwrap_or_else(PoisonError::into_inner);
+        let find = || {
+            let mut all = self.shared.lock().unwrap_or_else(PoisonError::into_inner);
             Arc::clone(all.entry(key).or_insert_with(|| Arc::new(make())))
-        }))
+        };
+        self.is_used.then(|| self.last.take().unwrap_or_else(find))
     }
 
     fn keep(&mut self, found: Self::Found) {
@@ -130,8 +153,8 @@ impl<S: Float> Tables<S, Heap> for KeptTables<S> {
         self.last = None;
     }
 
-    fn ends(&mut self) -> &mut [Vec<S>; 2] {
-        &mut self.ends
+    fn room(&mut self) -> &mut Room<Vec<S>> {
+        &mut self.room
     }
 }
 
@@ -140,21 +163,12 @@ impl<S: Float> Tables<S, Heap> for KeptTables<S> {
 /// # Errors
 ///
 /// [`Halt`] if the motion exceeds a bound.
-pub fn settle(motion: &Motion<f64, Heap>, omega: f64) -> Result<Option<Steady<f64, Heap>>, Halt> {
-    motion.settle(omega)
-}
-
-/// Searches for a steady state by [`Motion::settle_near`].
-///
-/// # Errors
-///
-/// [`Halt`] if the motion exceeds a bound.
-pub fn settle_near(
+pub fn settle(
     motion: &Motion<f64, Heap>,
     omega: f64,
-    near: &Steady<f64, Heap>,
+    near: Option<&Steady<f64, Heap>>,
 ) -> Result<Option<Steady<f64, Heap>>, Halt> {
-    motion.settle_near(omega, near)
+    motion.settle(omega, near)
 }
 
 /// Searches for a steady state by [`Motion::settle_from`].

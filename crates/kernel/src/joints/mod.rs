@@ -72,7 +72,7 @@ pub use cycle::{ContactCycle, Cycle, Watch};
 pub use decide::{Decision, MAX_PATTERNS};
 #[cfg(any(test, feature = "std"))]
 pub use heap::{
-    Heap, KeptTables, Short, refine, refine_symmetric, settle, settle_from, settle_near,
+    Heap, KeptTables, SharedTables, Short, refine, refine_symmetric, settle, settle_from,
     settle_soon,
 };
 pub use model::{Contact, Link, Model, Stop};

@@ -86,7 +86,7 @@ impl<S: Float, Z: Size> At<S, Z> {
         let (motion, omega) = start.map_err(NoOrbit::OutOfDomain)?;
         let halted = |halt| NoOrbit::OutOfDomain(OutOfDomain::Motion(halt));
         let steady = match state {
-            None => motion.settle(omega),
+            None => motion.settle(omega, None),
             Some(_) => motion.settle_from(omega),
         };
         let steady = steady.map_err(halted)?;

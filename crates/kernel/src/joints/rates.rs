@@ -78,10 +78,9 @@ impl<'m, S: Float, Z: Size> UnitMotion<'m, S, Z> {
         let mut forces = model.forces(self.x.as_ref(), self.v.as_ref(), loads, None);
         for (j, contact) in model.contacts().iter().enumerate() {
             let force = match state.phase(j) {
-                FREE => continue,
                 STUCK if contact.is_rigid() => continue,
                 _ if matches!(unit, Unit::Contact(other) if other == j) => one,
-                STUCK => continue,
+                STUCK | FREE => continue,
                 _ => model.drag(contact, state, time) * contact.across(self.v.as_ref()),
             };
             contact.pull(forces.as_mut(), force);

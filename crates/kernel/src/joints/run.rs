@@ -6,7 +6,7 @@ use super::roots::first_negative;
 use super::series::Series;
 use super::size::{Size, add, at, set, sign};
 use super::state::{FREE, STUCK, State};
-use super::table::{Leap, Table, Tables};
+use super::table::{Leap, Room, Table, Tables, advance};
 use super::tree::Tree;
 use super::wave::Wave;
 use crate::Float;
@@ -20,11 +20,11 @@ fn same<S: Float>() -> S {
 
 /// Observer of a motion. The solver calls it for every stretch (time interval of one power series) and every event.
 pub trait Observe<S: Float, Z: Size> {
-    /// True if the observer needs the power series of every stretch. If false, the solver may advance a stretch without
-    /// events by a table, and then calls [`leap`](Self::leap) in place of [`stretch`](Self::stretch).
+    /// True if the observer needs the power series of every stretch. If false, and if the solver advances the motion by a
+    /// table, it calls [`leap`](Self::leap) in place of [`stretch`](Self::stretch).
     const NEEDS_SERIES: bool = true;
 
-    /// Receives a whole stretch that the solver has advanced by a table. The default method ignores it.
+    /// Receives a stretch that the solver has advanced by a table. The default method ignores it.
     fn leap(&mut self, _: &Leap<'_, S, Z>) {}
 
     /// Receives the motion from the start of a time interval to the fraction `end` of the interval. During this time
@@ -64,7 +64,7 @@ pub struct Motion<S: Float, Z: Size> {
     pub(super) tree: Tree<S, Z>,
     pub(super) stalls: usize,
     /// Tables of whole stretches, if the motion uses them.
-    tables: Z::Tables<S>,
+    pub(super) tables: Z::Tables<S>,
 }
 
 impl<S: Float, Z: Size> Motion<S, Z> {
@@ -114,8 +114,8 @@ impl<S: Float, Z: Size> Motion<S, Z> {
     pub(super) fn with_tables(mut self) -> Self {
         if self.model.has_tables() {
             let count = self.model.coordinates();
-            let coordinates = self.model.size.cells(count, S::constant(0.0));
-            self.tables.enable(coordinates);
+            let zeros = |count| self.model.size.cells(count, S::constant(0.0));
+            self.tables.enable(zeros(count), zeros(count * count));
         }
         self
     }
@@ -186,6 +186,9 @@ impl<S: Float, Z: Size> Motion<S, Z> {
         self.time = S::constant(0.0);
         self.state = state;
         self.join();
+        if self.tree.is_empty() {
+            return;
+        }
         let (mut x, mut v) = self.nodes();
         self.tree.meet_moving(&self.model, v.as_mut());
         let places = self.state.places.as_ref();
@@ -343,13 +346,14 @@ impl<S: Float, Z: Size> Motion<S, Z> {
         bounds: Bounds,
         watch: &mut impl Observe<S, Z>,
     ) -> Result<(), Halt> {
-        let mut events = 0;
-        for _ in 0..bounds.stretches {
+        let (mut events, mut stretches) = (0, bounds.stretches);
+        while stretches > 0 {
             if self.time >= until {
                 return Ok(());
             }
             let before = self.state.phases.clone();
-            if self.step(until, watch)? && before != self.state.phases {
+            let passed = self.step((until, &mut stretches), watch)?;
+            if passed && before != self.state.phases {
                 watch.event(self.time, &before, &self.state.phases);
                 self.part();
                 events += 1;
@@ -361,69 +365,82 @@ impl<S: Float, Z: Size> Motion<S, Z> {
         Err(Halt::Stretches)
     }
 
-    /// Advances the motion by at most one stretch: to its end, to the next event, or to the end of a line of the
-    /// friction law. Returns true if the motion passed an event.
-    fn step<W: Observe<S, Z>>(&mut self, until: S, watch: &mut W) -> Result<bool, Halt> {
-        if !W::NEEDS_SERIES {
-            let make = || Table::new(&self.model, &self.state, &self.tree);
-            if let Some(found) = self.tables.take(self.state.key(), make) {
-                let passed = self.step_by_table(found.as_ref(), until, watch)?;
-                if !passed {
-                    self.tables.keep(found);
-                }
-                return Ok(passed);
+    /// Advances the motion to the instant `until`, the next event, or the end of a line of the friction law. The function
+    /// ends earlier after `stretches` stretches, and without tables after one. It subtracts their number from
+    /// `stretches`. Returns true if the motion passed an event.
+    fn step(
+        &mut self,
+        (until, stretches): (S, &mut usize),
+        watch: &mut impl Observe<S, Z>,
+    ) -> Result<bool, Halt> {
+        let make = || Table::new(&self.model, &self.state, &self.tree);
+        if let Some(found) = self.tables.take(self.state.key(), make) {
+            let passed = self.step_by_table(found.as_ref(), (until, stretches), watch)?;
+            if !passed {
+                self.tables.keep(found);
             }
+            return Ok(passed);
         }
+        *stretches -= 1;
         self.step_by_series(until, watch)
     }
 
     /// Advances the motion by a table, as [`step`](Self::step) does.
-    fn step_by_table<W: Observe<S, Z>>(
+    fn step_by_table(
         &mut self,
         table: &Table<S, Z>,
-        until: S,
-        watch: &mut W,
+        (until, stretches): (S, &mut usize),
+        watch: &mut impl Observe<S, Z>,
     ) -> Result<bool, Halt> {
         let (one, stretch) = (S::constant(1.0), self.model.stretch);
-        let left = until - self.time;
-        let last = crate::Scalar::min(left / stretch, one);
-        let [before, after] = self.tables.ends();
+        let Room {
+            before,
+            after,
+            matrix,
+        } = self.tables.room();
         self.model
             .write_coordinates(&self.state, self.time, before.as_mut());
-        let mut roots = self.model.size.contacts(None);
-        for (j, root) in roots.as_mut().iter_mut().enumerate() {
-            if !table.is_quiet(&self.model, &self.state, (j, before.as_ref())) {
-                let watched = table.watched(j, before.as_ref());
-                let time = (self.time, stretch);
-                *root = next_event(&self.model, &self.state, (j, &watched), time);
+        let event = loop {
+            *stretches -= 1;
+            let last = crate::Scalar::min((until - self.time) / stretch, one);
+            let start = (self.time, stretch);
+            let roots = table.next_events((&self.model, &self.state), before.as_ref(), start);
+            let first = earliest(roots.as_ref());
+            let fraction = crate::Scalar::min(first, last);
+            let matrix = table.matrix(fraction, matrix.as_mut());
+            advance(matrix, before.as_ref(), after.as_mut());
+            let leap = Leap {
+                table,
+                matrix,
+                before: before.as_ref(),
+                after: after.as_ref(),
+                state: &self.state,
+                is_whole: fraction == one,
+            };
+            leap.show(&self.model, (self.time, fraction), watch);
+            self.time = if last < one && first > last {
+                until
+            } else {
+                self.time + fraction * stretch
+            };
+            if fraction > same() {
+                self.stalls = 0;
+                self.state.zeros.as_mut().fill((0, 0));
             }
-        }
-        let first = earliest(roots.as_ref());
-        let fraction = crate::Scalar::min(first, last);
-        let length = fraction * stretch;
-        let is_whole = fraction == one;
-        if is_whole {
-            table.advance(before.as_ref(), after.as_mut());
-        } else {
-            let ends = (before.as_ref(), after.as_mut());
-            table.advance_by(&self.model, length, ends);
-        }
+            if first <= last {
+                break Some((first, roots));
+            }
+            let is_finite = after.as_ref().iter().all(|value| value.is_finite());
+            if !is_finite || self.time >= until || *stretches == 0 {
+                break None;
+            }
+            core::mem::swap(before, after);
+        };
         self.state.land(&self.model, after.as_ref());
-        watch.leap(&Leap {
-            table,
-            before: before.as_ref(),
-            after: after.as_ref(),
-            state: &self.state,
-            length,
-            is_whole,
-        });
-        let ends_here = last < one && first > last;
-        self.time = if ends_here { until } else { self.time + length };
         self.tree.settle(&self.model, &mut self.state, self.time);
-        self.forget_events(fraction, same());
-        if first > last {
+        let Some((first, roots)) = event else {
             return self.finite().map(|()| false);
-        }
+        };
         let (x, _) = self.nodes();
         let hits = self.hits(&roots, first + same());
         self.pass(&hits, |contact| contact.across(x.as_ref()))
@@ -555,6 +572,9 @@ impl<S: Float, Z: Size> Motion<S, Z> {
 
     /// Builds the trees of the masses that sticking rigid contacts connect.
     pub(super) fn join(&mut self) {
+        if self.tree.is_of(&self.state) {
+            return;
+        }
         self.tree = Tree::new(&self.model, |j| self.state.phase(j) == STUCK);
         self.tables.change();
     }
@@ -569,7 +589,7 @@ impl<S: Float, Z: Size> Motion<S, Z> {
 /// sticks, and of its relative velocity while it slides. `time` contains the start and the duration of the stretch.
 /// The first result is the fraction of the stretch after which the event occurs. The second result is the sign of
 /// the force or velocity at the event.
-fn next_event<S: Float, Z: Size>(
+pub(super) fn next_event<S: Float, Z: Size>(
     model: &Model<S, Z>,
     state: &State<S, Z>,
     (j, watched): (usize, &Poly<S>),

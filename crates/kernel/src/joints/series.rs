@@ -90,6 +90,35 @@ impl<S: Float, Z: Size> Series<S, Z> {
         series
     }
 
+    /// Returns a power series whose coefficients are 0.
+    pub(super) fn nothing(model: &Model<S, Z>, (start, length): (S, S)) -> Self {
+        Self {
+            start,
+            length,
+            x: model.size.nodes(nothing()),
+            v: model.size.nodes(nothing()),
+            forces: model.size.contacts(nothing()),
+        }
+    }
+
+    /// Sets the coefficients of one order. `motion` contains those of the displacements and of the velocities of the masses,
+    /// `base` those of the base, and `forces` those of the contacts.
+    pub(super) fn put(&mut self, order: usize, motion: &[S], (base, forces): ([S; 2], &[S])) {
+        let masses = self.x.as_ref().len().saturating_sub(2);
+        let (places, rest) = motion.split_at_checked(masses).unwrap_or_default();
+        let speeds = rest.get(..masses).unwrap_or_default();
+        let [place, speed] = base;
+        for (series, values, of_base) in
+            [(&mut self.x, places, place), (&mut self.v, speeds, speed)]
+        {
+            keep(series.as_mut(), order, values);
+            if let Some(terms) = series.as_mut().last_mut() {
+                set(terms, order, of_base);
+            }
+        }
+        keep(self.forces.as_mut(), order, forces);
+    }
+
     /// Sets the coefficient of the given order in the force of each sliding contact whose friction depends on the
     /// speed.
     fn follow_lines(&mut self, model: &Model<S, Z>, state: &State<S, Z>, order: usize) {

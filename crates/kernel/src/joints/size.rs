@@ -1,6 +1,7 @@
 //! Arrays that store the quantities of a chain. They have a fixed length in emitted code, and are vectors at run time.
 
-use super::table::{NoTables, Tables};
+use super::stepper::Layout;
+use super::table::{NoTables, Room, Tables};
 use core::fmt::Debug;
 
 /// A type whose values can be entries of the arrays.
@@ -64,13 +65,16 @@ pub trait Size: Clone + Debug + PartialEq + Sized {
     fn square<T: Value>(&self, value: T) -> Self::Square<T>;
     /// Returns an array that contains `value` for each of the `count` coordinates of a stepper.
     fn row<T: Value>(&self, count: usize, value: T) -> Self::Row<T>;
+    /// Returns the layout of a stepper's tables, which is `stored`. In emitted code the result consists of constants, so
+    /// that the compiler knows the lengths of all loops.
+    fn layout(stored: &Layout) -> Layout;
 }
 
 /// Size of a chain in emitted code, with N masses, NODES = N + 2 nodes, M contacts and L loads. For steady states, U =
 /// 2N + M is the number of unknowns, and SQUARE = U² is the number of entries of a matrix. If the code needs only
 /// closed forms, U is 2N. LAW is the number of points of the friction law, or 0 if the kinetic friction is constant.
 /// ROW is the number of coordinates of a stepper that uses tables. PARTS is the number of stops and moving
-/// surfaces.
+/// surfaces. STEP contains the other properties of a stepper that uses tables, as [`Layout::properties`] writes them.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Fixed<
     const N: usize,
@@ -82,6 +86,7 @@ pub struct Fixed<
     const LAW: usize = 0,
     const ROW: usize = 0,
     const PARTS: usize = 0,
+    const STEP: usize = 0,
 >;
 
 impl<
@@ -94,7 +99,8 @@ impl<
     const LAW: usize,
     const ROW: usize,
     const PARTS: usize,
-> Size for Fixed<N, NODES, M, L, U, SQUARE, LAW, ROW, PARTS>
+    const STEP: usize,
+> Size for Fixed<N, NODES, M, L, U, SQUARE, LAW, ROW, PARTS, STEP>
 {
     type Masses<T: Value> = [T; N];
     type Nodes<T: Value> = [T; NODES];
@@ -115,7 +121,7 @@ impl<
     }
 
     fn tables<S: crate::Float>(&self) -> NoTables<[S; 0]> {
-        NoTables([[], []])
+        NoTables(Room::EMPTY)
     }
 
     fn none<T: Value>(&self) -> &'static [T] {
@@ -148,6 +154,15 @@ impl<
 
     fn row<T: Value>(&self, _: usize, value: T) -> [T; ROW] {
         [value; ROW]
+    }
+
+    #[inline]
+    fn layout(stored: &Layout) -> Layout {
+        if ROW == 0 {
+            *stored
+        } else {
+            const { Layout::of_properties((N, M, L), STEP) }
+        }
     }
 }
 

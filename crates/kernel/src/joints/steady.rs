@@ -130,26 +130,20 @@ impl<S: Float, Z: Size> Motion<S, Z> {
     /// contact that never slides is in the middle of the interval in which it can stick. If the motion does not settle,
     /// the function returns `None`. The period of a steady state is at most [`MAX_PERIOD`] cycles.
     ///
-    /// If the steady state is the only one, the search need not follow the motion. Otherwise the function follows the
-    /// motion as [`settle_from`](Self::settle_from) does.
+    /// If the steady state is the only one, the search need not follow the motion. Newton's method then starts from
+    /// `near`, if the steady state of a similar chain is known. Otherwise the function follows the motion as
+    /// [`settle_from`](Self::settle_from) does.
     ///
     /// # Errors
     ///
     /// [`Halt`] if the motion exceeds a bound.
-    pub fn settle(&self, omega: S) -> Result<Option<Steady<S, Z>>, Halt> {
+    pub fn settle(
+        &self,
+        omega: S,
+        near: Option<&Steady<S, Z>>,
+    ) -> Result<Option<Steady<S, Z>>, Halt> {
         let mut motion = self.clone().with_tables();
-        motion.reach(omega, (ATTEMPTS, Place::Centred), None)
-    }
-
-    /// Searches as [`settle`](Self::settle) does. If the steady state is the only one, Newton's method starts from
-    /// `near`, the steady state of a similar chain. Otherwise `near` has no influence.
-    ///
-    /// # Errors
-    ///
-    /// [`Halt`] if the motion exceeds a bound.
-    pub fn settle_near(&self, omega: S, near: &Steady<S, Z>) -> Result<Option<Steady<S, Z>>, Halt> {
-        let mut motion = self.clone().with_tables();
-        motion.reach(omega, (ATTEMPTS, Place::Centred), Some(near))
+        motion.reach(omega, (ATTEMPTS, Place::Centred), near)
     }
 
     /// Searches for the steady state that the motion reaches, under loads of the angular frequency ω. A contact that

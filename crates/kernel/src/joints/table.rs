@@ -2,15 +2,18 @@
 //!
 //! Between events the motion is linear in its *coordinates*: those of a deviation (displacements, velocities and
 //! contact forces), and two coordinates a cos θ and a sin θ for each load and for the base, where θ = ωt + φ. The
-//! table of a stretch is the power series of the motion for each coordinate equal to 1 and all others equal to 0,
-//! summed at the end of the stretch. The same series gives the first coefficients of each watched quantity: the
-//! relative velocity of a contact that slides, and the force of one that sticks.
+//! table of a stretch is the power series of the motion for each coordinate equal to 1 and all others equal to 0. Its sum
+//! is a matrix that advances the coordinates by the stretch, or by a fraction of it. The same series gives the first
+//! coefficients of each watched quantity: the relative velocity of a contact that slides, and the force of one that
+//! sticks.
 
 use super::least::dot;
 use super::model::{Contact, Model};
-use super::poly::{Poly, nothing, terms_of};
+use super::poly::{Poly, angle_of, nothing, terms_of};
 use super::rates::{Unit, UnitMotion};
 use super::roots::{QUICK, stays_above};
+use super::run::{Observe, next_event};
+use super::series::Series;
 use super::size::{Size, add, at, set, sign};
 use super::state::{FREE, STUCK, State};
 use super::tree::Tree;
@@ -22,8 +25,9 @@ pub trait Tables<S: Float, Z: Size>: Clone + core::fmt::Debug {
     /// A table of the storage.
     type Found: AsRef<Table<S, Z>>;
 
-    /// Makes the motion use tables from now on. `coordinates` has one entry for each coordinate.
-    fn enable(&mut self, coordinates: Z::Cells<S>);
+    /// Makes the motion use tables from now on. `coordinates` has one entry for each coordinate, and `matrix` is a square
+    /// matrix of them.
+    fn enable(&mut self, coordinates: Z::Cells<S>, matrix: Z::Cells<S>);
     /// Takes the table with the given key. If the storage has none, it keeps the result of `make`. Returns `None` if
     /// the motion uses no tables.
     fn take(&mut self, key: u64, make: impl FnOnce() -> Table<S, Z>) -> Option<Self::Found>;
@@ -31,18 +35,35 @@ pub trait Tables<S: Float, Z: Size>: Clone + core::fmt::Debug {
     fn keep(&mut self, found: Self::Found);
     /// Forgets the table that [`keep`](Self::keep) has received, because the set of sticking contacts changes.
     fn change(&mut self);
-    /// Returns the memory for the coordinates at the start and at the end of a stretch.
-    fn ends(&mut self) -> &mut [Z::Cells<S>; 2];
+    /// Returns the memory for a stretch.
+    fn room(&mut self) -> &mut Room<Z::Cells<S>>;
+}
+
+/// Memory for a stretch: the coordinates at its start and at its end, and a matrix that maps the first to the second.
+#[derive(Clone, Copy, Debug, Default)]
+pub struct Room<C> {
+    pub(super) before: C,
+    pub(super) after: C,
+    pub(super) matrix: C,
+}
+
+impl<S> Room<[S; 0]> {
+    /// Memory of a motion without tables.
+    pub(super) const EMPTY: Self = Self {
+        before: [],
+        after: [],
+        matrix: [],
+    };
 }
 
 /// A storage without tables, for emitted code.
 #[derive(Clone, Copy, Debug)]
-pub struct NoTables<C>(pub [C; 2]);
+pub struct NoTables<C>(pub(super) Room<C>);
 
 impl<S: Float, Z: Size> Tables<S, Z> for NoTables<Z::Cells<S>> {
     type Found = Table<S, Z>;
 
-    fn enable(&mut self, _: Z::Cells<S>) {}
+    fn enable(&mut self, _: Z::Cells<S>, _: Z::Cells<S>) {}
 
     fn take(&mut self, _: u64, _: impl FnOnce() -> Table<S, Z>) -> Option<Table<S, Z>> {
         None
@@ -52,7 +73,7 @@ impl<S: Float, Z: Size> Tables<S, Z> for NoTables<Z::Cells<S>> {
 
     fn change(&mut self) {}
 
-    fn ends(&mut self) -> &mut [Z::Cells<S>; 2] {
+    fn room(&mut self) -> &mut Room<Z::Cells<S>> {
         &mut self.0
     }
 }
@@ -64,14 +85,18 @@ pub struct Table<S: Float, Z: Size> {
     width: usize,
     /// Number of all coordinates.
     count: usize,
-    /// Coordinates of the deviation at the end of the stretch, one row of `count` entries for each.
-    ends: Z::Cells<S>,
+    /// Matrix that advances all coordinates by the stretch, row by row.
+    whole: Z::Cells<S>,
+    /// The coefficients of this matrix as a power series of the elapsed fraction of the stretch: a matrix for each order.
+    orders: Z::Cells<S>,
     /// Accelerations of the masses, one row for each mass.
     accelerations: Z::Cells<S>,
     /// Forces of the rigid contacts that stick, one row for each contact.
     holds: Z::Cells<S>,
     /// Stiffness of each elastic contact that sticks and whose force changes, otherwise 0.
     stiffnesses: Z::Contacts<S>,
+    /// Angular frequencies of the loads and of the base.
+    omegas: Z::Cells<S>,
     /// Power series of the watched quantities: a row for each coefficient of each contact.
     watched: Z::Cells<S>,
     /// For each contact, a row whose product with the absolute values of the coordinates is a bound on the sum of the
@@ -82,30 +107,43 @@ pub struct Table<S: Float, Z: Size> {
 /// A stretch that a table has advanced: the coordinates of the motion at both ends.
 pub struct Leap<'t, S: Float, Z: Size> {
     pub(super) table: &'t Table<S, Z>,
+    /// Matrix that maps the coordinates at the start to those at the end, row by row.
+    pub(super) matrix: &'t [S],
     /// Coordinates at the start of the stretch.
     pub(super) before: &'t [S],
     /// Coordinates at the end of the stretch.
     pub(super) after: &'t [S],
     /// State at the end of the stretch. The phases of the contacts are those during the stretch.
     pub(super) state: &'t State<S, Z>,
-    /// Duration of the stretch.
-    pub(super) length: S,
     /// True if the stretch has its full duration.
     pub(super) is_whole: bool,
 }
 
 impl<S: Float, Z: Size> Leap<'_, S, Z> {
+    /// Passes the stretch to an observer, as a power series if the observer needs one. `start` is the instant at which the
+    /// stretch starts, and `fraction` its duration over that of a whole stretch.
+    pub(super) fn show<W: Observe<S, Z>>(
+        &self,
+        model: &Model<S, Z>,
+        (start, fraction): (S, S),
+        watch: &mut W,
+    ) {
+        if !W::NEEDS_SERIES {
+            watch.leap(self);
+            return;
+        }
+        let series = self.table.series(model, start, self.before);
+        watch.follow(model, &series, fraction, self.state);
+        watch.stretch(&series, fraction, self.state);
+    }
+
     /// Returns the relative displacement of a contact between two nodes, at the start and at the end of the stretch.
     pub(super) fn places(&self, (plus, minus): (usize, usize)) -> (S, S) {
         let masses = self.state.x.as_ref().len();
         let place = |coordinates: &[S]| {
-            let of = |node: usize| match node.checked_sub(masses) {
-                None => at(coordinates, node),
-                Some(0) => S::constant(0.0),
-                // The last two coordinates are those of the base: its displacement a cos θ, and a sin θ.
-                Some(_) => at(coordinates, self.table.count.saturating_sub(2)),
-            };
-            of(plus) - of(minus)
+            let [plus, minus] =
+                [plus, minus].map(|node| self.table.place(masses, node, coordinates));
+            plus - minus
         };
         (place(self.before), place(self.after))
     }
@@ -183,70 +221,89 @@ impl<S: Float, Z: Size> Table<S, Z> {
             .unwrap_or_default()
     }
 
-    /// Returns the row of a coordinate at the end of the whole stretch, without the entries of the loads and the base.
-    pub(super) fn deviation_row(&self, row: usize) -> &[S] {
-        let row = self.ends.as_ref().get(row * self.count..);
-        row.and_then(|row| row.get(..self.width))
-            .unwrap_or_default()
-    }
-
-    /// Writes the coordinates at the end of the whole stretch.
-    pub(super) fn advance(&self, before: &[S], after: &mut [S]) {
-        let rows = self.ends.as_ref().chunks_exact(self.count.max(1));
-        for (entry, row) in after.iter_mut().zip(rows) {
-            *entry = dot(row, before);
+    /// Returns the matrix that advances the coordinates by a fraction of the stretch. `room` has the size of the matrix.
+    pub(super) fn matrix<'r>(&'r self, fraction: S, room: &'r mut [S]) -> &'r [S] {
+        if fraction == S::constant(1.0) {
+            return self.whole.as_ref();
         }
+        let size = room.len();
+        room.fill(S::constant(0.0));
+        for order in (0..orders_of(fraction)).rev() {
+            let terms = self.orders.as_ref().get(order * size..(order + 1) * size);
+            for (entry, term) in room.iter_mut().zip(terms.unwrap_or_default()) {
+                *entry = fraction * *entry + *term;
+            }
+        }
+        room
     }
 
-    /// Writes the coordinates after a part of the stretch, by their power series.
-    pub(super) fn advance_by(
-        &self,
-        model: &Model<S, Z>,
-        length: S,
-        (before, after): (&[S], &mut [S]),
-    ) {
+    /// Returns the power series of the motion over a whole stretch that starts at the instant `start`.
+    fn series(&self, model: &Model<S, Z>, start: S, before: &[S]) -> Series<S, Z> {
+        let mut series = Series::nothing(model, (start, model.stretch));
         let mut term = model.size.cells(self.count, S::constant(0.0));
         let mut raised = term.clone();
-        for ((term, sum), value) in term.as_mut().iter_mut().zip(&mut *after).zip(before) {
-            (*term, *sum) = (*value, *value);
+        for (term, value) in term.as_mut().iter_mut().zip(before) {
+            *term = *value;
         }
-        let ratio = length / model.stretch;
-        let mut size = S::constant(1.0);
-        for order in 1..terms_of::<S>() {
-            let order = S::whole(order);
-            self.rates(model, term.as_ref(), raised.as_mut());
-            for ((sum, term), rate) in (*after).iter_mut().zip(term.as_mut()).zip(raised.as_ref()) {
-                *term = length / order * *rate;
-                *sum = *sum + *term;
+        let mut forces = model.size.contacts(S::constant(0.0));
+        for order in 0..terms_of::<S>() {
+            let terms = term.as_ref();
+            for (j, force) in forces.as_mut().iter_mut().enumerate() {
+                *force = self.force(model, (j, terms));
             }
-            size = size * ratio / order;
-            if size < S::constant(S::EPSILON) {
-                return;
+            let base = [
+                self.place(model.wall(), model.base_node(), terms),
+                self.speed(model, model.base_node(), terms),
+            ];
+            series.put(order, terms, (base, forces.as_ref()));
+            self.rates(model, terms, raised.as_mut());
+            let next = model.stretch / S::whole(order + 1);
+            for (term, rate) in term.as_mut().iter_mut().zip(raised.as_ref()) {
+                *term = next * *rate;
             }
         }
+        series
     }
 
     /// Writes the derivatives of the coordinates with respect to time.
     pub(super) fn rates(&self, model: &Model<S, Z>, coordinates: &[S], rates: &mut [S]) {
-        let speed = |node: usize| self.speed(model, node, coordinates);
-        let speeds = (0..model.wall()).map(speed);
-        let accelerations = self.accelerations().map(|row| dot(row, coordinates));
-        let contacts = model.contacts().iter().enumerate();
-        let forces = contacts.map(|(j, contact)| {
-            let rate = speed(contact.plus) - speed(contact.minus);
-            at(self.stiffnesses.as_ref(), j) * rate
-        });
-        let waves = model.waves().enumerate().flat_map(|(index, wave)| {
-            let cosine = self.width + 2 * index;
-            let rate = wave.omega;
-            [
-                -rate * at(coordinates, cosine + 1),
-                rate * at(coordinates, cosine),
-            ]
-        });
-        let all = speeds.chain(accelerations).chain(forces).chain(waves);
-        for (rate, value) in rates.iter_mut().zip(all) {
-            *rate = value;
+        let masses = model.wall();
+        let (places, rest) = rates.split_at_mut_checked(masses).unwrap_or_default();
+        let (speeds, rest) = rest.split_at_mut_checked(masses).unwrap_or_default();
+        let forces = model.contacts().len();
+        let (forces, waves) = rest.split_at_mut_checked(forces).unwrap_or_default();
+        let velocities = coordinates.get(masses..).unwrap_or_default();
+        for (rate, velocity) in places.iter_mut().zip(velocities) {
+            *rate = *velocity;
+        }
+        for (rate, row) in speeds.iter_mut().zip(self.accelerations()) {
+            *rate = dot(row, coordinates);
+        }
+        let contacts = model.contacts().iter().zip(self.stiffnesses.as_ref());
+        for (rate, (contact, stiffness)) in forces.iter_mut().zip(contacts) {
+            *rate = if stiffness.is_zero() {
+                *stiffness
+            } else {
+                let speed = |node| self.speed(model, node, coordinates);
+                *stiffness * (speed(contact.plus) - speed(contact.minus))
+            };
+        }
+        let values = coordinates.get(self.width..).unwrap_or_default();
+        let (rates, values) = (waves.as_chunks_mut::<2>().0, values.as_chunks::<2>().0);
+        for ((rate, [cosine, sine]), omega) in
+            rates.iter_mut().zip(values).zip(self.omegas.as_ref())
+        {
+            *rate = [-*omega * *sine, *omega * *cosine];
+        }
+    }
+
+    /// Returns the displacement of a node from the coordinates of a motion.
+    fn place(&self, masses: usize, node: usize, coordinates: &[S]) -> S {
+        match node.checked_sub(masses) {
+            None => at(coordinates, node),
+            Some(0) => S::constant(0.0),
+            // The displacement of the base is a cos θ, the second last coordinate.
+            Some(_) => at(coordinates, self.count.saturating_sub(2)),
         }
     }
 
@@ -261,11 +318,13 @@ impl<S: Float, Z: Size> Table<S, Z> {
         }
     }
 
-    /// Returns the force of a contact that sticks.
+    /// Returns the force of a contact. The coordinate of a rigid contact is 0 while it sticks, and its row of holding forces
+    /// is 0 while it slides.
     pub(super) fn force(&self, model: &Model<S, Z>, (j, coordinates): (usize, &[S])) -> S {
+        let own = at(coordinates, 2 * model.wall() + j);
         match model.contact(j) {
-            Some(contact) if contact.is_rigid() => dot(self.hold(j), coordinates),
-            _ => at(coordinates, 2 * model.wall() + j),
+            Some(contact) if contact.is_rigid() => own + dot(self.hold(j), coordinates),
+            _ => own,
         }
     }
 
@@ -287,7 +346,7 @@ impl<S: Float, Z: Size> Table<S, Z> {
 
     /// Returns the power series of the watched quantity of a contact: its relative velocity while it slides, its force
     /// while it sticks.
-    pub(super) fn watched(&self, j: usize, coordinates: &[S]) -> Poly<S> {
+    fn watched(&self, j: usize, coordinates: &[S]) -> Poly<S> {
         let mut terms = nothing();
         for (term, row) in terms.iter_mut().zip(self.watched_rows(j)) {
             *term = dot(row, coordinates);
@@ -301,8 +360,26 @@ impl<S: Float, Z: Size> Table<S, Z> {
         rows.unwrap_or_default().chunks_exact(self.count.max(1))
     }
 
+    /// Returns the next event of each contact in a stretch, as [`next_event`] does. `start` contains the instant at which
+    /// the stretch starts, and its duration.
+    pub(super) fn next_events(
+        &self,
+        (model, state): (&Model<S, Z>, &State<S, Z>),
+        coordinates: &[S],
+        start: (S, S),
+    ) -> Z::Contacts<Option<(S, i8)>> {
+        let mut roots = model.size.contacts(None);
+        for (j, root) in roots.as_mut().iter_mut().enumerate() {
+            if !self.is_quiet(model, state, (j, coordinates)) {
+                let watched = self.watched(j, coordinates);
+                *root = next_event(model, state, (j, &watched), start);
+            }
+        }
+        roots
+    }
+
     /// Returns true if the contact `j` cannot change its phase during the stretch.
-    pub(super) fn is_quiet(
+    fn is_quiet(
         &self,
         model: &Model<S, Z>,
         state: &State<S, Z>,
@@ -333,6 +410,26 @@ impl<S: Float, Z: Size> Table<S, Z> {
             stays_above(without(zeros, margin), tail)
         })
     }
+}
+
+/// Multiplies a square matrix, stored row by row, by the coordinates `before`.
+pub(super) fn advance<S: Float>(matrix: &[S], before: &[S], after: &mut [S]) {
+    let rows = matrix.chunks_exact(before.len().max(1));
+    for (entry, row) in after.iter_mut().zip(rows) {
+        *entry = dot(row, before);
+    }
+}
+
+/// Returns the number of coefficients that a power series needs up to a fraction of a stretch.
+fn orders_of<S: Float>(fraction: S) -> usize {
+    let (ratio, mut size) = (S::constant(angle_of::<S>()) * fraction, S::constant(1.0));
+    for order in 1..terms_of::<S>() {
+        if size < S::constant(0.1 * S::EPSILON) {
+            return order;
+        }
+        size = size * ratio / S::whole(order);
+    }
+    terms_of::<S>()
 }
 
 /// Divides a polynomial by a power of its variable. The first `zeros` coefficients are 0.
@@ -443,14 +540,19 @@ impl<'m, S: Float, Z: Size> Builder<'m, S, Z> {
         for index in 0..count {
             set(self.term.as_mut(), index * count + index, one);
         }
-        let mut ends = model.size.cells(count * count, zero);
+        let mut whole = model.size.cells(count * count, zero);
         let contacts = model.contacts().len();
         let terms = terms_of::<S>();
+        let mut orders = model.size.cells(terms * count * count, zero);
         let mut watched = model.size.cells(contacts * terms * count, zero);
         let mut tails = model.size.cells(contacts * count, zero);
         for order in 0..terms {
-            for (sum, term) in ends.as_mut().iter_mut().zip(self.term.as_ref()) {
+            for (sum, term) in whole.as_mut().iter_mut().zip(self.term.as_ref()) {
                 *sum = *sum + *term;
+            }
+            let all = orders.as_mut().chunks_exact_mut((count * count).max(1));
+            for (entry, term) in all.skip(order).take(1).flatten().zip(self.term.as_ref()) {
+                *entry = *term;
             }
             let rows = watched.as_mut().chunks_exact_mut(terms * count);
             let tails = tails.as_mut().chunks_exact_mut(count);
@@ -464,10 +566,16 @@ impl<'m, S: Float, Z: Size> Builder<'m, S, Z> {
             }
             self.raise(model.stretch / S::whole(order + 1));
         }
+        let mut omegas = model.size.cells(model.waves().count(), zero);
+        for (omega, wave) in omegas.as_mut().iter_mut().zip(model.waves()) {
+            *omega = wave.omega;
+        }
         Table {
             width: model.width(),
             count,
-            ends,
+            omegas,
+            whole,
+            orders,
             accelerations: self.accelerations,
             holds: self.holds,
             stiffnesses: self.stiffnesses,
@@ -482,8 +590,8 @@ impl<'m, S: Float, Z: Size> Builder<'m, S, Z> {
         let Some(contact) = self.model.contact(j) else {
             return;
         };
+        // The row of a contact without friction is that of a contact that slides, so that both have the same table.
         match self.state.phase(j) {
-            FREE => {}
             STUCK if contact.is_rigid() => {
                 let hold = self.holds.as_ref().chunks_exact(self.count).nth(j);
                 self.combine(hold.unwrap_or_default(), row);

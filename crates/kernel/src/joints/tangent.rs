@@ -435,22 +435,21 @@ impl<S: Float, Z: Size> Observe<S, Z> for Tangent<'_, S, Z> {
         let starts = table.accelerations().map(|row| dot(row, leap.before));
         self.jump(starts, leap.state);
         self.release(leap.state);
-        if leap.is_whole {
-            let size = self.width.max(1);
-            for (index, row) in self.term.as_mut().chunks_exact_mut(size).enumerate() {
-                row.fill(S::constant(0.0));
-                let factors = table.deviation_row(index).iter();
-                for (factor, other) in factors.zip(self.rows.as_ref().chunks_exact(size)) {
-                    add_row(row, other, *factor);
-                }
+        let size = self.width.max(1);
+        let factors = leap.matrix.chunks_exact(leap.before.len().max(1));
+        for (row, factors) in self.term.as_mut().chunks_exact_mut(size).zip(factors) {
+            row.fill(S::constant(0.0));
+            for (factor, other) in factors.iter().zip(self.rows.as_ref().chunks_exact(size)) {
+                add_row(row, other, *factor);
             }
-            core::mem::swap(&mut self.rows, &mut self.term);
+        }
+        core::mem::swap(&mut self.rows, &mut self.term);
+        if leap.is_whole {
             return;
         }
         let rates = self
             .known(leap.state)
             .unwrap_or_else(|| Rates::of(self.model, table));
-        self.advance(&rates, leap.state, leap.length);
         self.rates = Some((rates, leap.state.phases.clone()));
         let mut slopes = self.model.size.cells(leap.after.len(), S::constant(0.0));
         table.rates(self.model, leap.after, slopes.as_mut());

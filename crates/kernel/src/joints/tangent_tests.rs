@@ -26,7 +26,7 @@ pub(super) fn chain(random: &mut Random, omega: f64) -> Model<f64, Heap> {
     let springs: Vec<Link<f64>> = (0..masses)
         .map(|mass| (mass, before(mass), between(random, 0.5, 4.0)))
         .collect();
-    let dashpots = springs.iter().map(|&(a, b, k)| (a, b, 0.05 * k)).collect();
+    let dashpots: Vec<_> = springs.iter().map(|&(a, b, k)| (a, b, 0.05 * k)).collect();
     let mut contacts: Short<Contact<f64>> = Short::new();
     for mass in 0..masses {
         let minus = if random.signed() > 0.0 {
@@ -66,9 +66,9 @@ pub(super) fn chain(random: &mut Random, omega: f64) -> Model<f64, Heap> {
             loads: 1,
         },
         masses: (0..masses).map(|_| between(random, 0.5, 2.0)).collect(),
-        springs,
-        dashpots,
-        damping: Vec::new(),
+        springs: springs.into(),
+        dashpots: dashpots.into(),
+        damping: [].into(),
         damping_from_base: false,
         contacts,
         law: Vec::new(),

@@ -3,7 +3,7 @@
 
 use super::model::{Contact, Model};
 use super::size::{Size, add, at, set};
-use super::state::State;
+use super::state::{STUCK, State};
 use crate::Float;
 
 /// Mark for a node that does not belong to a tree yet.
@@ -36,6 +36,8 @@ impl Branch {
 /// Trees of the masses that sticking rigid contacts connect, for one set of sticking contacts.
 #[derive(Clone, Debug)]
 pub struct Tree<S: Float, Z: Size> {
+    /// True for each contact that sticks.
+    stuck: Z::Contacts<bool>,
     /// Contacts of all trees. In the list, a contact comes after all contacts between it and the root. Unused entries
     /// are at the end.
     branches: Z::Contacts<Branch>,
@@ -48,13 +50,15 @@ pub struct Tree<S: Float, Z: Size> {
 }
 
 impl<S: Float, Z: Size> Tree<S, Z> {
-    /// Returns no trees, from one [`UNUSED`] for each contact, and one [`NONE`] and one 0 for each node.
+    /// Returns no trees, from one [`UNUSED`] and one `false` for each contact, and one [`NONE`] and one 0 for each node.
     pub(super) const fn empty(
         branches: Z::Contacts<Branch>,
+        stuck: Z::Contacts<bool>,
         roots: Z::Nodes<usize>,
         masses: Z::Nodes<S>,
     ) -> Self {
         Self {
+            stuck,
             branches,
             count: 0,
             roots,
@@ -67,14 +71,25 @@ impl<S: Float, Z: Size> Tree<S, Z> {
     pub fn new(model: &Model<S, Z>, sticks: impl Fn(usize) -> bool) -> Self {
         let mut tree = Self::empty(
             model.size.contacts(UNUSED),
+            model.size.contacts(false),
             model.size.nodes(NONE),
             model.size.nodes(S::constant(0.0)),
         );
+        for (j, stuck) in tree.stuck.as_mut().iter_mut().enumerate() {
+            *stuck = sticks(j);
+        }
         let supports = [model.base_node(), model.wall()];
         for root in supports.into_iter().chain(0..model.wall()) {
             tree.grow(model, &sticks, root);
         }
         tree
+    }
+
+    /// Returns true if the trees are those of the sticking contacts of a state.
+    pub(super) fn is_of(&self, state: &State<S, Z>) -> bool {
+        let is_built = self.roots.as_ref().first() != Some(&NONE);
+        let mut contacts = self.stuck.as_ref().iter().enumerate();
+        is_built && contacts.all(|(j, stuck)| *stuck == (state.phase(j) == STUCK))
     }
 
     /// Builds the tree of all nodes that sticking contacts connect to the node `root`. The list of contacts also serves

@@ -110,12 +110,17 @@ impl<S: Float> Wave<S> {
         if self.amplitude.is_zero() {
             return line;
         }
-        self.harmonic_value(time, derivative)
+        line + self.harmonic_value(time, derivative)
     }
 
     #[inline(never)]
     fn harmonic_value(&self, time: S, derivative: usize) -> S {
-        at(&self.terms(time, S::constant(0.0), derivative), 0)
+        let [cosine, sine] = self.quadrature(time);
+        match derivative {
+            0 => cosine,
+            1 => -self.omega * sine,
+            _ => -self.omega * self.omega * cosine,
+        }
     }
 
     /// Returns the power series of the function, or of its first or second derivative, over a time interval. The

@@ -7,10 +7,11 @@ use super::scene::Joined;
 use super::simulation::JoinedSimulation;
 use super::units::AnswerUnits;
 use crate::study::joints::{
-    Chain, JointError, Motion, Place, Steady, Wave, limit_cycle, steady_state, steady_state_beside,
-    steady_state_from, steady_state_soon, stuck_response,
+    Chain, JointError, Motion, Place, Steady, Wave, limit_cycle, steady_state, steady_state_from,
+    steady_state_soon, stuck_response,
 };
 use crate::{Given, OutOfDomain};
+use frictiongen_kernel::joints::SharedTables;
 use frictiongen_model::scene::Excitation;
 
 /// Number of attempts of a search that soon gives up a motion that does not settle. It then has followed 210 cycles.
@@ -30,6 +31,8 @@ pub struct JoinedAt<'a> {
     units: AnswerUnits,
     /// Displacements and velocities at the start of the motions to steady states, if the system has an initial state.
     start: Option<(Vec<f64>, Vec<f64>)>,
+    /// Tables of the chain at this frequency.
+    tables: SharedTables,
 }
 
 impl<'a> Joined<'a> {
@@ -181,6 +184,7 @@ impl<'a> JoinedAt<'a> {
             omega,
             units,
             start: None,
+            tables: SharedTables::default(),
         }
     }
 
@@ -226,9 +230,7 @@ impl<'a> JoinedAt<'a> {
         if let Some((x, v)) = &self.start {
             return self.orbit_from(friction, (x, v));
         }
-        let chain = self.chain(friction)?;
-        let steady = steady_state(&chain, self.omega)?;
-        Ok(self.settled(steady, chain))
+        self.centred(friction, None)
     }
 
     /// Returns the steady state of [`orbit`](Self::orbit), the same to within rounding. `near` is the steady state at a
@@ -244,8 +246,16 @@ impl<'a> JoinedAt<'a> {
         if self.start.is_some() {
             return self.orbit(friction);
         }
+        self.centred(friction, Some(near.steady()))
+    }
+
+    fn centred(
+        &self,
+        friction: f64,
+        near: Option<&Steady>,
+    ) -> Result<JoinedOrbit<'a>, JoinedError> {
         let chain = self.chain(friction)?;
-        let steady = steady_state_beside(&chain, self.omega, near.steady())?;
+        let steady = steady_state(self.started(&chain, None)?, self.omega, near)?;
         Ok(self.settled(steady, chain))
     }
 
@@ -298,7 +308,7 @@ impl<'a> JoinedAt<'a> {
         state: Option<GivenState<'_>>,
     ) -> Result<Motion, JoinedError> {
         let Some((x, v)) = state else {
-            return Ok(Motion::from_rest(chain)?);
+            return Ok(Motion::from_rest(chain)?.sharing(&self.tables));
         };
         let masses = chain.masses.len();
         let finite = x.iter().chain(v).all(|number| number.is_finite());
@@ -309,7 +319,7 @@ impl<'a> JoinedAt<'a> {
             values.iter().map(|value| unit * value).collect()
         };
         let (x, v) = (scaled(x, self.units.length), scaled(v, self.units.speed));
-        Ok(Motion::from(chain, &x, &v)?)
+        Ok(Motion::from(chain, &x, &v)?.sharing(&self.tables))
     }
 
     /// Creates the exact motion in time from rest. At the start the load is at its maximum.

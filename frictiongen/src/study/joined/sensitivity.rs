@@ -11,7 +11,7 @@ use super::error::JoinedError;
 use super::parameter::{JoinedParameter, JoinedPoint};
 use super::scene::Joined;
 use super::units::AnswerUnits;
-use crate::study::joints::{Chain, JointError, Steady, steady_state, steady_state_near};
+use crate::study::joints::{Chain, JointError, Motion, Steady, steady_state, steady_state_near};
 use crate::study::parameter::Slope;
 use crate::study::sensitivity::{NoDerivative, OperatingPoint};
 use crate::study::system::System;
@@ -107,7 +107,8 @@ impl Joined<'_> {
     pub fn sensitivities(&self, point: OperatingPoint) -> Result<JoinedSensitivities, JoinedError> {
         let setting = JoinedPoint::new(self.scene(), point);
         let prepared = prepare(&setting)?;
-        let steady = steady_state(&prepared.chain, prepared.omega)?;
+        let motion = Motion::from_rest(&prepared.chain)?;
+        let steady = steady_state(motion, prepared.omega, None)?;
         if !steady.marginal.is_empty() || steady.neutral > 0 {
             return Err(NoDerivative::Marginal.into());
         }

@@ -73,6 +73,15 @@ impl Motion {
         Ok(Self { motion })
     }
 
+    /// Makes searches for the steady state of this motion use the tables of similar motions. Their chains differ only in
+    /// the amplitudes of the loads, in the friction forces and in μ.
+    #[must_use]
+    pub(crate) fn sharing(self, tables: &joints::SharedTables) -> Self {
+        Self {
+            motion: self.motion.sharing(tables),
+        }
+    }
+
     /// Returns this motion as the type of the crate `frictiongen_kernel`.
     pub(super) fn into_engine(self) -> joints::Motion<f64, Heap> {
         self.motion

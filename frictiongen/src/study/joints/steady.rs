@@ -70,27 +70,21 @@ impl Steady {
     }
 }
 
-/// Returns the steady state that the motion from rest reaches, under loads of one frequency, except that a contact that
-/// never slides is in the middle of the interval in which it can stick.
+/// Returns the steady state that a motion reaches, under loads of one frequency, except that a contact that never slides
+/// is in the middle of the interval in which it can stick. If the steady state is the only one, Newton's method starts
+/// from `near`, the steady state of a similar chain.
 ///
 /// # Errors
 ///
 /// [`JointError::NotSteady`] if the motion does not settle on a period of at most [`MAX_PERIOD`] cycles within some
 /// thousand cycles. Other [`JointError`]s if the motion itself fails.
-pub fn steady_state(chain: &Chain, omega: f64) -> Result<Steady, JointError> {
-    let found = joints::settle(&Motion::from_rest(chain)?.into_engine(), omega)?;
-    found.map(Steady::new).ok_or(JointError::NotSteady)
-}
-
-/// Returns the steady state of [`steady_state`]. If it is the only one, Newton's method starts from `near`, the steady
-/// state of a similar chain.
-///
-/// # Errors
-///
-/// Same errors as [`steady_state`].
-pub fn steady_state_beside(chain: &Chain, omega: f64, near: &Steady) -> Result<Steady, JointError> {
-    let motion = Motion::from_rest(chain)?.into_engine();
-    let found = joints::settle_near(&motion, omega, &near.found)?;
+pub fn steady_state(
+    motion: Motion,
+    omega: f64,
+    near: Option<&Steady>,
+) -> Result<Steady, JointError> {
+    let near = near.map(|near| &near.found);
+    let found = joints::settle(&motion.into_engine(), omega, near)?;
     found.map(Steady::new).ok_or(JointError::NotSteady)
 }
 

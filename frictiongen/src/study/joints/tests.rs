@@ -12,8 +12,13 @@ mod steady;
 mod stops;
 mod stribeck;
 
-use super::{Chain, Joint, Wave};
+use super::{Chain, Joint, JointError, Motion, Steady, Wave, steady_state};
 use frictiongen_model::scene::Node;
+
+/// Returns the steady state that the motion from rest reaches.
+fn steady_from_rest(chain: &Chain, omega: f64) -> Result<Steady, JointError> {
+    steady_state(Motion::from_rest(chain)?, omega, None)
+}
 
 /// Returns eigenvalues in ascending order and orthonormal eigenvectors (columns) of a symmetric matrix, by Jacobi
 /// rotations.

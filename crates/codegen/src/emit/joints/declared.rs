@@ -53,7 +53,8 @@ pub(super) fn emit(
     let layout = emission.steps?;
     let [masses, contacts, loads] =
         [layout.masses, layout.contacts, layout.loads].map(Literal::usize_unsuffixed);
-    let (on_base, shears, damped) = (layout.on_base, layout.shears, layout.damped);
+    let on_base = layout.on_base;
+    let properties = Literal::usize_unsuffixed(layout.properties());
     let target = emission.stepper_type(&code!(&'static [#scalar; #entries]));
     let about = format!(
         " Stepper of the declared step `STEP`.  It borrows its tables, which stay constants of the program, and has the methods of [`{}`].",
@@ -74,15 +75,8 @@ pub(super) fn emit(
                 on_base: #on_base,
             };
             /// Lengths of the tables.
-            const STEP_LAYOUT: #engine::Layout = #engine::Layout {
-                masses: #masses,
-                contacts: #contacts,
-                loads: #loads,
-                input: #facade::kernel::stepper::Input::#input,
-                on_base: #on_base,
-                shears: #shears,
-                damped: #damped,
-            };
+            const STEP_LAYOUT: #engine::Layout =
+                #engine::Layout::of_properties((#masses, #contacts, #loads), #properties);
             /// Tables of a part, for each set of contacts that stick.
             const STEP_TABLES: [#scalar; #entries] = [#(#tables),*];
 

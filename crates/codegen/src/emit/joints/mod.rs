@@ -347,15 +347,15 @@ impl<'a> JointsEmission<'a> {
 /// Returns the numbers of coordinates and rows in the tables of a stepper on whose masses `loads` forces act. Returns
 /// `None` for a stepper without tables.
 pub(crate) fn step_layout(scene: &Scene, loads: usize) -> Option<Layout> {
-    let layout = Layout {
-        masses: scene.masses.len(),
-        contacts: scene.named_contacts().len(),
-        loads,
-        input: scene.stepping.input.into(),
-        on_base: scene.excitation == Excitation::Base,
-        shears: scene.precision == Precision::F32,
-        damped: !matches!(scene.damping, Damping::None) || !scene.joints.dampers.is_empty(),
-    };
+    let counts = (scene.masses.len(), scene.named_contacts().len(), loads);
+    let on_base = scene.excitation == Excitation::Base;
+    let shears = scene.precision == Precision::F32;
+    let damped = !matches!(scene.damping, Damping::None) || !scene.joints.dampers.is_empty();
+    let layout = Layout::new(
+        counts,
+        scene.stepping.input.into(),
+        [on_base, shears, damped],
+    );
     let has_tables = scene.provides(&Provide::Stepper)
         && scene.friction.points().is_empty()
         && scene.has_linear_states()
@@ -381,9 +381,11 @@ pub(crate) fn sizes(scene: &Scene, loads: usize) -> Vec<usize> {
         0
     };
     let points = scene.friction.points().len();
-    let row = step_layout(scene, loads_of_input).map_or(0, |layout| layout.coordinates());
+    let layout = step_layout(scene, loads_of_input);
+    let row = layout.map_or(0, |layout| layout.coordinates());
+    let step = layout.map_or(0, |layout| layout.properties());
     let mut sizes = vec![masses, masses + 2, contacts, loads];
-    sizes.extend([unknowns, unknowns * unknowns, points, row, parts]);
+    sizes.extend([unknowns, unknowns * unknowns, points, row, parts, step]);
     // The last arguments are 0 by default.
     while sizes.len() > 4 && sizes.last() == Some(&0) {
         sizes.pop();

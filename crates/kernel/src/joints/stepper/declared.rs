@@ -6,7 +6,7 @@ use crate::joints::model::Model;
 use crate::joints::run::Motion;
 use crate::joints::size::Fixed;
 use crate::joints::state::{FREE, State};
-use crate::joints::table::NoTables;
+use crate::joints::table::{NoTables, Room};
 use crate::joints::tree::{NONE, Tree, UNUSED};
 
 impl<
@@ -19,14 +19,15 @@ impl<
     const SQUARE: usize,
     const LAW: usize,
     const ROW: usize,
+    const STEP: usize,
     const ENTRIES: usize,
-> Stepper<S, Fixed<N, NODES, M, L, U, SQUARE, LAW, ROW>, &'static [S; ENTRIES]>
+> Stepper<S, Fixed<N, NODES, M, L, U, SQUARE, LAW, ROW, 0, STEP>, &'static [S; ENTRIES]>
 {
     /// Creates a stepper at rest. `model` has no loads, friction forces of 0, and its longest stretch. `tables` are
     /// those of the model, the pace and the layout. `zero` is the number 0.
     #[must_use]
     pub const fn declared(
-        model: Model<S, Fixed<N, NODES, M, L, U, SQUARE, LAW, ROW>>,
+        model: Model<S, Fixed<N, NODES, M, L, U, SQUARE, LAW, ROW, 0, STEP>>,
         (pace, layout): (Pace<S>, Layout),
         tables: &'static [S; ENTRIES],
         zero: S,
@@ -39,9 +40,9 @@ impl<
             phases: [FREE; M],
             zeros: [(0, 0); M],
         };
-        let tree = Tree::empty([UNUSED; M], [NONE; NODES], [zero; NODES]);
+        let tree = Tree::empty([UNUSED; M], [false; M], [NONE; NODES], [zero; NODES]);
         Self {
-            motion: Motion::at_start(model, state, tree, NoTables([[], []]), zero),
+            motion: Motion::at_start(model, state, tree, NoTables(Room::EMPTY), zero),
             pace,
             layout,
             tables,

@@ -7,7 +7,7 @@
 
 use super::Stepper;
 use super::shears::shear;
-use super::table::{Layout, ROWS, Rows, Sections};
+use super::table::{Layout, ROWS, Rows};
 use super::work::Moments;
 use crate::Float;
 use crate::joints::least::dot;
@@ -25,7 +25,7 @@ impl<S: Float, Z: Size, T: AsRef<[S]>> Stepper<S, Z, T> {
     /// Advances the motion by the sub-interval with the index `part`. Returns false, and changes nothing, if a contact
     /// may have an event, or if the stepper has no tables.
     pub(super) fn leap(&mut self, part: u32) -> bool {
-        let (layout, motion) = (&self.layout, &self.motion);
+        let (layout, motion) = (&Z::layout(&self.layout), &self.motion);
         let (model, state) = (motion.model(), motion.state());
         let Some(rows) = layout.rows(self.tables.as_ref(), state.key()) else {
             return false;
@@ -36,18 +36,19 @@ impl<S: Float, Z: Size, T: AsRef<[S]>> Stepper<S, Z, T> {
         let times = [self.pace.start(part), self.pace.start(part + 1)];
         let base = times.map(|time| place_and_speed(model, layout, time));
         let [before, after] = &mut self.ends;
-        let (before, after) = (before.as_mut(), after.as_mut());
-        write(motion, layout, times[0], before);
+        write(motion, layout, times[0], before.as_mut());
         let before = &*before;
         let [[from, _], [to, _]] = base;
-        let moved = advance((model, state), (layout, &rows), (before, after), to - from);
-        let watch = Watch {
+        let ends = (before.as_ref(), after.as_mut());
+        let moved = advance((model, state), (layout, &rows), ends, to - from);
+        let watch = Watch::<S, Z> {
             layout,
             rows: rows.contacts,
             ends: [before, after],
             base: base.map(|[_, speed]| speed),
             times,
         };
+        let (before, after) = (before.as_ref(), after.as_ref());
         let mut results = after.iter().take(2 * layout.masses + layout.contacts);
         if !watch.is_quiet(motion) || results.any(|value| !value.is_finite()) {
             return false;
@@ -78,48 +79,40 @@ fn place_and_speed<S: Float, Z: Size>(model: &Model<S, Z>, layout: &Layout, time
 fn write<S: Float, Z: Size>(motion: &Motion<S, Z>, layout: &Layout, time: S, to: &mut [S]) {
     let (model, state) = (motion.model(), motion.state());
     let zero = S::constant(0.0);
-    let Sections {
-        places,
-        speeds,
-        forces,
-        loads,
-        base,
-        slopes,
-    } = layout.sections(to);
-    copy(state.x.as_ref(), places);
-    copy(state.v.as_ref(), speeds);
-    for (j, (contact, force)) in model.contacts().iter().zip(forces).enumerate() {
-        *force = match state.phase(j) {
+    let is_linear = layout.input == Input::Linear;
+    let mut entries = to.iter_mut();
+    let mut put = |value: S| {
+        if let Some(entry) = entries.next() {
+            *entry = value;
+        }
+    };
+    let motion = state.x.as_ref().iter().chain(state.v.as_ref());
+    motion.for_each(|value| put(*value));
+    for (j, contact) in model.contacts().iter().enumerate() {
+        put(match state.phase(j) {
             FREE => zero,
             STUCK => at(state.forces.as_ref(), j),
             side => sign::<S>(side) * contact.level.value(time, 0),
-        };
+        });
     }
-    let width = if layout.input == Input::Linear { 2 } else { 1 };
-    for ((_, load), entries) in model
-        .loads
-        .as_ref()
-        .iter()
-        .zip(loads.chunks_exact_mut(width))
-    {
-        let terms = [load.constant + load.slope * time, load.slope];
-        copy(&terms, entries);
+    for (_, load) in model.loads.as_ref() {
+        put(load.constant + load.slope * time);
+        if is_linear {
+            put(load.slope);
+        }
     }
     if layout.on_base {
-        copy(&model.base.about(time), base);
+        let terms = model.base.about(time);
+        let count = if is_linear { terms.len() } else { 2 };
+        terms.iter().take(count).for_each(|term| put(*term));
     }
-    for (j, (contact, slope)) in model.contacts().iter().zip(slopes).enumerate() {
-        *slope = match state.phase(j) {
-            FREE | STUCK => zero,
-            side => sign::<S>(side) * contact.level.slope,
-        };
-    }
-}
-
-/// Copies the first entries of `from`, as many as `to` has.
-fn copy<S: Float>(from: &[S], to: &mut [S]) {
-    for (to, from) in to.iter_mut().zip(from) {
-        *to = *from;
+    if is_linear {
+        for (j, contact) in model.contacts().iter().enumerate() {
+            put(match state.phase(j) {
+                FREE | STUCK => zero,
+                side => sign::<S>(side) * contact.level.slope,
+            });
+        }
     }
 }
 
@@ -143,7 +136,11 @@ fn advance<S: Float, Z: Size>(
     }
     if layout.shears {
         let increments = (moved.as_mut(), gained.as_mut());
-        shear(model, state, (rows.shears, before, after), increments);
+        shear(
+            (model, state, masses),
+            (rows.shears, before, after),
+            increments,
+        );
     } else {
         let increments = moved.as_ref().iter().chain(gained.as_ref());
         for ((after, before), increment) in after.iter_mut().zip(before).zip(increments) {
@@ -163,21 +160,21 @@ fn advance<S: Float, Z: Size>(
 }
 
 /// Watches the contacts in a sub-interval.
-struct Watch<'w, S> {
+struct Watch<'w, S: Float, Z: Size> {
     layout: &'w Layout,
     /// Rows of the table for the contacts.
     rows: &'w [S],
     /// Coordinates at the start, and displacements, velocities and forces at the end.
-    ends: [&'w [S]; 2],
+    ends: [&'w Z::Row<S>; 2],
     /// Velocity of the base at both ends.
     base: [S; 2],
     /// Instants of both ends.
     times: [S; 2],
 }
 
-impl<S: Float> Watch<'_, S> {
+impl<S: Float, Z: Size> Watch<'_, S, Z> {
     /// Returns true if no contact can have an event in the sub-interval.
-    fn is_quiet<Z: Size>(&self, motion: &Motion<S, Z>) -> bool {
+    fn is_quiet(&self, motion: &Motion<S, Z>) -> bool {
         let state = motion.state();
         let count = self.layout.coordinates().max(1);
         let rows = self.rows.chunks_exact(ROWS * count);
@@ -189,7 +186,9 @@ impl<S: Float> Watch<'_, S> {
                 (STUCK, stiffness) => {
                     let forces = match stiffness {
                         None => self.products(values),
-                        Some(_) => self.ends.map(|end| at(end, 2 * self.layout.masses + j)),
+                        Some(_) => self
+                            .ends
+                            .map(|end| at(end.as_ref(), 2 * self.layout.masses + j)),
                     };
                     let levels = self.times.map(|time| contact.level.value(time, 0));
                     let most = levels.map(|level| contact.stiction * level);
@@ -209,13 +208,19 @@ impl<S: Float> Watch<'_, S> {
         let speeds = self
             .ends
             .get(end)
-            .and_then(|end| end.get(masses..2 * masses));
+            .and_then(|end| end.as_ref().get(masses..2 * masses));
         contact.relative(speeds.unwrap_or_default(), at(&self.base, end))
+    }
+
+    /// Returns the coordinates at the start.
+    fn before(&self) -> &[S] {
+        let [before, _] = self.ends;
+        before.as_ref()
     }
 
     /// Returns the products of the first two rows with the coordinates at the start.
     fn products(&self, rows: &[S]) -> [S; 2] {
-        let [before, _] = self.ends;
+        let before = self.before();
         let (first, rest) = rows.split_at_checked(before.len()).unwrap_or_default();
         [dot(first, before), dot(rest, before)]
     }
@@ -223,7 +228,7 @@ impl<S: Float> Watch<'_, S> {
     /// Returns the polynomial of a watched quantity with the given values at both ends. `rows` are the rows of its
     /// derivative at both ends, and of its bound.
     fn watched(&self, values: [S; 2], rows: &[S]) -> Watched<S> {
-        let [before, _] = self.ends;
+        let before = self.before();
         let (slopes, bound) = rows.split_at_checked(2 * before.len()).unwrap_or_default();
         Watched::new(values, self.products(slopes), size(bound, before))
     }

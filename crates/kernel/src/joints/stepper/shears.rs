@@ -175,12 +175,10 @@ fn symmetrise<S: Float>(matrix: &mut [S], (size, width): (usize, usize)) {
 /// `before`. The increments `moved` and `gained` contain those of the inputs and of damping, and the function adds those
 /// of the free motion. They are more accurate than differences of rounded numbers.
 pub(super) fn shear<S: Float, Z: Size>(
-    model: &Model<S, Z>,
-    state: &State<S, Z>,
+    (model, state, masses): (&Model<S, Z>, &State<S, Z>, usize),
     (shears, before, after): (&[S], &[S], &mut [S]),
     (moved, gained): (&mut [S], &mut [S]),
 ) {
-    let masses = model.wall();
     let (by_speed, by_place) = shears.split_at_checked(masses * masses).unwrap_or_default();
     let (old_places, rest) = before.split_at_checked(masses).unwrap_or_default();
     let (old_speeds, forces) = rest.split_at_checked(masses).unwrap_or_default();

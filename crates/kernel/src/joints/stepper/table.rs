@@ -47,24 +47,82 @@ pub struct Layout {
     pub shears: bool,
     /// True if the chain has dashpots or a damping matrix.
     pub damped: bool,
+    /// Numbers of coordinates, of those in the rows of the increments, and of entries of the shears.
+    lengths: [usize; 3],
 }
 
 impl Layout {
-    /// Returns the numbers of a chain and the pace of its stepper.
+    /// Returns the layout for the given numbers of masses, contacts and loads. The last argument contains the fields
+    /// `on_base`, `shears` and `damped`.
+    #[must_use]
+    pub const fn new(
+        (masses, contacts, loads): (usize, usize, usize),
+        input: Input,
+        [on_base, shears, damped]: [bool; 3],
+    ) -> Self {
+        let mut layout = Self {
+            masses,
+            contacts,
+            loads,
+            input,
+            on_base,
+            shears,
+            damped,
+            lengths: [0; 3],
+        };
+        let (load, base, friction) = layout.coefficients();
+        let coordinates = 2 * masses + (1 + friction) * contacts + load * loads + base;
+        // Shears give the effect of the motion of an undamped chain, so that its rows contain only forces and inputs.
+        let skipped = if shears && !damped { 2 * masses } else { 0 };
+        let sheared = if shears {
+            masses * (2 * masses + contacts)
+        } else {
+            0
+        };
+        layout.lengths = [coordinates, coordinates - skipped, sheared];
+        layout
+    }
+
+    /// Returns the layout of a chain and the pace of its stepper.
     pub fn of<S: Float, Z: Size>(model: &Model<S, Z>, pace: &Pace<S>) -> Self {
-        let contacts = model.contacts();
-        Self {
-            masses: model.wall(),
-            contacts: contacts.len(),
-            loads: model.loads.as_ref().len(),
-            input: pace.input,
-            on_base: pace.on_base,
-            shears: has_shears::<S>(),
-            damped: model.is_damped(),
-        }
+        let counts = (
+            model.wall(),
+            model.contacts().len(),
+            model.loads.as_ref().len(),
+        );
+        let properties = [pace.on_base, has_shears::<S>(), model.is_damped()];
+        Self::new(counts, pace.input, properties)
+    }
+
+    /// Returns the properties beside the numbers of masses, contacts and loads as a number.
+    #[must_use]
+    pub const fn properties(&self) -> usize {
+        let is_linear = matches!(self.input, Input::Linear);
+        is_linear as usize
+            | (self.on_base as usize) << 1
+            | (self.shears as usize) << 2
+            | (self.damped as usize) << 3
+    }
+
+    /// Returns the layout with the given numbers of masses, contacts and loads, and with the given
+    /// [`properties`](Self::properties).
+    #[must_use]
+    pub const fn of_properties(counts: (usize, usize, usize), properties: usize) -> Self {
+        let input = if properties & 1 == 0 {
+            Input::Hold
+        } else {
+            Input::Linear
+        };
+        let is = [
+            properties & 2 != 0,
+            properties & 4 != 0,
+            properties & 8 != 0,
+        ];
+        Self::new(counts, input, is)
     }
 
     /// Returns the numbers of coefficients of a load, of the base, and of the change of a contact's friction force.
+    #[inline]
     const fn coefficients(&self) -> (usize, usize, usize) {
         let (load, base, friction) = match self.input {
             Input::Hold => (1, 2, 0),
@@ -74,47 +132,16 @@ impl Layout {
     }
 
     /// Returns the number of coordinates.
+    #[inline]
     #[must_use]
     pub const fn coordinates(&self) -> usize {
-        let (load, base, friction) = self.coefficients();
-        2 * self.masses + (1 + friction) * self.contacts + load * self.loads + base
+        self.lengths[0]
     }
 
-    /// Divides the coordinates into their sections.
-    pub(super) fn sections<'c, S>(&self, coordinates: &'c mut [S]) -> Sections<'c, S> {
-        let (load, base, _) = self.coefficients();
-        let lengths = [
-            self.masses,
-            self.masses,
-            self.contacts,
-            load * self.loads,
-            base,
-        ];
-        let mut left = coordinates;
-        let [places, speeds, forces, loads, base] = lengths.map(|length| {
-            let parts = core::mem::take(&mut left).split_at_mut_checked(length);
-            let (section, rest) = parts.unwrap_or_default();
-            left = rest;
-            section
-        });
-        Sections {
-            places,
-            speeds,
-            forces,
-            loads,
-            base,
-            slopes: left,
-        }
-    }
-
-    /// Returns the number of the last coordinates that the rows of the increments contain. Shears give the effect of the
-    /// motion of an undamped chain, so that its rows contain only forces and inputs.
+    /// Returns the number of the last coordinates that the rows of the increments contain.
+    #[inline]
     pub(super) const fn width(&self) -> usize {
-        if self.shears && !self.damped {
-            self.coordinates() - 2 * self.masses
-        } else {
-            self.coordinates()
-        }
+        self.lengths[1]
     }
 
     /// Returns the number of rows for the work: one for each load and contact with linear input, and one for each
@@ -132,15 +159,13 @@ impl Layout {
     }
 
     /// Returns the number of entries of the shears: a matrix for the velocities, and one for displacements and forces.
+    #[inline]
     const fn sheared(&self) -> usize {
-        if self.shears {
-            self.masses * (2 * self.masses + self.contacts)
-        } else {
-            0
-        }
+        self.lengths[2]
     }
 
     /// Returns the number of entries in the rows of the increments of displacements and velocities.
+    #[inline]
     const fn increments(&self) -> usize {
         2 * self.masses * self.width()
     }
@@ -161,6 +186,7 @@ impl Layout {
     }
 
     /// Returns the parts of the table of one pattern.
+    #[inline]
     pub(super) fn rows<'t, S>(&self, tables: &'t [S], pattern: u64) -> Option<Rows<'t, S>> {
         // All patterns have tables of the same length.
         let length = tables.len() >> self.contacts;
@@ -177,22 +203,6 @@ impl Layout {
             moments,
         })
     }
-}
-
-/// Sections of the coordinates.
-pub(super) struct Sections<'c, S> {
-    /// Displacements of the masses.
-    pub places: &'c mut [S],
-    /// Velocities of the masses.
-    pub speeds: &'c mut [S],
-    /// Forces of the contacts: σF while a contact slides.
-    pub forces: &'c mut [S],
-    /// Coefficients of each load: its value, and with linear input its slope.
-    pub loads: &'c mut [S],
-    /// Coefficients of the polynomial of the base.
-    pub base: &'c mut [S],
-    /// With linear input the slope of σF of each contact.
-    pub slopes: &'c mut [S],
 }
 
 /// Parts of the table of one pattern.

@@ -124,12 +124,12 @@ fn row<S: Float>(springs: &[f64], stiction: f64, stiffness: Option<f64>) -> Mode
             contacts: 1,
             loads: 1,
         },
-        masses: vec![S::constant(1.0); masses],
+        masses: vec![S::constant(1.0); masses].into(),
         springs: links
             .map(|(mass, k)| (mass + 1, mass, S::constant(*k)))
             .collect(),
-        dashpots: Vec::new(),
-        damping: Vec::new(),
+        dashpots: [].into(),
+        damping: [].into(),
         damping_from_base: false,
         contacts: smallvec![Contact {
             plus: masses - 1,
@@ -254,7 +254,12 @@ fn undamped_chains_in_single_precision_keep_their_energy() {
     // The second chain is held by a spring, and the third by an elastic contact that sticks.
     let free = row::<f32>(&[900.0, 500.0, 700.0], 1.0, Some(400.0));
     let mut held = free.clone();
-    held.springs.push((0, 4, 300.0));
+    held.springs = held
+        .springs
+        .iter()
+        .copied()
+        .chain([(0, 4, 300.0)])
+        .collect();
     for (model, friction) in [(&free, 0.0), (&held, 0.0), (&free, 1e3)] {
         for angle in [0.12, 0.4, 1.2] {
             let mut stepper = stepper(model, (angle / 50.0, Input::Linear, false), true);

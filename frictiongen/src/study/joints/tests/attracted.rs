@@ -1,7 +1,8 @@
 //! Compares steady states with the motion from rest, cycle after cycle. All contacts of the chains are elastic with μ
 //! = 1. For such chains, the search may return a steady state before the motion has settled.
 
-use super::super::{Motion, State, steady_state, steady_state_from};
+use super::super::{Motion, State, steady_state_from};
+use super::steady_from_rest;
 use super::{Chain, Random, random_chain};
 use std::f64::consts::TAU;
 
@@ -55,7 +56,7 @@ fn settled(chain: &Chain, omega: f64) -> Option<State> {
 /// contacts that never slide included. If all contacts slide, it is `expected`, the state that the motion from rest
 /// reaches.
 fn centred(chain: &Chain, omega: f64, expected: Option<&State>) {
-    let steady = steady_state(chain, omega).expect("a steady state");
+    let steady = steady_from_rest(chain, omega).expect("a steady state");
     let size = steady
         .cycle
         .amplitudes

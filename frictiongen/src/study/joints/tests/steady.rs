@@ -2,8 +2,9 @@
 //! response of the chain while no contact slides, and damping matrices.
 
 use super::super::{Motion, stuck_response};
-use super::super::{Steady, steady_state, steady_state_from};
+use super::super::{Steady, steady_state_from};
 use super::reference::{chain, list, number, numbers, read};
+use super::steady_from_rest;
 use super::{Chain, Random, Wave, random_chain, rigid};
 use frictiongen_kernel::joints;
 use frictiongen_model::scene::Node::{Base, Mass, Wall};
@@ -79,7 +80,7 @@ fn energy_of_a_cycle_is_the_area_of_the_loop() {
             continue;
         }
         let omega = number(&scene["omega"]);
-        let steady = steady_state(&chain(scene, omega), omega).expect("a steady state");
+        let steady = steady_from_rest(&chain(scene, omega), omega).expect("a steady state");
         let contact = &scene["contacts"][0];
         let (force, stiffness) = (number(&contact["force"]), number(&contact["stiffness"]));
         let slip = steady.cycle.amplitudes[0] - force / stiffness;
@@ -102,7 +103,7 @@ fn changes_decay_with_the_multipliers() {
     let scene = &list(&all["scenes"])[9];
     let omega = number(&scene["omega"]);
     let chain = chain(scene, omega);
-    let steady = steady_state(&chain, omega).expect("a steady state");
+    let steady = steady_from_rest(&chain, omega).expect("a steady state");
     let mut motion = Motion::from_rest(&chain).expect("a chain");
     let mut state = steady.state.clone();
     state.v[1] += 1e-6;
@@ -254,7 +255,7 @@ fn energies_of_contacts_are_what_the_load_puts_in() {
         for contact in &mut chain.contacts {
             contact.stiction = 1.0;
         }
-        let Ok(steady) = steady_state(&chain, omega) else {
+        let Ok(steady) = steady_from_rest(&chain, omega) else {
             continue;
         };
         let mut motion = Motion::from_rest(&chain).expect("a chain");

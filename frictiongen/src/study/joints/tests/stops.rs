@@ -1,6 +1,7 @@
 //! Stops: closed forms of impact oscillators, a bouncing mass, and the products of Floquet multipliers.
 
-use crate::study::joints::{Chain, EndStop, Joint, Motion, Wave, steady_state};
+use super::steady_from_rest;
+use crate::study::joints::{Chain, EndStop, Joint, Motion, Wave};
 use frictiongen_kernel::joints::STUCK;
 use frictiongen_model::scene::{Impact, Node, StopLaw};
 use std::f64::consts::TAU;
@@ -49,7 +50,7 @@ fn an_impact_oscillator_has_its_closed_form() {
             loads: vec![(0, Wave::harmonic(1.0, omega))],
             ..Chain::default()
         };
-        let steady = steady_state(&chain, omega).unwrap();
+        let steady = steady_from_rest(&chain, omega).unwrap();
         assert_eq!(steady.cycle.contacts[0].stops, steady.period, "{omega}");
         let period = TAU / omega;
         let (sin, cos) = period.sin_cos();
@@ -105,7 +106,7 @@ fn the_multipliers_of_a_stop_with_a_dashpot() {
         loads: vec![(0, Wave::harmonic(1.0, omega))],
         ..Chain::default()
     };
-    let steady = steady_state(&chain, omega).unwrap();
+    let steady = steady_from_rest(&chain, omega).unwrap();
     let own = &steady.cycle.contacts[0];
     assert!(own.stops > 0 && own.energy > 0.0);
     let length = steady.period as f64 * TAU / omega;
