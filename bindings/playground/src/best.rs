@@ -1,7 +1,9 @@
 //! Finds the friction ratio for which the largest amplitude over a range of frequencies is smallest.
 
 use crate::question::Question;
-use frictiongen::study::optimum::{FrequencyBand, OptimumEnd, OptimumKind, OptimumRequest};
+use frictiongen::study::optimum::{
+    FrequencyBand, OptimumEnd, OptimumKind, OptimumOptions, OptimumRequest,
+};
 use frictiongen::study::response::MotionQuantity;
 use serde_json::{Value, json};
 
@@ -14,8 +16,12 @@ pub fn answer(question: &Question) -> Result<Value, String> {
         band: FrequencyBand::Ratio(question.from, question.to),
         load: None,
     };
+    let options = OptimumOptions {
+        work: Some(question.work),
+        ..OptimumOptions::default()
+    };
     let best = system
-        .optimum_within(&request, question.work)
+        .optimum_with(&request, &options)
         .map_err(|error| error.to_string())?;
     let why = match best.kind {
         OptimumKind::EqualPeaks => "two peaks have the same height",

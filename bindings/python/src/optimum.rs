@@ -7,14 +7,13 @@ use crate::asked::{
     setting,
 };
 use crate::columns::NamedArrays;
-use crate::errors::{defect, domain, wrong_type};
+use crate::errors::{domain, wrong_type};
 use crate::system::NativeSystem;
 use crate::work::without_lock;
 use frictiongen::System;
-use frictiongen::study::columns::{Cell, Column, Further, OptimumLine, OptimumTable};
+use frictiongen::study::columns::{Cell, Column, OptimumLine, OptimumTable};
 use frictiongen::study::optimum::{
-    FrequencyBand, KeptQuantity, Optimum, OptimumError, OptimumRequest, ShareRange, Tuning,
-    Weighted,
+    FrequencyBand, Optimum, OptimumError, OptimumOptions, OptimumRequest, QuantityValue, Tuning,
 };
 use frictiongen::study::response::MotionQuantity;
 use pyo3::prelude::*;
@@ -23,8 +22,6 @@ use pyo3::types::{PyDict, PyString};
 /// Names of two lists in the library's lines about an optimum: the quantities with divisors, and the quantities with
 /// bounds.
 const LISTS: [&str; 2] = ["weighted", "kept"];
-/// Name of the list of the best shares.
-const SHARES: &str = "shares";
 
 /// An argument that is a dict of quantities and their values.
 struct ValuedArgument {
@@ -80,151 +77,122 @@ pub fn optimum<'py>(
     let (measure, system) = driven(&system.system, &load)?;
     let system = &*system;
     let band = FrequencyRange::of(system, &frequency)?;
-    if let Ok(quantities) = of.cast::<PyDict>() {
-        for (given, name) in [(vary.is_some(), "vary"), (keep.is_some(), "keep")] {
-            if given {
-                return Err(domain(format_args!(
-                    "{name} needs a single quantity: give its name as of, without a value"
-                )));
-            }
-        }
-        let all = valued(system, &measure, (&OF, quantities))?;
-        return weighted(py, system, (&band, measure), &all);
-    }
-    let Ok(name) = of.cast::<PyString>() else {
-        return Err(wrong_type(
-            "of: the name of a mass is needed, or `contact`; for several quantities a dict {name: value}",
-        ));
+    let several = several(system, &measure, (&of, [vary.is_some(), keep.is_some()]))?;
+    let mut part = match several.first() {
+        Some(first) => first.part.clone(),
+        None => quantity(system, "of", of.cast::<PyString>()?.to_str()?)?,
     };
-    let part = quantity(system, "of", name.to_str()?)?;
-    let request = request(&part, &band, &measure);
-    if let Some((name, from, to)) = &vary
-        && let Some(contacts) = named_shares(system, name)?
-    {
-        if keep.is_some() {
-            return Err(domain(
-                "keep does not work with vary share; leave one of them out",
+    let vary = vary.as_ref().map(|vary| tunings(system, vary)).transpose()?;
+    let vary = vary.unwrap_or_default();
+    let bounds = keep.map(|keep| valued(system, &measure, (&KEEP, &keep)));
+    let bounds = bounds.transpose()?.unwrap_or_default();
+    let request = OptimumRequest {
+        of: part.of,
+        size: part.size,
+        band: FrequencyBand::Ratio(band.from, band.to),
+        load: measure.load(),
+    };
+    let found = without_lock(py, |stop| {
+        let options = OptimumOptions {
+            kept: &values(&bounds),
+            weighted: &values(&several),
+            vary: &vary,
+            watch: Some(&|| stop.goes_on()),
+            ..OptimumOptions::default()
+        };
+        system.optimum_with(&request, &options)
+    })?;
+    let found = found.map_err(|error| failure(system, &measure, (&vary, &bounds), error))?;
+    let [kept, weighted] = [&bounds, &several].map(|all| {
+        let parts = all.iter().map(|one| (one.part.clone(), one.value));
+        parts.collect::<Vec<(MovingPart, f64)>>()
+    });
+    if let Some(decisive) = several.get(found.decisive) {
+        part = decisive.part.clone();
+    }
+    let table = OptimumTable {
+        setting: setting(
+            system,
+            measure,
+            band.unit(&measure),
+            std::slice::from_ref(&part),
+        ),
+        kept: &kept,
+        weighted: &weighted,
+    };
+    let (answer, lines) = (answer(py, &table, &found)?, table.lines(&found));
+    let [once, ..] = &answer;
+    put_tuned(once, &lines)?;
+    let mut quotients = weighted.iter().zip(&found.largest);
+    if let Some(((part, over), largest)) = quotients.nth(found.decisive) {
+        once.set_item("decisive", &part.name)?;
+        once.set_item("quotient", largest / over)?;
+    }
+    let quantities = quantities(py, &[kept, weighted].concat(), &lines)?;
+    Ok((answer, quantities))
+}
+
+/// Reads several quantities with their divisors from the argument `of`. The list is empty for the name of a single
+/// quantity. `others` has a flag for each argument that needs a single quantity: `vary` and `keep`.
+fn several(
+    system: &System,
+    measure: &Measure,
+    (of, others): (&Bound<'_, PyAny>, [bool; 2]),
+) -> PyResult<Vec<Valued>> {
+    let Ok(quantities) = of.cast::<PyDict>() else {
+        if of.cast::<PyString>().is_err() {
+            return Err(wrong_type(
+                "of: the name of a mass is needed, or `contact`; for several quantities a dict {name: value}",
             ));
         }
-        let ranges = contacts.into_iter().map(|contact| ShareRange {
-            contact,
-            from: *from,
-            to: *to,
-        });
-        let table = OptimumTable {
-            setting: setting(
-                system,
-                measure,
-                band.unit(&measure),
-                std::slice::from_ref(&part),
-            ),
-        };
-        return shares(py, &table, &request, &ranges.collect::<Vec<_>>());
+        return Ok(Vec::new());
+    };
+    for (given, name) in others.into_iter().zip(["vary", "keep"]) {
+        if given {
+            return Err(domain(format_args!(
+                "{name} needs a single quantity: give its name as of, without a value"
+            )));
+        }
     }
-    let tuning = vary.map(|(name, from, to)| {
-        let of = system.tunable_named(&name);
-        let of = of.map_err(|error| domain(format_args!("vary: {error}")))?;
-        Ok::<_, PyErr>(Tuning { of, from, to })
+    valued(system, measure, (&OF, quantities))
+}
+
+/// Returns the numbers of the description that `vary` names, with their interval.
+fn tunings(system: &System, (name, from, to): &(String, f64, f64)) -> PyResult<Vec<Tuning>> {
+    let named = system.tunables_named(name);
+    let named = named.map_err(|error| domain(format_args!("vary: {error}")))?;
+    let (from, to) = (*from, *to);
+    let tunings = named.into_iter().map(|of| Tuning { of, from, to });
+    Ok(tunings.collect())
+}
+
+fn values(all: &[Valued]) -> Vec<QuantityValue> {
+    let values = all.iter().map(|valued| QuantityValue {
+        of: valued.part.of,
+        size: valued.part.size,
+        value: valued.value,
     });
-    let tuning = tuning.transpose()?;
-    let bounds = match &keep {
-        Some(keep) => valued(system, &measure, (&KEEP, keep))?,
-        None => Vec::new(),
-    };
-    let found = without_lock(py, |stop| {
-        best(system, &request, (tuning.as_ref(), &bounds), &|| {
-            stop.goes_on()
-        })
-    })?;
-    let found =
-        found.map_err(|error| failure(system, &measure, (tuning.as_ref(), &bounds), error))?;
-    let parts = [part];
-    let table = OptimumTable {
-        setting: setting(system, measure, band.unit(&measure), &parts),
-    };
-    let answer = answer(py, &table, &found.optimum)?;
-    let [once, ..] = &answer;
-    once.set_item("value", found.value)?;
-    let values = largest_of(&bounds, &found.largest);
-    let lines = table.lines_with(&found.optimum, None, Further::Kept(&values));
-    Ok((answer, quantities(py, &values, &lines)?))
+    values.collect()
 }
 
-/// Returns the contacts whose shares `vary` names, if it names shares.
-fn named_shares(system: &System, name: &str) -> PyResult<Option<Vec<usize>>> {
-    let named = system.shares_named(name);
-    named.map_err(|problem| domain(format_args!("vary: {problem}")))
-}
-
-/// Finds the best friction together with the best shares of contacts.
-fn shares<'py>(
-    py: Python<'py>,
-    table: &OptimumTable<'_>,
-    request: &OptimumRequest,
-    ranges: &[ShareRange],
-) -> PyResult<OptimumAnswer<'py>> {
-    let system = table.setting.system;
-    let found = without_lock(py, |stop| {
-        system.best_shares(request, ranges, &|| stop.goes_on())
-    })?;
-    let found = found.map_err(|error| domain(format_args!("vary: {error}")))?;
-    let answer = answer(py, table, &found.optimum)?;
-    let ([once, ..], shares) = (&answer, PyDict::new(py));
-    for line in table.share_lines(&found) {
+/// Adds the best values of the varied numbers to the answer: one number, or the shares of all contacts and the amplitude
+/// with the shares of the description.
+fn put_tuned(once: &Bound<'_, PyDict>, lines: &[OptimumLine]) -> PyResult<()> {
+    let shares = PyDict::new(once.py());
+    for line in lines {
         let Cell::Number(value) = line.value else {
             continue;
         };
         match line.list {
-            Some(_) => shares.set_item(line.key, value)?,
-            None => once.set_item(line.key, value)?,
+            Some("shares") => shares.set_item(&line.key, value)?,
+            Some("tuned") => once.set_item("value", value)?,
+            None if line.key.starts_with("amplitude_before") => {
+                once.set_item(&line.key, value)?;
+            }
+            _ => {}
         }
     }
-    once.set_item(SHARES, shares)?;
-    Ok((answer, Vec::new()))
-}
-
-/// The best friction, the best value of a further variable, and the largest value of each kept quantity.
-struct Found {
-    optimum: Optimum,
-    value: Option<f64>,
-    largest: Vec<f64>,
-}
-
-/// Finds the best friction, with the further variable and the bounds that are given.
-fn best(
-    system: &System,
-    request: &OptimumRequest,
-    (tuning, bounds): (Option<&Tuning>, &[Valued]),
-    watch: &(dyn Fn() -> bool + Sync),
-) -> Result<Found, OptimumError> {
-    let kept: Vec<KeptQuantity> = bounds
-        .iter()
-        .map(|bound| KeptQuantity {
-            of: bound.part.of,
-            size: bound.part.size,
-            most: bound.value,
-        })
-        .collect();
-    let (optimum, value, largest) = match (tuning, kept.is_empty()) {
-        (None, true) => (system.optimum_watched(request, watch)?, None, Vec::new()),
-        (None, false) => {
-            let found = system.kept_optimum(request, &kept, watch)?;
-            (found.optimum, None, found.largest)
-        }
-        (Some(tuning), true) => {
-            let found = system.tuned_optimum_watched(request, tuning, watch)?;
-            (found.optimum, Some(found.value), Vec::new())
-        }
-        (Some(tuning), false) => {
-            let (found, largest) = system.kept_tuned_optimum(request, tuning, &kept, watch)?;
-            (found.optimum, Some(found.value), largest)
-        }
-    };
-    Ok(Found {
-        optimum,
-        value,
-        largest,
-    })
+    once.set_item("shares", shares)
 }
 
 /// Returns the exception for a search without a result. If no friction satisfies a bound, the message names the bound
@@ -232,7 +200,7 @@ fn best(
 fn failure(
     system: &System,
     measure: &Measure,
-    (tuning, bounds): (Option<&Tuning>, &[Valued]),
+    (vary, bounds): (&[Tuning], &[Valued]),
     error: OptimumError,
 ) -> PyErr {
     if let OptimumError::Unreachable {
@@ -260,26 +228,9 @@ fn failure(
         ));
     }
     let is_of_vary = matches!(error, OptimumError::Interval | OptimumError::Scene(_));
-    match tuning {
-        Some(_) if is_of_vary || bounds.is_empty() => domain(format_args!("vary: {error}")),
-        _ => domain(error),
-    }
-}
-
-/// Returns each quantity with its divisor or bound and its largest value over the frequency range.
-fn largest_of(all: &[Valued], largest: &[f64]) -> Vec<(MovingPart, f64, f64)> {
-    let values = all.iter().zip(largest);
-    values
-        .map(|(valued, largest)| (valued.part.clone(), valued.value, *largest))
-        .collect()
-}
-
-fn request(part: &MovingPart, band: &FrequencyRange, measure: &Measure) -> OptimumRequest {
-    OptimumRequest {
-        of: part.of,
-        size: part.size,
-        band: FrequencyBand::Ratio(band.from, band.to),
-        load: measure.load(),
+    match is_of_vary || (bounds.is_empty() && !vary.is_empty()) {
+        true => domain(format_args!("vary: {error}")),
+        false => domain(error),
     }
 }
 
@@ -330,45 +281,10 @@ fn valued(
     given.iter().map(read).collect()
 }
 
-/// Finds the friction that minimises the largest quotient of a quantity and its divisor.
-fn weighted<'py>(
-    py: Python<'py>,
-    system: &System,
-    (band, measure): (&FrequencyRange, Measure),
-    all: &[Valued],
-) -> PyResult<OptimumAnswer<'py>> {
-    let missing = || defect("a quantity is missing: please report this with the description");
-    let first = all.first().ok_or_else(missing)?;
-    let request = request(&first.part, band, &measure);
-    let of: Vec<Weighted> = all
-        .iter()
-        .map(|valued| Weighted {
-            of: valued.part.of,
-            size: valued.part.size,
-            over: valued.value,
-        })
-        .collect();
-    let found = without_lock(py, |stop| {
-        system.weighted_optimum(&request, &of, &|| stop.goes_on())
-    })?
-    .map_err(domain)?;
-    let parts = [all.get(found.decisive).ok_or_else(missing)?.part.clone()];
-    let table = OptimumTable {
-        setting: setting(system, measure, band.unit(&measure), &parts),
-    };
-    let values = largest_of(all, &found.largest);
-    let lines = table.lines_with(&found.optimum, None, Further::Weighted(&values));
-    let answer = answer(py, &table, &found.optimum)?;
-    let ([once, ..], [decisive]) = (&answer, &parts);
-    once.set_item("decisive", &decisive.name)?;
-    once.set_item("quotient", found.ratio)?;
-    Ok((answer, quantities(py, &values, &lines)?))
-}
-
 /// Returns the answer about each of several quantities, or about each kept quantity: its name, its unit and its numbers.
 fn quantities<'py>(
     py: Python<'py>,
-    values: &[(MovingPart, f64, f64)],
+    values: &[(MovingPart, f64)],
     lines: &[OptimumLine],
 ) -> PyResult<Vec<QuantityAnswer<'py>>> {
     let each = (1..).zip(values).map(|(row, (part, ..))| {

@@ -9,7 +9,7 @@ use std::fmt::Display;
 pub struct Vary<'t> {
     text: &'t str,
     /// Name of the number in the scene description that the search varies.
-    pub name: &'t str,
+    name: &'t str,
     interval: &'t str,
 }
 
@@ -30,7 +30,7 @@ impl<'t> Vary<'t> {
     }
 
     /// Returns the lower and the upper bound of the interval.
-    pub fn ends(&self) -> Result<(f64, f64), Failure> {
+    fn ends(&self) -> Result<(f64, f64), Failure> {
         let (from, to) = self
             .interval
             .split_once(':')
@@ -42,12 +42,13 @@ impl<'t> Vary<'t> {
         Ok((end(from)?, end(to)?))
     }
 
-    /// Returns the number of the scene description that varies, with the interval of its values.
-    pub fn tuning(&self, system: &System) -> Result<Tuning, Failure> {
-        let of = system.tunable_named(self.name);
-        let of = of.map_err(|error| self.wrong(&error))?;
+    /// Returns the numbers of the scene description that vary, with the interval of their values.
+    pub fn tunings(&self, system: &System) -> Result<Vec<Tuning>, Failure> {
+        let named = system.tunables_named(self.name);
+        let named = named.map_err(|error| self.wrong(&error))?;
         let (from, to) = self.ends()?;
-        Ok(Tuning { of, from, to })
+        let tunings = named.into_iter().map(|of| Tuning { of, from, to });
+        Ok(tunings.collect())
     }
 
     /// Returns the failure for an error in the option `--vary`.

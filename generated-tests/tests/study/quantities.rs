@@ -5,8 +5,8 @@ use frictiongen::Of;
 use frictiongen::study::{
     InitialState, System,
     optimum::{
-        FrequencyBand, KeptQuantity, Optimum, OptimumEnd, OptimumError, OptimumKind,
-        OptimumRequest, Tuning, Weighted,
+        FrequencyBand, Optimum, OptimumEnd, OptimumError, OptimumKind, OptimumOptions,
+        OptimumRequest, QuantityValue, Tuning,
     },
     response::MotionQuantity,
     units::Load,
@@ -254,16 +254,21 @@ fn bounds_hold_on_a_map() {
         "{free_drift} {}",
         least.amplitude
     );
-    let kept = [KeptQuantity {
+    let within = |kept: &[QuantityValue]| {
+        let options = OptimumOptions {
+            kept,
+            ..OptimumOptions::default()
+        };
+        system.optimum_with(&own, &options)
+    };
+    let kept = [QuantityValue {
         of: drift.of,
         size: drift.size,
-        most,
+        value: most,
     }];
-    let found = system
-        .kept_optimum(&own, &kept, &|| true)
-        .expect("an optimum");
-    let beta = found.optimum.beta;
-    assert_eq!(found.optimum.kind, OptimumKind::Bounded);
+    let found = within(&kept).expect("an optimum");
+    let beta = found.beta;
+    assert_eq!(found.kind, OptimumKind::Bounded);
     assert!(found.largest[0] <= most);
     let there = at(&drift, beta) / scale;
     assert!(there <= most * (1.0 + 1e-6), "{there} {most}");
@@ -282,25 +287,18 @@ fn bounds_hold_on_a_map() {
         assert!(!holds || value <= at(&own, other) * (1.0 + 1e-5), "{share}");
     }
     // A bound that the best friction already satisfies changes nothing.
-    let wide = [KeptQuantity {
-        most: 1.01 * free_drift,
+    let wide = [QuantityValue {
+        value: 1.01 * free_drift,
         ..kept[0]
     }];
-    let same = system
-        .kept_optimum(&own, &wide, &|| true)
-        .expect("an optimum");
-    assert_eq!(
-        (same.optimum.beta, same.optimum.kind),
-        (free.beta, free.kind)
-    );
+    let same = within(&wide).expect("an optimum");
+    assert_eq!((same.beta, same.kind), (free.beta, free.kind));
     // If the bound is below the best drift, no friction satisfies it.
-    let narrow = [KeptQuantity {
-        most: 0.99 * least.amplitude,
+    let narrow = [QuantityValue {
+        value: 0.99 * least.amplitude,
         ..kept[0]
     }];
-    let error = system
-        .kept_optimum(&own, &narrow, &|| true)
-        .map(|found| found.optimum.beta);
+    let error = within(&narrow).map(|found| found.beta);
     let Err(OptimumError::Unreachable {
         index: 0,
         least: value,
@@ -314,19 +312,17 @@ fn bounds_hold_on_a_map() {
     assert!((beta / least.beta - 1.0).abs() < 1e-6, "{beta}");
     // Each of the two bounds alone can be satisfied, but no friction satisfies both bounds.
     let two = [
-        KeptQuantity {
-            most: 1.0001 * least.amplitude,
+        QuantityValue {
+            value: 1.0001 * least.amplitude,
             ..kept[0]
         },
-        KeptQuantity {
+        QuantityValue {
             of: own.of,
             size: own.size,
-            most: 1.0001 * free.amplitude,
+            value: 1.0001 * free.amplitude,
         },
     ];
-    let error = system
-        .kept_optimum(&own, &two, &|| true)
-        .map(|found| found.optimum.beta);
+    let error = within(&two).map(|found| found.beta);
     assert!(
         matches!(error, Err(OptimumError::Unreachable { index: 1, .. })),
         "{error:?}"
@@ -351,19 +347,26 @@ fn a_stopped_search_keeps_its_best() {
         let asked = AtomicUsize::new(0);
         move || asked.fetch_add(1, Ordering::Relaxed) < most
     };
+    let stopped = |watch: &(dyn Fn() -> bool + Sync), vary: &[Tuning], kept: &[QuantityValue]| {
+        let options = OptimumOptions {
+            kept,
+            vary,
+            watch: Some(watch),
+            ..OptimumOptions::default()
+        };
+        system.optimum_with(&request, &options)
+    };
     let full = system.optimum(&request).expect("an optimum");
     assert_eq!(full.end, OptimumEnd::Converged);
     // More than half of the evaluations complete the result, which a caller does not stop.
     let early = after(full.evaluations / 8);
-    let stopped = system
-        .optimum_watched(&request, &early)
-        .expect("the best so far");
-    assert_eq!(stopped.end, OptimumEnd::Stopped);
-    assert!(full.amplitude <= stopped.amplitude && stopped.amplitude.is_finite());
-    assert!(stopped.bracket[0] <= full.beta && full.beta <= stopped.bracket[1]);
+    let so_far = stopped(&early, &[], &[]).expect("the best so far");
+    assert_eq!(so_far.end, OptimumEnd::Stopped);
+    assert!(full.amplitude <= so_far.amplitude && so_far.amplitude.is_finite());
+    assert!(so_far.bracket[0] <= full.beta && full.beta <= so_far.bracket[1]);
     let none = |error: OptimumError| assert_eq!(error, OptimumError::Stopped);
     // A scan of closed forms may give a friction from the beginning.
-    match system.optimum_watched(&request, &after(0)) {
+    match stopped(&after(0), &[], &[]) {
         Ok(first) => assert!(
             first.end == OptimumEnd::Stopped && full.amplitude <= first.amplitude,
             "{first:?}"
@@ -372,40 +375,34 @@ fn a_stopped_search_keeps_its_best() {
     }
 
     let of = system.tunable_named("k block - wall").expect("a number");
-    let tuning = Tuning {
-        of,
-        from: 1.0,
-        to: 2.0,
-    };
+    let (from, to) = (1.0, 2.0);
+    let tuning = [Tuning { of, from, to }];
     // Enough work for some of the 17 values, but not for all 17.
     let some = after(4 * full.evaluations);
-    let tuned = system
-        .tuned_optimum_watched(&request, &tuning, &some)
-        .expect("the best so far");
-    let best = &tuned.optimum;
+    let best = stopped(&some, &tuning, &[]).expect("the best so far");
     assert_eq!(best.end, OptimumEnd::Stopped);
-    assert!(tuned.scan.iter().any(|point| point.amplitude.is_nan()));
-    let finished = tuned.scan.iter().map(|point| point.amplitude);
+    assert!(best.scan.iter().any(|point| point.amplitude.is_nan()));
+    let finished = best.scan.iter().map(|point| point.amplitude);
     let least = finished.fold(f64::INFINITY, f64::min);
     assert_eq!(best.amplitude, least);
-    let alone = system.with_value(of, tuned.value).expect("a scene");
+    let alone = system.with_value(of, best.tuned[0].value).expect("a scene");
     let alone = alone.optimum(&request).expect("an optimum");
     assert!((best.amplitude / alone.amplitude - 1.0).abs() < 1e-9);
-    let nothing = system.tuned_optimum_watched(&request, &tuning, &after(0));
+    let nothing = stopped(&after(0), &tuning, &[]);
     none(nothing.map(|_| ()).expect_err("no answer"));
 
     // The best friction does not satisfy the bound, so the search for the best friction within the bound begins.
     let bound = |most: f64| {
-        [KeptQuantity {
+        [QuantityValue {
             of: request.of,
             size: MotionQuantity::Velocity,
-            most,
+            value: most,
         }]
     };
-    let free = system.kept_optimum(&request, &bound(f64::INFINITY), &|| true);
+    let free = stopped(&|| true, &[], &bound(f64::INFINITY));
     let kept = bound(0.99 * free.expect("an optimum").largest[0]);
     for most in [0, full.evaluations / 4, full.evaluations / 2] {
-        let found = system.kept_optimum(&request, &kept, &after(most));
+        let found = stopped(&after(most), &[], &kept);
         none(found.map(|_| ()).expect_err("no answer"));
     }
 }
@@ -434,28 +431,31 @@ fn two_quantities_in_balance() {
     };
     let weighted = |over: [f64; 2]| {
         let pairs = requests.iter().zip(over);
-        let all: Vec<Weighted> = pairs
-            .map(|(request, over)| Weighted {
+        let all: Vec<QuantityValue> = pairs
+            .map(|(request, value)| QuantityValue {
                 of: request.of,
                 size: request.size,
-                over,
+                value,
             })
             .collect();
-        system.weighted_optimum(&requests[0], &all, &|| true)
+        let options = OptimumOptions {
+            weighted: &all,
+            ..OptimumOptions::default()
+        };
+        let found = system.optimum_with(&requests[0], &options)?;
+        let ratio = found.largest[found.decisive] / over[found.decisive];
+        Ok((found, ratio))
     };
     // If the given value of the other quantity is very large, one quantity alone decides.
     let alone = system.optimum(&requests[0]).expect("an optimum");
-    let first = weighted([1.0, 1e9]).expect("an optimum");
+    let (first, ratio) = weighted([1.0, 1e9]).expect("an optimum");
     assert_eq!(first.decisive, 0);
-    assert!(
-        (first.ratio / alone.amplitude - 1.0).abs() < 1e-6,
-        "{first:?}"
-    );
+    assert!((ratio / alone.amplitude - 1.0).abs() < 1e-6, "{first:?}");
     // The given values make both quotients equal at 1.2 times the best friction of the first quantity.
     let over = requests
         .each_ref()
         .map(|request| value(request, 1.2 * alone.beta));
-    let found = weighted(over).expect("an optimum");
+    let (found, ratio) = weighted(over).expect("an optimum");
     let quotient = |beta: f64| {
         let each = requests
             .iter()
@@ -463,19 +463,16 @@ fn two_quantities_in_balance() {
             .map(|(request, over)| value(request, beta) / over);
         each.fold(0.0, f64::max)
     };
-    let beta = found.optimum.beta;
-    assert!(
-        (quotient(beta) / found.ratio - 1.0).abs() < 1e-5,
-        "{found:?}"
-    );
+    let beta = found.beta;
+    assert!((quotient(beta) / ratio - 1.0).abs() < 1e-5, "{found:?}");
     for share in [0.5, 0.8, 0.9, 0.97, 1.03, 1.1, 1.3] {
         assert!(
-            found.ratio < quotient(share * beta) * (1.0 + 1e-5),
+            ratio < quotient(share * beta) * (1.0 + 1e-5),
             "{share} {found:?}"
         );
     }
     for over in [[0.0, 1.0], [1.0, f64::NAN], [f64::INFINITY, 1.0]] {
-        let error = weighted(over).map(|found| found.ratio);
+        let error = weighted(over).map(|(_, ratio)| ratio);
         assert_eq!(error, Err(OptimumError::Weight));
     }
 }

@@ -204,7 +204,8 @@ pub struct OptimumArguments {
     #[arg(long, value_name = "NAME<=BOUND")]
     pub keep: Vec<String>,
     /// Find also the best value, between a and b, of one number of the description. For example, `k base - lower=a:b`
-    /// varies the stiffness of the spring between base and lower
+    /// varies the stiffness of the spring between base and lower, `c base - lower` that of the dashpot, and `mu pads`
+    /// that of one of several contacts. `share` varies the shares of all contacts but the first
     #[arg(long, value_name = "NAME=a:b", allow_hyphen_values = true)]
     pub vary: Option<String>,
     /// Option for the initial state.

@@ -330,9 +330,9 @@ With --vary NAME=a:b:
   Without a load, r and beta refer to the first mass and spring of the original description.
   With --keep as well, the search takes only frictions within the bounds. A value at which no friction
   holds them has the amplitude inf.
-  With the field `contacts`, shares can vary too: `share pads=a:b` is the share of one contact, and `share=a:b` are
-  the shares of all contacts but the first. This search begins at the shares of the description, changes one number
-  at a time, and finds a local minimum.
+  With the fields `contacts` and `dampers`, the names `c base - lower` of a dashpot and `share pads`, `stiffness
+  pads`, `mu pads` of one contact work too. `share` alone means the shares of all contacts but the first. A search
+  of shares begins at the shares of the description, changes one number at a time, and finds a local minimum.
 
 Exit status:
   0 without errors. Otherwise 2, with one line on standard error for each error.

@@ -1,9 +1,6 @@
 //! `frictiongen optimum`: finds the friction with which the largest amplitude over a band of frequencies is smallest.
 
-mod keep;
-mod shares;
 mod valued;
-mod weigh;
 
 use crate::args::OptimumArguments;
 use crate::asked::{self, MovingPart};
@@ -12,20 +9,21 @@ use crate::frequency::Band;
 use crate::from;
 use crate::interrupt;
 use crate::measure::{self, Measure};
+use crate::number::computed;
 use crate::output::{self, ResultTable, Visitor};
 use crate::progress::Progress;
 use crate::summary::Summary;
 use crate::vary::Vary;
 use frictiongen::System;
-use frictiongen::study::columns::{Column, OptimumLine, OptimumTable, Setting, Tuned};
+use frictiongen::study::columns::{Column, OptimumLine, OptimumTable, Setting};
 use frictiongen::study::joined::JoinedError;
 use frictiongen::study::optimum::{
-    FrequencyBand, OptimumError, OptimumRequest, Tunable, TunedOptimum,
+    FrequencyBand, OptimumError, OptimumOptions, OptimumRequest, Tuning,
 };
 use frictiongen_codegen::SizeLimits;
 use std::io::Write;
 use std::sync::Mutex;
-use valued::QuantityArgument;
+use valued::{QuantityArgument, values};
 
 /// Runs `frictiongen optimum`.
 pub fn run(arguments: &OptimumArguments, out: &mut dyn Write) -> Result<(), Failure> {
@@ -52,24 +50,12 @@ pub fn run(arguments: &OptimumArguments, out: &mut dyn Write) -> Result<(), Fail
         band: FrequencyBand::Ratio(band.from, band.to),
         load: measure.load(),
     };
-    let table_of = |part| OptimumTable {
-        setting: Setting {
-            parts: std::slice::from_ref(part),
-            ..Setting::new(&system, measure, band.unit())
-        },
+    let bounds = valued::bounds(&system, &arguments.keep, &measure)?;
+    let vary = arguments.vary.as_deref().map(Vary::parsed).transpose()?;
+    let tunings = match &vary {
+        Some(vary) => vary.tunings(&system)?,
+        None => Vec::new(),
     };
-    let table = table_of(&part);
-    let kept = keep::parsed(&system, &arguments.keep, &measure)?;
-    let ranges = arguments
-        .vary
-        .as_deref()
-        .map(|text| shares::ranges(&system, text));
-    let ranges = ranges.transpose()?.flatten();
-    if ranges.is_some() && !kept.is_empty() {
-        return Err(Failure::new(
-            "--keep does not work with --vary share; leave one of them out",
-        ));
-    }
     interrupt::watch();
     let progress = Mutex::new(Progress::search());
     let watch = || {
@@ -78,25 +64,36 @@ pub fn run(arguments: &OptimumArguments, out: &mut dyn Write) -> Result<(), Fail
         }
         !interrupt::pressed()
     };
-    let lines = match (&arguments.vary, &ranges) {
-        (_, Some(ranges)) => shares::lines(&table, &request, ranges, &watch)?,
-        (..) if !several.is_empty() => weigh::lines(&table_of, &request, &several, &watch)?,
-        (None, _) if !kept.is_empty() => keep::lines(&table, &request, &kept, &watch)?,
-        (None, _) => {
-            let found = system.optimum_watched(&request, &watch);
-            table.lines(&found.map_err(Failure::new)?, None)
-        }
-        (Some(text), _) if !kept.is_empty() => {
-            keep::varied_lines(&table, &request, &kept, text, &watch)?
-        }
-        (Some(text), _) => {
-            let (of, found) = tuned(&system, &request, text, &watch)?;
-            let tuned = Tuned { of, found: &found };
-            table.lines(&tuned.optimum(), Some(&tuned))
-        }
+    let options = OptimumOptions {
+        kept: &values(&bounds),
+        weighted: &values(&several),
+        vary: &tunings,
+        watch: Some(&watch),
+        ..OptimumOptions::default()
     };
+    let found = system.optimum_with(&request, &options);
     drop(progress);
+    let setting = Setting {
+        parts: std::slice::from_ref(&part),
+        ..Setting::new(&system, measure, band.unit())
+    };
+    let found = found.map_err(|error| match (&vary, error) {
+        (Some(vary), error @ (OptimumError::Interval | OptimumError::Scene(_))) => {
+            vary.wrong(&error)
+        }
+        (_, error) => failure(&setting, &bounds, (tunings.first(), error)),
+    })?;
+    let part = several.get(found.decisive).map_or(&part, |one| &one.part);
+    let table = OptimumTable {
+        setting: Setting {
+            parts: std::slice::from_ref(part),
+            ..setting
+        },
+        kept: &valued::parts(&bounds),
+        weighted: &valued::parts(&several),
+    };
     let summary = Summary::of(&system, band.is_physical(), measure);
+    let lines = table.lines(&found);
     let report = OptimumReport { table, lines };
     output::write(&report, &summary, arguments.format.checked()?, out)?;
     if interrupt::pressed() {
@@ -124,7 +121,7 @@ impl OptimumArguments {
                 "{option} needs a single quantity; give --of once"
             )));
         }
-        weigh::parsed(system, &self.of, measure)
+        valued::quotients(system, &self.of, measure)
     }
 
     /// Returns the quantity of `--of`, or the first quantity if the user gives several.
@@ -136,21 +133,60 @@ impl OptimumArguments {
     }
 }
 
-/// Finds the best friction together with the best value of the number in the scene description that `--vary` names.
-fn tuned(
-    system: &System,
-    request: &OptimumRequest,
-    text: &str,
-    watch: &(dyn Fn() -> bool + Sync),
-) -> Result<(Tunable, TunedOptimum), Failure> {
-    let vary = Vary::parsed(text)?;
-    let tuning = vary.tuning(system)?;
-    let found = system.tuned_optimum_watched(request, &tuning, watch);
-    let found = found.map_err(|error| match error {
-        OptimumError::Interval | OptimumError::Scene(_) => vary.wrong(&error),
-        _ => Failure::new(error),
-    })?;
-    Ok((tuning.of, found))
+/// Returns the failure for an error of the search. If no friction keeps a quantity within its bound, the failure names
+/// this bound.
+fn failure(
+    setting: &Setting<'_>,
+    bounds: &[QuantityArgument],
+    (tuning, error): (Option<&Tuning>, OptimumError),
+) -> Failure {
+    let (system, measure) = (setting.system, &setting.measure);
+    let OptimumError::Unreachable {
+        index,
+        least,
+        beta,
+        value,
+    } = error
+    else {
+        return Failure::new(error);
+    };
+    let Some(bound) = bounds.get(index) else {
+        return Failure::new(error);
+    };
+    let dimension = bound.part.dimension();
+    let reference = system.angular_frequency(1.0);
+    let before = match index {
+        0 => "",
+        _ => " together with the bounds before it",
+    };
+    let friction = format!(
+        "a friction of {} {}",
+        computed(measure.force(beta)),
+        match measure.scale() {
+            Some(_) => "N",
+            None => "(beta)",
+        }
+    );
+    let (any, at) = match tuning.zip(value) {
+        None => (String::new(), friction),
+        Some((tuning, value)) => {
+            let name = tuning.of.symbol(system.scene());
+            let value = format!("{} {}", computed(value), tuning.of.unit());
+            let at = format!("{friction} and with {name} = {}", value.trim_end());
+            (format!(" at any value of {name}"), at)
+        }
+    };
+    let unit = measure.unit_or_reference(dimension);
+    let least = format!(
+        "{} {unit}",
+        computed(measure.convert(dimension, least, reference))
+    );
+    Failure::new(format_args!(
+        "--keep `{} <= {}`: no friction holds this bound{before}{any}; the least value is {}, with {at}",
+        bound.name,
+        bound.text,
+        least.trim_end(),
+    ))
 }
 
 struct OptimumReport<'a> {

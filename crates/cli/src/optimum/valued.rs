@@ -1,11 +1,12 @@
-//! A quantity in the options of `frictiongen optimum`, with a value. The value is an upper bound on the quantity, or
-//! the number by which the quantity is divided.
+//! The quantities with values in the options of `frictiongen optimum`: bounds, as in `--keep 'roof-base <= 5mm'`, and
+//! divisors, as in `--of roof/5mm --of 'accel(roof)/2m/s2'`.
 
 use crate::asked::MovingPart;
 use crate::failure::Failure;
 use crate::measure::Measure;
 use frictiongen::System;
 use frictiongen::study::columns::bound;
+use frictiongen::study::optimum::QuantityValue;
 use frictiongen::study::response::MotionQuantity;
 use std::fmt::Display;
 
@@ -20,10 +21,63 @@ pub struct QuantityArgument {
     pub value: f64,
 }
 
+/// Parses the upper bounds that `--keep` sets.
+pub fn bounds(
+    system: &System,
+    texts: &[String],
+    measure: &Measure,
+) -> Result<Vec<QuantityArgument>, Failure> {
+    let one = |text: &String| {
+        let wrong =
+            |problem: &dyn Display| Failure::new(format_args!("--keep `{text}`: {problem}"));
+        let both = text.split_once("<=").or_else(|| text.split_once('≤'));
+        let both = both
+            .ok_or_else(|| wrong(&"a quantity and its bound are needed, as in roof-base <= 5mm"))?;
+        QuantityArgument::parsed(system, both, measure, &wrong)
+    };
+    texts.iter().map(one).collect()
+}
+
+/// Parses the quantities in several options `--of`, and the value that divides each quantity.
+pub fn quotients(
+    system: &System,
+    texts: &[String],
+    measure: &Measure,
+) -> Result<Vec<QuantityArgument>, Failure> {
+    let one = |text: &String| {
+        let wrong = |problem: &dyn Display| Failure::new(format_args!("--of `{text}`: {problem}"));
+        let both = text.split_once('/').ok_or_else(|| {
+            wrong(&"each of several quantities needs a value to divide it by, as in roof/5mm")
+        })?;
+        let valued = QuantityArgument::parsed(system, both, measure, &wrong)?;
+        if !(0.0 < valued.value) {
+            return Err(wrong(&"the value must be above 0"));
+        }
+        Ok(valued)
+    };
+    texts.iter().map(one).collect()
+}
+
+/// Returns the quantities with their values, for the search.
+pub fn values(all: &[QuantityArgument]) -> Vec<QuantityValue> {
+    let values = all.iter().map(|valued| QuantityValue {
+        of: valued.part.of,
+        size: valued.part.size,
+        value: valued.value,
+    });
+    values.collect()
+}
+
+/// Returns the quantities with their values, for the lines of the result.
+pub fn parts(all: &[QuantityArgument]) -> Vec<(MovingPart, f64)> {
+    let parts = all.iter().map(|one| (one.part.clone(), one.value));
+    parts.collect()
+}
+
 impl QuantityArgument {
     /// Parses a name and a value. `wrong` converts an error to a failure, whose message contains the name and the text
     /// of the option.
-    pub fn parsed(
+    fn parsed(
         system: &System,
         (name, text): (&str, &str),
         measure: &Measure,

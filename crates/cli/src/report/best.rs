@@ -7,7 +7,7 @@ use crate::asked::MovingPart;
 use crate::measure::PhysicalQuantity;
 use frictiongen::Of;
 use frictiongen::study::{
-    optimum::{FrequencyBand, Optimum, OptimumEnd, OptimumKind, OptimumRequest},
+    optimum::{FrequencyBand, Optimum, OptimumEnd, OptimumKind, OptimumOptions, OptimumRequest},
     response::MotionQuantity,
     words,
 };
@@ -73,7 +73,11 @@ pub fn search(asked: &ReportRequest) -> Result<Vec<Best>, String> {
             band: FrequencyBand::Ratio(asked.band.from, asked.band.to),
             load: asked.words.measure.load(),
         };
-        let found = asked.system.optimum_within(&request, WORK);
+        let options = OptimumOptions {
+            work: Some(WORK),
+            ..OptimumOptions::default()
+        };
+        let found = asked.system.optimum_with(&request, &options);
         let found = found.map_err(|error| error.to_string());
         Best { part, found }
     };

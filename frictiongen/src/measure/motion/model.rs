@@ -128,11 +128,12 @@ impl<'p> MotionProblem<'p> {
     /// Returns the starting point of the fit: the first guess of the friction force, and the values of the scene.
     pub(super) fn start(&self) -> Option<Vec<f64>> {
         let values = self.vary.iter().map(|tunable| {
-            let unknown = match tunable {
-                Tunable::Quantity(quantity) => Unknown::Quantity(*quantity),
-                Tunable::DampingRatios => Unknown::Damping,
+            let value = match tunable {
+                Tunable::Quantity(quantity) => value(self.system, Unknown::Quantity(*quantity)),
+                Tunable::DampingRatios => value(self.system, Unknown::Damping),
+                Tunable::Joined(_) => None,
             };
-            let value = value(self.system, unknown).unwrap_or(0.0);
+            let value = value.unwrap_or(0.0);
             let is_ratio = matches!(
                 tunable,
                 Tunable::DampingRatios | Tunable::Quantity(Quantity::DampingRatio(_))
@@ -308,7 +309,7 @@ impl<'p> MotionProblem<'p> {
                 (0.0, f64::MAX)
             }
             Tunable::Quantity(Quantity::ContactStiffness) => (0.02 * value, 50.0 * value),
-            Tunable::Quantity(_) => (0.2 * value, 5.0 * value),
+            Tunable::Quantity(_) | Tunable::Joined(_) => (0.2 * value, 5.0 * value),
         });
         friction.into_iter().chain(numbers).collect()
     }

@@ -84,7 +84,7 @@ pub use limits::{LimitsAsked, LimitsRow, LimitsTable};
 pub use map::{BoundaryRow, MapLimitsRow, MapRow, MapTable};
 pub use measure::{Measure, PhysicalQuantity};
 pub use motion::{MotionColumns, MotionRow, PartMotion, motions};
-pub use optimum::{Further, OptimumLine, OptimumSensitivityRow, OptimumTable, PeakRow, Tuned};
+pub use optimum::{OptimumLine, OptimumSensitivityRow, OptimumTable, PeakRow};
 pub use periodic::{PeriodicRow, PeriodicSample, PeriodicTable};
 pub use quantity::{base_load, bound, unbalance};
 pub use sensitivity::{SensitivityRow, SensitivityTable};

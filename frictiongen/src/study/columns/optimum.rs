@@ -2,7 +2,7 @@
 
 mod lines;
 
-pub use lines::{Further, OptimumLine, Tuned};
+pub use lines::OptimumLine;
 
 use super::builder::Columns;
 use super::column::{Column, Head, TableRow};
@@ -19,6 +19,10 @@ use crate::study::{
 pub struct OptimumTable<'a> {
     /// System, units, and the contact or mass whose amplitude is minimised.
     pub setting: Setting<'a>,
+    /// Quantities with their upper bounds. [`Optimum::largest`] has their largest values over the band.
+    pub kept: &'a [(MovingPart, f64)],
+    /// Several quantities with their divisors, if the search has minimised the largest quotient. Otherwise empty.
+    pub weighted: &'a [(MovingPart, f64)],
 }
 
 /// A row of the table of peaks: a frequency at which the amplitude with the best friction is largest.

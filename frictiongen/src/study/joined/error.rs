@@ -56,9 +56,6 @@ pub enum JoinedError {
     Modes,
     /// The quantity is one that only a single contact has, or one that no motion has.
     Quantity,
-    /// The interval of a contact's share does not begin above 0, does not end above its start, or is not finite. Also
-    /// if the interval is for a contact that does not exist.
-    Shares,
     /// The function `watch` of the caller stopped the search before it had a result.
     Stopped,
     /// The scene has no contact with the requested name.
@@ -114,10 +111,6 @@ impl fmt::Display for JoinedError {
             Self::Modes => write!(
                 f,
                 "the search for the damped modes does not converge; change a coefficient of `dampers` slightly"
-            ),
-            Self::Shares => write!(
-                f,
-                "the interval of a share must begin above 0, and must end above its begin"
             ),
             Self::Quantity => write!(
                 f,

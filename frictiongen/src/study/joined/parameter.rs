@@ -49,39 +49,16 @@ impl JoinedPoint {
         Self { scene, point }
     }
 
-    /// Returns every parameter of the scene with respect to which derivatives exist.
+    /// Returns every parameter with respect to which derivatives exist.
     pub(super) fn parameters(&self) -> Vec<JoinedParameter> {
-        let scene = &self.scene;
-        let masses = (0..scene.masses.len()).map(Quantity::Mass);
-        let springs = (0..scene.springs.len()).map(Quantity::Stiffness);
-        let mut quantities: Vec<Quantity> = masses.chain(springs).collect();
-        match &scene.damping {
-            Damping::None => {}
-            Damping::Uniform(_) | Damping::Modal(_) => {
-                quantities.extend((0..scene.masses.len()).map(Quantity::DampingRatio));
-            }
-            Damping::Rayleigh { .. } => {
-                quantities.extend([Quantity::MassDamping, Quantity::StiffnessDamping]);
-            }
-        }
-        let quantities = quantities.into_iter().map(JoinedParameter::Quantity);
-        let dashpots = (0..scene.joints.dampers.len()).map(JoinedParameter::Dashpot);
-        let contacts = (0..scene.named_contacts().len()).flat_map(|contact| {
-            [
-                JoinedParameter::Share(contact),
-                JoinedParameter::ContactStiffness(contact),
-                JoinedParameter::Stiction(contact),
-                JoinedParameter::Speed(contact),
-            ]
-        });
+        let mut all = JoinedParameter::of_scene(&self.scene);
         let point = [
             JoinedParameter::Friction,
             JoinedParameter::Load,
             JoinedParameter::Frequency,
         ];
-        let all = quantities.chain(dashpots).chain(contacts).chain(point);
-        all.filter(|parameter| self.value(*parameter).is_some())
-            .collect()
+        all.extend(point.into_iter().filter(|of| self.value(*of).is_some()));
+        all
     }
 
     /// Returns the parameter with this name: its symbol, also with dots, such as `m.upper` and `k.base-lower`. The names
@@ -119,13 +96,55 @@ impl JoinedPoint {
     }
 
     /// Returns a reference to the number of a parameter, so that the caller can change the number. Returns `None` if
-    /// the scene does not have the parameter.
+    /// the operating point does not have the parameter.
     pub(super) fn number(&mut self, parameter: JoinedParameter) -> Option<&mut f64> {
         let Self { scene, point } = self;
+        match (parameter, point) {
+            (JoinedParameter::Friction, OperatingPoint::Groups { beta, .. }) => Some(beta),
+            (JoinedParameter::Friction, OperatingPoint::Physical { friction, .. }) => {
+                Some(friction)
+            }
+            (JoinedParameter::Load, OperatingPoint::Groups { .. }) => None,
+            (JoinedParameter::Load, OperatingPoint::Physical { load, .. }) => {
+                Some(load.amplitude_mut())
+            }
+            (JoinedParameter::Frequency, OperatingPoint::Groups { r, .. }) => Some(r),
+            (JoinedParameter::Frequency, OperatingPoint::Physical { hertz, .. }) => Some(hertz),
+            (of_scene, _) => of_scene.number(scene),
+        }
+    }
+}
+
+impl JoinedParameter {
+    /// Returns every number of a scene with respect to which derivatives exist.
+    pub(in crate::study) fn of_scene(scene: &Scene) -> Vec<Self> {
+        let masses = (0..scene.masses.len()).map(Quantity::Mass);
+        let springs = (0..scene.springs.len()).map(Quantity::Stiffness);
+        let ratios = (0..scene.masses.len()).map(Quantity::DampingRatio);
+        let quantities = masses.chain(springs).chain(ratios);
+        let quantities = quantities.chain([Quantity::MassDamping, Quantity::StiffnessDamping]);
+        let dashpots = (0..scene.joints.dampers.len()).map(Self::Dashpot);
+        let contacts = (0..scene.named_contacts().len()).flat_map(|contact| {
+            [
+                Self::Share(contact),
+                Self::ContactStiffness(contact),
+                Self::Stiction(contact),
+                Self::Speed(contact),
+            ]
+        });
+        let all = quantities.map(Self::Quantity).chain(dashpots);
+        let mut scene = scene.clone();
+        all.chain(contacts)
+            .filter(|of| of.number(&mut scene).is_some())
+            .collect()
+    }
+
+    /// Returns a reference to this number of a scene. Returns `None` if the scene does not have the number.
+    pub(in crate::study) fn number(self, scene: &mut Scene) -> Option<&mut f64> {
         let contacts = &mut scene.joints.contacts;
         let is_single = contacts.is_empty();
-        match parameter {
-            JoinedParameter::Quantity(quantity) => match (quantity, &mut scene.damping) {
+        match self {
+            Self::Quantity(quantity) => match (quantity, &mut scene.damping) {
                 (Quantity::Mass(index), _) => Some(&mut scene.masses.get_mut(index)?.value),
                 (Quantity::Stiffness(index), _) => {
                     Some(&mut scene.springs.get_mut(index)?.stiffness)
@@ -137,37 +156,20 @@ impl JoinedPoint {
                 }
                 _ => None,
             },
-            JoinedParameter::Dashpot(index) => {
-                Some(&mut scene.joints.dampers.get_mut(index)?.coefficient)
-            }
-            JoinedParameter::Share(index) => Some(&mut contacts.get_mut(index)?.law.share),
-            JoinedParameter::ContactStiffness(_) if is_single => scene.stiffness.as_mut(),
-            JoinedParameter::ContactStiffness(index) => {
-                contacts.get_mut(index)?.law.stiffness.as_mut()
-            }
-            JoinedParameter::Stiction(_) if is_single => Some(&mut scene.stiction),
-            JoinedParameter::Stiction(index) => Some(&mut contacts.get_mut(index)?.law.stiction),
-            JoinedParameter::Speed(index) => {
+            Self::Dashpot(index) => Some(&mut scene.joints.dampers.get_mut(index)?.coefficient),
+            Self::Share(index) => Some(&mut contacts.get_mut(index)?.law.share),
+            Self::ContactStiffness(_) if is_single => scene.stiffness.as_mut(),
+            Self::ContactStiffness(index) => contacts.get_mut(index)?.law.stiffness.as_mut(),
+            Self::Stiction(_) if is_single => Some(&mut scene.stiction),
+            Self::Stiction(index) => Some(&mut contacts.get_mut(index)?.law.stiction),
+            Self::Speed(index) => {
                 let speed = &mut contacts.get_mut(index)?.law.speed;
                 (*speed != 0.0).then_some(speed)
             }
-            JoinedParameter::Friction => Some(match point {
-                OperatingPoint::Groups { beta, .. } => beta,
-                OperatingPoint::Physical { friction, .. } => friction,
-            }),
-            JoinedParameter::Load => match point {
-                OperatingPoint::Groups { .. } => None,
-                OperatingPoint::Physical { load, .. } => Some(load.amplitude_mut()),
-            },
-            JoinedParameter::Frequency => Some(match point {
-                OperatingPoint::Groups { r, .. } => r,
-                OperatingPoint::Physical { hertz, .. } => hertz,
-            }),
+            Self::Friction | Self::Load | Self::Frequency => None,
         }
     }
-}
 
-impl JoinedParameter {
     /// Returns true for a number of one contact.
     fn is_of_contact(self) -> bool {
         matches!(

@@ -1,5 +1,6 @@
 //! Result of a search for the best friction over a band of frequencies.
 
+use super::number::Tunable;
 use crate::Regime;
 use crate::study::parameter::Parameter;
 
@@ -133,4 +134,44 @@ pub struct Optimum {
     /// Number of amplitudes that the search could not compute, because the motion has too many stops in a cycle or the
     /// solvers found no motion.
     pub unanswered: usize,
+    /// Largest value over the band of each of several quantities with a divisor, or else of each quantity with a bound,
+    /// in the order of the request.
+    pub largest: Vec<f64>,
+    /// Index of the quantity with the largest quotient, if the request has several quantities. The amplitude and the
+    /// peaks belong to this quantity.
+    pub decisive: usize,
+    /// The best value of each varied number. The list is empty if no number varies. For several shares it has the share
+    /// of every contact. With a varied number, the groups r, β and x̄ of the result refer to m₁ and k₁ of the original
+    /// scene description.
+    pub tuned: Vec<TunedNumber>,
+    /// The best friction at all scanned values of a varied number, in ascending order of the values. The list shows the
+    /// influence of the number. It is empty for shares.
+    pub scan: Vec<TunedPoint>,
+    /// Largest amplitude over the band with the best common friction and the shares of the scene description. `None`
+    /// if no share varies, or if no friction satisfies the bounds with these shares.
+    pub before: Option<f64>,
+}
+
+/// A varied number of the scene description with its best value.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct TunedNumber {
+    /// The number of the scene description, such as a mass or the share of a contact.
+    pub of: Tunable,
+    /// The best value of the number.
+    pub value: f64,
+    /// True if the best value is a bound of its interval. A value outside the interval may then be better.
+    pub at_end: bool,
+}
+
+/// The best friction at one value of the varied number.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct TunedPoint {
+    /// Value of the varied number at this point.
+    pub value: f64,
+    /// The best friction ratio β, with m₁ and k₁ of the scene description. NaN if no best friction exists.
+    pub beta: f64,
+    /// The largest amplitude over the band with this friction, divided by P/k₁ (by Y for base motion), with k₁ of the
+    /// scene description. The amplitude is infinite if no friction bounds it. The amplitude is NaN if the search
+    /// reached its bound on work or was stopped before it found any friction.
+    pub amplitude: f64,
 }

@@ -5,8 +5,8 @@
 //! begin with the frequencies of the largest amplitudes.
 
 use super::evaluator::{Answer, Evaluator, FrictionAmount, Goal, OneContact};
-use super::line;
 use super::objective::Objective;
+use crate::study::golden;
 use crate::study::system::System;
 use crate::{Of, Regime};
 use std::cell::{Cell, RefCell};
@@ -131,6 +131,19 @@ pub(super) struct Look {
     pub complete: bool,
     /// Frequency ratios at which the motion does not settle.
     pub unsettled: Vec<f64>,
+}
+
+impl Look {
+    fn new(beta: f64) -> Self {
+        Self {
+            beta,
+            merit: Merit::new(0.0, 0.0),
+            bound: 0.0,
+            peaks: Vec::new(),
+            complete: false,
+            unsettled: Vec::new(),
+        }
+    }
 }
 
 /// How closely the search looks at the band.
@@ -265,17 +278,10 @@ impl<'s> Band<'s> {
 
     /// Evaluates the band at one friction. The call ends early if the friction is certainly worse than `cutoff`.
     pub(super) fn look(&self, friction: FrictionAmount, cutoff: Merit, closely: Closely) -> Look {
-        let mut look = Look {
-            beta: match friction {
-                FrictionAmount::Ratio(beta) => beta,
-                FrictionAmount::Locked => f64::INFINITY,
-            },
-            merit: Merit::new(0.0, 0.0),
-            bound: 0.0,
-            peaks: Vec::new(),
-            complete: false,
-            unsettled: Vec::new(),
-        };
+        let mut look = Look::new(match friction {
+            FrictionAmount::Ratio(beta) => beta,
+            FrictionAmount::Locked => f64::INFINITY,
+        });
         let mut points: Vec<Point> = Vec::new();
         let mut most = 0.0_f64;
         for place in self.order() {
@@ -427,7 +433,7 @@ impl<'s> Band<'s> {
             }
         };
         if of(&known).is_finite() && ends[0] < ends[1] {
-            line::largest(value, ends, (start, of(&known)), near);
+            golden::largest(value, ends, (start, of(&known)), near);
         }
         best
     }
@@ -536,14 +542,7 @@ impl<'s> Band<'s> {
     /// worse than `cutoff`.
     pub(super) fn tracked(&self, beta: f64, seeds: &[f64], cutoff: Merit) -> Look {
         let friction = FrictionAmount::Ratio(beta);
-        let mut look = Look {
-            beta,
-            merit: Merit::new(0.0, 0.0),
-            bound: 0.0,
-            peaks: Vec::new(),
-            complete: false,
-            unsettled: Vec::new(),
-        };
+        let mut look = Look::new(beta);
         let mut starts: Vec<Point> = Vec::new();
         for seed in seeds {
             let answer = self.at(*seed, friction);

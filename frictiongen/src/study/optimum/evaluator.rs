@@ -138,7 +138,7 @@ impl Goal {
     }
 
     /// Returns the exponent n of the load, whose amplitude is proportional to r⁻ⁿ.
-    fn fall(&self) -> i32 {
+    pub fn fall(&self) -> i32 {
         self.minimised
             .first()
             .map_or(0, |(objective, _)| objective.fall)

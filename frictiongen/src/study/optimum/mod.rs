@@ -4,29 +4,25 @@
 mod answer;
 mod band;
 mod evaluator;
-mod line;
 mod number;
 mod objective;
 mod problem;
 mod request;
 mod search;
-mod several;
 mod shares;
 mod tuned;
 
 use super::system::System;
-pub use answer::{Optimum, OptimumEnd, OptimumKind, OptimumPeak, Tolerance};
+pub use answer::{
+    Optimum, OptimumEnd, OptimumKind, OptimumPeak, Tolerance, TunedNumber, TunedPoint,
+};
 pub(in crate::study) use band::Band;
 pub use number::{Tunable, UnknownTunable};
 use problem::OptimumProblem;
-pub use request::{FrequencyBand, OptimumError, OptimumRequest};
-#[doc(hidden)]
-pub use several::{KeptOptimum, KeptQuantity, Weighted, WeightedOptimum};
-pub use shares::{ShareRange, SharesOptimum};
-pub use tuned::{TunedOptimum, TunedPoint, Tuning};
-
-/// Default bound on the work of a search for the best friction, in units of about 10 µs of computing time.
-const WORK: usize = 1_200_000;
+pub use request::{
+    FrequencyBand, OptimumError, OptimumOptions, OptimumRequest, QuantityValue, Tuning,
+};
+use tuned::TunedSearch;
 
 impl System {
     /// Returns the friction with which the largest amplitude of a motion over a band of frequencies is smallest, for one
@@ -73,35 +69,72 @@ impl System {
     /// # Errors
     /// [`OptimumError`] for an invalid band, motion, load or quantity, and if no friction bounds the amplitude.
     pub fn optimum(&self, request: &OptimumRequest) -> Result<Optimum, OptimumError> {
-        self.optimum_within(request, WORK)
+        self.optimum_with(request, &OptimumOptions::default())
     }
 
-    /// Searches as [`optimum`](Self::optimum) does, but with a given bound on the work, in units of about 10 µs of
-    /// computing time. A search that reaches the bound ends with [`OptimumEnd::WorkSpent`].
+    /// Searches as [`optimum`](Self::optimum) does, with further conditions: bounds on other quantities, several
+    /// quantities with divisors, numbers of the scene description that vary too, a bound on the work, and a function
+    /// that can stop the search.
+    ///
+    /// **A varied number.** The number is a mass, a stiffness, a dashpot, a damping ratio, a damping factor, μ, or a
+    /// number of one of several contacts. Band, load and friction force keep their values in Hz, N and m, even if m₁ or
+    /// k₁ varies. The search evaluates 17 values of the number, including both bounds of its interval. The values are
+    /// in geometric steps, or in quadratic steps if the interval starts at 0 or below. For each value the search finds
+    /// the best of all frictions. It then narrows the intervals around the best values, with the frictions near those
+    /// of the neighbouring values. At the end it searches among all frictions at the best value. The search misses a
+    /// minimum between two values that has no lower amplitude at a scanned value.
+    ///
+    /// **Shares of contacts.** The search begins at the best common friction with the shares of the description. It
+    /// changes friction and shares by factors, as long as that reduces the largest amplitude. The result is a local
+    /// minimum.
+    ///
+    /// ```no_run
+    /// use frictiongen::study::{System, optimum::{FrequencyBand, OptimumOptions, OptimumRequest, Tuning},
+    /// response::MotionQuantity};
+    ///
+    /// # fn main() -> Result<(), Box<dyn std::error::Error>> {
+    /// // The base drives the block and is its contact partner. A stiffer spring to the wall reduces the motion.
+    /// let block: System = "struct Block {
+    ///     masses: { block: 1 },
+    ///     springs: { base - block: 1, block - wall: 1 },
+    ///     contact: block - base,
+    ///     excitation: base,
+    ///     damping: modal(0.05),
+    /// }"
+    /// .parse()?;
+    /// let request = OptimumRequest {
+    ///     of: block.motion_named("block")?,
+    ///     size: MotionQuantity::Displacement,
+    ///     band: FrequencyBand::Ratio(0.2, 1.2),
+    ///     load: None,
+    /// };
+    /// let vary = [Tuning { of: block.tunable_named("k block - wall")?, from: 1.0, to: 2.0 }];
+    /// let options = OptimumOptions { vary: &vary, ..OptimumOptions::default() };
+    /// let tuned = block.optimum_with(&request, &options)?;
+    /// assert!(tuned.tuned[0].at_end && tuned.tuned[0].value == 2.0);
+    /// assert!(tuned.amplitude < block.optimum(&request)?.amplitude);
+    /// # Ok(())
+    /// # }
+    /// ```
     ///
     /// # Errors
-    /// Same errors as [`optimum`](Self::optimum).
-    pub fn optimum_within(
+    /// Same errors as [`optimum`](Self::optimum). [`OptimumError`] also for invalid conditions, for a scene that is
+    /// invalid at a bound of an interval, and for bounds that no friction satisfies. [`OptimumError::Stopped`] if the
+    /// function `watch` stopped the search before it found a friction, or if it stopped a search with several
+    /// quantities.
+    pub fn optimum_with(
         &self,
         request: &OptimumRequest,
-        work: usize,
+        options: &OptimumOptions<'_>,
     ) -> Result<Optimum, OptimumError> {
-        OptimumProblem::new(self, request)?.solved(work)
-    }
-
-    /// Searches as [`optimum`](Self::optimum) does, and calls `watch` after each evaluation. If `watch` returns false,
-    /// the search ends with the best friction so far and [`OptimumEnd::Stopped`].
-    ///
-    /// # Errors
-    /// Same errors as [`optimum`](Self::optimum), and [`OptimumError::Stopped`] if no friction was found before the
-    /// stop.
-    #[doc(hidden)]
-    pub fn optimum_watched(
-        &self,
-        request: &OptimumRequest,
-        watch: &(dyn Fn() -> bool + Sync),
-    ) -> Result<Optimum, OptimumError> {
-        let problem = OptimumProblem::new(self, request)?;
-        problem.watched_by(watch).solved(WORK)
+        match options.vary {
+            [] => OptimumProblem::new(self, request, options)?
+                .watched_by(options.watch)
+                .solved(),
+            [tuning] if tuning.of.share().is_none() => {
+                TunedSearch::new(self, request, *tuning, *options)?.solved()
+            }
+            _ => shares::best(self, request, options),
+        }
     }
 }

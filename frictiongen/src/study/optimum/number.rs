@@ -1,11 +1,14 @@
 //! The numbers of a scene description that a search for the best friction can vary together with the friction.
 
 use crate::study::error::InvalidScene;
-use crate::study::parameter::quantities;
-use crate::study::parameter::symbol;
+use crate::study::joined::JoinedParameter;
+use crate::study::parameter::{OperatingPoint, Parameter, quantities, symbol};
 use crate::study::system::System;
-use frictiongen_model::scene::{Damping, Scene, Spring};
+use frictiongen_model::scene::{Damping, Node, Scene};
 use frictiongen_model::sensitivity::Quantity;
+
+/// Operating point from which the numbers of a contact or a dashpot take their names and units.
+const POINT: OperatingPoint = OperatingPoint::Groups { r: 1.0, beta: 1.0 };
 
 /// A number of a scene description that a search for the best friction can vary together with the friction.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
@@ -15,6 +18,8 @@ pub enum Tunable {
     Quantity(Quantity),
     /// The number is the common damping ratio of all modes.
     DampingRatios,
+    /// A number of a dashpot, or of one of several contacts: a coefficient, a share, a stiffness, μ or a speed.
+    Joined(JoinedParameter),
 }
 
 /// Error for a name that denotes no number of the scene description that can vary.
@@ -40,13 +45,15 @@ impl std::fmt::Display for UnknownTunable {
 impl std::error::Error for UnknownTunable {}
 
 impl Tunable {
-    /// Returns the symbol of the number, for example `m upper`, `k base - lower`, `zeta 1`, `a` or `mu`. Lists of
-    /// derivatives use the same symbols. The symbol of the damping ratio that all modes have in common is `zeta`.
+    /// Returns the symbol of the number, for example `m upper`, `k base - lower`, `zeta 1`, `a`, `mu` or `share pads`.
+    /// Lists of derivatives use the same symbols. The symbol of the damping ratio that all modes have in common is
+    /// `zeta`.
     #[must_use]
     pub fn symbol(&self, scene: &Scene) -> String {
         match self {
             Self::Quantity(quantity) => symbol(*quantity, scene),
             Self::DampingRatios => "zeta".to_owned(),
+            Self::Joined(parameter) => parameter.symbol(scene, &POINT),
         }
     }
 
@@ -54,11 +61,17 @@ impl Tunable {
     #[must_use]
     pub fn unit(&self) -> &'static str {
         match self {
-            Self::Quantity(Quantity::Mass(_)) => "kg",
-            Self::Quantity(Quantity::Stiffness(_) | Quantity::ContactStiffness) => "N/m",
-            Self::Quantity(Quantity::MassDamping) => "1/s",
-            Self::Quantity(Quantity::StiffnessDamping) => "s",
-            _ => "",
+            Self::Quantity(quantity) => Parameter::Quantity(*quantity).unit(&POINT),
+            Self::DampingRatios => "",
+            Self::Joined(parameter) => parameter.unit(&POINT),
+        }
+    }
+
+    /// Returns the index of the contact whose share of the common friction this number is.
+    pub(in crate::study) fn share(&self) -> Option<usize> {
+        match self {
+            Self::Joined(JoinedParameter::Share(contact)) => Some(*contact),
+            _ => None,
         }
     }
 
@@ -70,6 +83,7 @@ impl Tunable {
             Self::DampingRatios => (0..scene.masses.len())
                 .map(Quantity::DampingRatio)
                 .collect(),
+            Self::Joined(_) => Vec::new(),
         }
     }
 
@@ -78,21 +92,20 @@ impl Tunable {
     fn applied(self, scene: &Scene, value: f64) -> Option<Scene> {
         let mut scene = scene.clone();
         match self {
-            Self::Quantity(Quantity::Mass(place)) => scene.masses.get_mut(place)?.value = value,
-            Self::Quantity(Quantity::Stiffness(place)) => {
-                scene.springs.get_mut(place)?.stiffness = value;
-            }
             Self::Quantity(Quantity::ContactStiffness) => *scene.stiffness.as_mut()? = value,
             Self::Quantity(Quantity::Stiction) => scene.stiction = value,
-            Self::Quantity(Quantity::MassDamping) => {
-                let stiffness = factors(&scene)?[1];
-                let mass = value;
-                scene.damping = Damping::Rayleigh { mass, stiffness };
-            }
-            Self::Quantity(Quantity::StiffnessDamping) => {
-                let mass = factors(&scene)?[0];
-                let stiffness = value;
-                scene.damping = Damping::Rayleigh { mass, stiffness };
+            Self::Quantity(Quantity::MassDamping | Quantity::StiffnessDamping) => {
+                let [mass, stiffness] = factors(&scene)?;
+                scene.damping = match self {
+                    Self::Quantity(Quantity::MassDamping) => Damping::Rayleigh {
+                        mass: value,
+                        stiffness,
+                    },
+                    _ => Damping::Rayleigh {
+                        mass,
+                        stiffness: value,
+                    },
+                };
             }
             Self::Quantity(Quantity::DampingRatio(mode)) => {
                 let mut all = ratios(&scene)?;
@@ -103,7 +116,10 @@ impl Tunable {
                 ratios(&scene)?;
                 scene.damping = Damping::Uniform(value);
             }
-            Self::Quantity(_) => return None,
+            Self::Quantity(quantity) => {
+                *JoinedParameter::Quantity(quantity).number(&mut scene)? = value;
+            }
+            Self::Joined(parameter) => *parameter.number(&mut scene)? = value,
         }
         Some(scene)
     }
@@ -130,17 +146,27 @@ fn ratios(scene: &Scene) -> Option<Vec<f64>> {
 }
 
 impl System {
-    /// Returns all numbers of the scene description that a search can vary: masses, springs, damping and μ. If the
-    /// description has no damping, the numbers include damping ratios and the factors of C = aM + bK. Otherwise the
-    /// numbers include only those of the damping in the description.
+    /// Returns all numbers of the scene description that a search can vary: masses, springs, dashpots, the numbers of
+    /// the contacts, and damping. If the description has no damping, the numbers include damping ratios and the factors
+    /// of C = aM + bK. Otherwise the numbers include only those of the damping in the description.
     #[must_use]
     pub fn tunables(&self) -> Vec<Tunable> {
         let scene = self.scene();
-        let mut all: Vec<Tunable> = quantities(scene)
-            .into_iter()
-            .filter(|quantity| !matches!(quantity, Quantity::DampingRatio(_)))
-            .map(Tunable::Quantity)
-            .collect();
+        let tunable = |of: JoinedParameter| match of {
+            JoinedParameter::Quantity(quantity) => Tunable::Quantity(quantity),
+            other => Tunable::Joined(other),
+        };
+        let mut all: Vec<Tunable> = match scene.is_joined() {
+            true => JoinedParameter::of_scene(scene)
+                .into_iter()
+                .map(tunable)
+                .collect(),
+            false => quantities(scene)
+                .into_iter()
+                .map(Tunable::Quantity)
+                .collect(),
+        };
+        all.retain(|of| !matches!(of, Tunable::Quantity(Quantity::DampingRatio(_))));
         if ratios(scene).is_some() {
             let modes = (0..scene.masses.len()).map(Quantity::DampingRatio);
             all.push(Tunable::DampingRatios);
@@ -154,8 +180,9 @@ impl System {
     }
 
     /// Returns the number with the symbol `name`. Symbols are `m upper`, `k base - lower`, `zeta` for all modes, `zeta
-    /// 1`, `a`, `b`, `stiffness` for an elastic contact, and `mu`. The two nodes of a spring may be in either order.
-    /// `k2` means the second spring of the scene description, and `m1` its first mass.
+    /// 1`, `a`, `b`, `stiffness` for an elastic contact, and `mu`. With several contacts or dashpots they are also `c
+    /// base - lower`, `share pads`, `stiffness pads` and `mu pads`; a single contact needs no name. The two nodes of a
+    /// spring or a dashpot may be in either order. `k2` means the second spring of the scene description, and `m1` its first mass.
     ///
     /// # Errors
     /// [`UnknownTunable`] if no number has this symbol.
@@ -163,29 +190,61 @@ impl System {
         let scene = self.scene();
         let all = self.tunables();
         let asked = spaced(name);
+        let is_single = scene.joints.contacts.len() < 2;
         let of_this_name = |tunable: &&Tunable| {
-            let turned = match tunable {
-                Tunable::Quantity(Quantity::Stiffness(place)) => scene
-                    .springs
-                    .get(*place)
-                    .map(|spring| reversed(scene, spring)),
+            let reversed = |short: &str, [from, to]: [Node; 2]| {
+                format!(
+                    "{short} {} - {}",
+                    scene.node_name(to),
+                    scene.node_name(from)
+                )
+            };
+            let other = match tunable {
+                Tunable::Quantity(Quantity::Stiffness(index)) => {
+                    let spring = scene.springs.get(*index);
+                    spring.map(|spring| reversed("k", [spring.from, spring.to]))
+                }
+                Tunable::Joined(JoinedParameter::Dashpot(index)) => {
+                    let damper = scene.joints.dampers.get(*index);
+                    damper.map(|damper| reversed("c", [damper.from, damper.to]))
+                }
+                Tunable::Joined(parameter) if is_single => {
+                    let symbol = parameter.symbol(scene, &POINT);
+                    symbol.split(' ').next().map(str::to_owned)
+                }
                 _ => None,
             };
-            let by_place = match tunable {
-                Tunable::Quantity(Quantity::Mass(place)) => Some(format!("m{}", place + 1)),
-                Tunable::Quantity(Quantity::Stiffness(place)) => Some(format!("k{}", place + 1)),
+            let by_index = match tunable {
+                Tunable::Quantity(Quantity::Mass(index)) => Some(format!("m{}", index + 1)),
+                Tunable::Quantity(Quantity::Stiffness(index)) => Some(format!("k{}", index + 1)),
                 Tunable::Quantity(Quantity::DampingRatio(mode)) => {
                     Some(format!("zeta{}", mode + 1))
                 }
                 _ => None,
             };
-            tunable.symbol(scene) == asked || [turned, by_place].contains(&Some(asked.clone()))
+            tunable.symbol(scene) == asked || [other, by_index].contains(&Some(asked.clone()))
         };
         let found = all.iter().find(of_this_name).copied();
         found.ok_or_else(|| UnknownTunable {
             name: name.to_owned(),
             known: all.iter().map(|tunable| tunable.symbol(scene)).collect(),
         })
+    }
+
+    /// Returns the numbers that a name denotes. `share` alone denotes the shares of all contacts but the first, because
+    /// a common factor on all shares has the effect of the common friction. Any other name denotes the number of
+    /// [`tunable_named`](Self::tunable_named).
+    ///
+    /// # Errors
+    /// Same error as [`tunable_named`](Self::tunable_named).
+    #[doc(hidden)]
+    pub fn tunables_named(&self, name: &str) -> Result<Vec<Tunable>, UnknownTunable> {
+        let contacts = self.scene().joints.contacts.len();
+        if spaced(name) == "share" && 1 < contacts {
+            let shares = (1..contacts).map(JoinedParameter::Share);
+            return Ok(shares.map(Tunable::Joined).collect());
+        }
+        Ok(vec![self.tunable_named(name)?])
     }
 
     /// Returns this scene with another value of one number. Damping ratios belong to the modes in ascending order
@@ -221,11 +280,6 @@ impl System {
         })?;
         Self::try_from(varied)
     }
-}
-
-fn reversed(scene: &Scene, spring: &Spring) -> String {
-    let [from, to] = [spring.from, spring.to].map(|node| scene.node_name(node));
-    format!("k {to} - {from}")
 }
 
 /// Returns a name with one space between words and one space on either side of a hyphen.

@@ -2,9 +2,9 @@
 
 use super::answer::{Optimum, OptimumEnd, OptimumKind, OptimumPeak, Tolerance};
 use super::band::{Band, BandPeak, Closely, KeepGoing, Look, Merit};
-use super::evaluator::{Evaluator, FrictionAmount, Goal, OneContact, SeveralContacts};
+use super::evaluator::{Evaluator, FrictionAmount, Goal, OneContact, Quotient, SeveralContacts};
 use super::objective::Objective;
-use super::request::{FrequencyBand, OptimumError, OptimumRequest};
+use super::request::{FrequencyBand, OptimumError, OptimumOptions, OptimumRequest, QuantityValue};
 use super::search::{Least, NEARLY_EQUAL, Range, SearchEnd, insert};
 use crate::Regime;
 use crate::study::joined::{Combination, Joined};
@@ -14,6 +14,10 @@ use crate::study::response::MotionQuantity;
 use crate::study::system::System;
 use crate::study::units::{Load, angular_frequency};
 
+/// Default bound on the work of a search for the best friction, in units of about 10 µs of computing time. With several
+/// quantities the bound is this number times [`SEVERAL`].
+const WORK: usize = 1_200_000;
+const SEVERAL: usize = 4;
 /// Bound on the work of completing the result of a search, in units of about 10 µs of computing time.
 const WORK_OF_A_REPORT: usize = 120_000;
 /// Bound on the work of one evaluation of the whole band, in units of about 10 µs of computing time.
@@ -31,28 +35,64 @@ const MOST_EDGES: usize = 8;
 const SEPARATE: f64 = 0.01;
 /// Smallest relative width of an interval of friction that counts as flat.
 const WIDE: f64 = 1e-6;
+/// Largest relative difference at which two quotients count as equal.
+const BALANCE: f64 = 1e-3;
+/// A bound counts as reached if the quantity, divided by its bound, is at least this number.
+const DECISIVE: f64 = 1.0 - 1e-6;
+/// The search aims at bounds that are smaller by this fraction. Rounding and a finer grid then do not lift a quantity above
+/// its bound.
+const BELOW: f64 = 5e-7;
 
 /// A request for the best friction after all checks, with the system and the band of frequencies.
 pub(super) struct OptimumProblem<'s> {
-    pub system: &'s System,
-    pub objective: Objective,
+    system: &'s System,
+    /// The minimised quantities with their divisors, and the bounded quantities with their bounds.
+    goal: Goal,
+    /// True if the request has quantities with divisors.
+    is_weighted: bool,
     /// The solver of a scene with several contacts or dashpots.
-    pub joined: Option<Joined<'s>>,
+    joined: Option<Joined<'s>>,
     load: Option<Load>,
     /// Lower and upper bound of the band, as frequency ratios r.
     ends: [f64; 2],
-    pub watch: Option<KeepGoing<'s>>,
+    /// Bound on the work of a search over all frictions.
+    pub work: usize,
+    watch: Option<KeepGoing<'s>>,
 }
 
 /// The best friction with the band of frequencies in which the search has found it.
 pub(super) struct Found<'s> {
     pub band: Band<'s>,
-    pub range: Range,
+    range: Range,
     pub least: Least,
+    /// True if a bound excluded a better friction.
+    is_bounded: bool,
+    /// Largest value over the band of each bounded quantity.
+    largest: Vec<f64>,
+}
+
+impl Found<'_> {
+    /// Returns true if this friction is better than another one.
+    pub fn is_better_than(&self, other: &Self) -> bool {
+        self.least.at.merit < other.least.at.merit
+    }
+
+    /// Returns this friction with the scan and the number of evaluations of another search.
+    pub fn with_scan_of(mut self, other: Self) -> Self {
+        let asked = other.band.asked.get();
+        self.band.asked.set(self.band.asked.get() + asked);
+        self.least.scan = other.least.scan;
+        self
+    }
 }
 
 impl<'s> OptimumProblem<'s> {
-    pub fn new(system: &'s System, request: &OptimumRequest) -> Result<Self, OptimumError> {
+    /// Checks a request. The problem does not take over the function `watch` of the options.
+    pub fn new(
+        system: &'s System,
+        request: &OptimumRequest,
+        options: &OptimumOptions<'_>,
+    ) -> Result<Self, OptimumError> {
         let ends = match request.band {
             FrequencyBand::Ratio(from, to) => [from, to],
             FrequencyBand::Hertz(from, to) => {
@@ -66,38 +106,66 @@ impl<'s> OptimumProblem<'s> {
         if !(from < to) {
             return Err(OptimumError::Width);
         }
-        let objective = Objective {
-            of: request.of,
-            size: request.size,
-            fall: request.load.map_or(0, |load| load.fall()),
+        let valid = |one: &QuantityValue| 0.0 < one.value && one.value.is_finite();
+        if !options.weighted.iter().all(valid) {
+            return Err(OptimumError::Weight);
+        }
+        let is_weighted = !options.weighted.is_empty();
+        if is_weighted && !(options.kept.is_empty() && options.vary.is_empty()) {
+            return Err(OptimumError::SingleQuantity);
+        }
+        let (of, size, value) = (request.of, request.size, 1.0);
+        let own = [QuantityValue { of, size, value }];
+        let minimised = if is_weighted { options.weighted } else { &own };
+        let fall = request.load.map_or(0, |load| load.fall());
+        let quotients = |all: &[QuantityValue]| {
+            let checked = all.iter().map(|one| -> Result<Quotient, OptimumError> {
+                let (of, size) = (one.of, one.size);
+                let objective = Objective { of, size, fall };
+                check(system, &objective)?;
+                Ok((objective, one.value))
+            });
+            checked.collect::<Result<Vec<_>, _>>()
         };
-        if !system.has_motion(request.of) {
-            return Err(OptimumError::NoSuchMotion(request.of));
-        }
-        if let Some(load) = request.load {
-            system.load_scale(load)?;
-        }
+        let goal = Goal {
+            minimised: quotients(minimised)?,
+            bounded: quotients(options.kept)?,
+        };
+        let scale = request.load.map(|load| system.load_scale(load));
+        let scale = scale.transpose()?;
         let joined = match system.scene().has_joined_states() {
-            true => Some(checked(system, &objective, request.load, from)?),
-            false => {
-                check_single(system, &objective)?;
-                None
-            }
+            true => Some(system.joined()?),
+            false => None,
         };
+        if let Some(joined) = &joined {
+            match scale {
+                Some(scale) => joined.with_length(scale.length()).at_any(from)?,
+                None => joined.at_any(from)?,
+            };
+        }
+        let several = is_weighted || !goal.bounded.is_empty();
+        let work = if several { SEVERAL * WORK } else { WORK };
         Ok(Self {
             system,
-            objective,
+            goal,
+            is_weighted,
             joined,
             load: request.load,
             ends,
+            work: options.work.unwrap_or(work),
             watch: None,
         })
     }
 
     /// Sets the caller's function that can stop every search of this problem.
-    pub fn watched_by(self, watch: KeepGoing<'s>) -> Self {
-        let watch = Some(watch);
+    pub fn watched_by(self, watch: Option<KeepGoing<'s>>) -> Self {
         Self { watch, ..self }
+    }
+
+    /// Replaces the shares of several contacts.
+    pub fn with_shares(self, shares: &[f64]) -> Self {
+        let joined = self.joined.map(|joined| joined.with_shares(shares));
+        Self { joined, ..self }
     }
 
     pub fn band(&self, goal: Goal) -> Band<'s> {
@@ -116,6 +184,17 @@ impl<'s> OptimumProblem<'s> {
         Box::new(SeveralContacts::new((self.system, joined), goal, scale))
     }
 
+    /// Returns the goal under the first bounds of the list, with bounds that are slightly smaller.
+    pub fn goal(&self, bounds: usize) -> Goal {
+        let bounded = self.goal.bounded.iter().take(bounds);
+        Goal {
+            minimised: self.goal.minimised.clone(),
+            bounded: bounded
+                .map(|(objective, most)| (*objective, most * (1.0 - BELOW)))
+                .collect(),
+        }
+    }
+
     /// Returns the friction ratio up to which the amplitude at an undamped resonance of the band is unbounded, or 0.
     fn unbounded_to(&self) -> f64 {
         let (system, [from, to]) = (self.system, self.ends);
@@ -124,13 +203,13 @@ impl<'s> OptimumProblem<'s> {
         let modes = modes.zip(system.resonance_thresholds());
         modes
             .filter(|((zeta, r), _)| zeta.is_zero() && from <= **r && **r <= to)
-            .filter_map(|((_, r), threshold)| Some(threshold? / r.powi(self.objective.fall)))
+            .filter_map(|((_, r), threshold)| Some(threshold? / r.powi(self.goal.fall())))
             .fold(0.0, f64::max)
     }
 
     /// Finds the friction with which the goal is reached best, within a bound on work. `window` restricts the search to
     /// an interval of friction.
-    pub fn found(
+    fn minimum(
         &self,
         goal: Goal,
         work: usize,
@@ -149,50 +228,177 @@ impl<'s> OptimumProblem<'s> {
                     OptimumError::Unbounded
                 }
             })?;
-        Ok(Found { band, range, least })
+        Ok(Found {
+            band,
+            range,
+            least,
+            is_bounded: false,
+            largest: Vec::new(),
+        })
     }
 
-    pub fn solved(&self, work: usize) -> Result<Optimum, OptimumError> {
-        let goal = Goal::one(self.objective);
-        self.told(self.found(goal, work, None)?, true)
+    /// Finds the best friction without regard to the bounds.
+    pub fn free(&self) -> Result<Found<'s>, OptimumError> {
+        self.minimum(self.goal(0), self.work, None)
     }
 
-    /// Evaluates the whole band of this problem's quantity at one friction.
-    pub fn whole(&self, beta: f64) -> Look {
-        let band = self.band(Goal::one(self.objective));
+    /// Finds the best friction that satisfies all bounds. `work` bounds the work of one search over all frictions.
+    pub fn found(&self, work: usize, window: Option<[f64; 2]>) -> Result<Found<'s>, OptimumError> {
+        let free = self.minimum(self.goal(0), work, window)?;
+        if self.goal.bounded.is_empty() {
+            return Ok(free);
+        }
+        self.go_on()?;
+        let largest = self.largest(free.least.at.beta);
+        if self.holds(&largest) {
+            return Ok(Found { largest, ..free });
+        }
+        let found = match self.minimum(self.goal(usize::MAX), work, None) {
+            Err(OptimumError::Unbounded) => return Err(self.unreachable(work)),
+            found => found?,
+        };
+        self.go_on()?;
+        let largest = self.largest(found.least.at.beta);
+        if !self.holds(&largest) {
+            let error = self.unreachable(work);
+            self.go_on()?;
+            return Err(error);
+        }
+        let is_bounded = true;
+        Ok(Found {
+            largest,
+            is_bounded,
+            ..found
+        })
+    }
+
+    pub fn solved(&self) -> Result<Optimum, OptimumError> {
+        self.told(self.found(self.work, None)?)
+    }
+
+    /// Evaluates the whole band of one quantity at one friction.
+    fn whole(&self, objective: Objective, beta: f64) -> Look {
+        let band = self.band(Goal::one(objective));
         band.check(beta, Merit::WORST, WORK_OF_A_CHECK)
     }
 
-    /// Returns the complete result: peaks, limits, intervals of friction and derivatives. `is_minimum` is false if a
-    /// bound, or another quantity, determines the friction.
-    pub fn told(&self, found: Found<'s>, is_minimum: bool) -> Result<Optimum, OptimumError> {
+    /// Returns the largest value over the band of each bounded quantity.
+    fn largest(&self, beta: f64) -> Vec<f64> {
+        let bounded = self.goal.bounded.iter();
+        bounded
+            .map(|(objective, _)| self.whole(*objective, beta).merit.value)
+            .collect()
+    }
+
+    fn holds(&self, largest: &[f64]) -> bool {
+        let mut checked = largest.iter().zip(&self.goal.bounded);
+        checked.all(|(largest, (_, most))| largest <= most)
+    }
+
+    /// Returns an error if the caller has stopped the search.
+    fn go_on(&self) -> Result<(), OptimumError> {
+        match self.watch.is_none_or(|watch| watch()) {
+            true => Ok(()),
+            false => Err(OptimumError::Stopped),
+        }
+    }
+
+    /// Returns the error that names the first bound that no friction satisfies together with the bounds before it.
+    fn unreachable(&self, work: usize) -> OptimumError {
+        for (index, (objective, most)) in self.goal.bounded.iter().enumerate() {
+            let goal = Goal {
+                minimised: vec![(*objective, 1.0)],
+                ..self.goal(index)
+            };
+            let beta = match self.minimum(goal, work, None) {
+                Ok(found) => found.least.at.beta,
+                Err(error) => return error,
+            };
+            let least = self.whole(*objective, beta).merit.value;
+            if !(least <= *most) {
+                let value = None;
+                return OptimumError::Unreachable {
+                    index,
+                    least,
+                    beta,
+                    value,
+                };
+            }
+        }
+        OptimumError::TooLong
+    }
+
+    /// Returns the result of several quantities for the quantity with the largest quotient, with the index of this
+    /// quantity. The third item is true if several quotients are equally large.
+    fn decided(&self, found: Found<'s>) -> Result<(Found<'s>, usize, bool), OptimumError> {
+        if !self.is_weighted {
+            return Ok((found, 0, false));
+        }
+        self.go_on()?;
+        let beta = found.least.at.beta;
+        let all = self.goal.minimised.iter();
+        let looks = all.map(|(objective, over)| (self.whole(*objective, beta), over));
+        let looks: Vec<(Look, &f64)> = looks.collect();
+        let largest = looks.iter().map(|(look, _)| look.merit.value).collect();
+        let ratios = looks.iter().map(|(look, over)| look.merit.value / **over);
+        let ratios: Vec<f64> = ratios.collect();
+        let order = |a: &(usize, &f64), b: &(usize, &f64)| a.1.total_cmp(b.1);
+        let decisive = ratios.iter().enumerate().max_by(order);
+        let (decisive, most) = decisive.ok_or(OptimumError::Weight)?;
+        let equal = ratios
+            .iter()
+            .filter(|ratio| most * (1.0 - BALANCE) <= **ratio);
+        let is_balanced = 1 < equal.count();
+        let (at, _) = looks
+            .into_iter()
+            .nth(decisive)
+            .ok_or(OptimumError::Weight)?;
+        let band = self.band(Goal::one(self.objective(decisive)?));
+        band.asked.set(found.band.asked.get());
+        let least = Least { at, ..found.least };
+        let found = Found {
+            band,
+            least,
+            largest,
+            ..found
+        };
+        Ok((found, decisive, is_balanced))
+    }
+
+    fn objective(&self, index: usize) -> Result<Objective, OptimumError> {
+        let quotient = self.goal.minimised.get(index);
+        Ok(quotient.ok_or(OptimumError::Weight)?.0)
+    }
+
+    /// Returns the complete result: peaks, limits, intervals of friction and derivatives.
+    pub fn told(&self, found: Found<'s>) -> Result<Optimum, OptimumError> {
+        let (found, decisive, is_balanced) = self.decided(found)?;
+        let objective = self.objective(decisive)?;
         let Found {
             band,
             range,
             mut least,
+            is_bounded,
+            largest,
         } = found;
         band.watch.set(None);
         let stopped = band.stopped.replace(false);
         band.allow(WORK_OF_A_REPORT);
-        let own = self.band(Goal::one(self.objective));
-        own.watch.set(None);
-        let largest = |friction| {
-            let look = own.look(friction, Merit::WORST, Closely::Grid);
-            look.merit.value
-        };
-        let without_friction = largest(FrictionAmount::Ratio(0.0));
-        if without_friction == 0.0 && self.objective.size != MotionQuantity::Force {
-            return Err(OptimumError::AtRest);
-        }
-        let with_contact_locked = largest(FrictionAmount::Locked);
-        let kind = if is_minimum {
-            self.kind(&band, range, &mut least)
+        let [without_friction, with_contact_locked] = self.extremes(objective)?;
+        let mut kept = largest.iter().zip(&self.goal.bounded);
+        let is_bounded = is_bounded && kept.any(|(largest, (_, most))| DECISIVE * most <= *largest);
+        let kind = if is_bounded {
+            least.bracket = [least.at.beta; 2];
+            OptimumKind::Bounded
+        } else if is_balanced {
+            OptimumKind::Balanced
         } else {
-            OptimumKind::SinglePeak
+            self.kind(&band, (range, objective), &mut least)
         };
+        let is_minimum = !(is_bounded || is_balanced);
         let beta = least.at.beta;
         let peaks = peaks(&band, &least.at);
-        let beyond_jump = (kind == OptimumKind::SinglePeak && is_minimum)
+        let beyond_jump = (kind == OptimumKind::SinglePeak)
             .then(|| beyond(&band, &least.at, &peaks))
             .flatten();
         let end = match least.end {
@@ -202,8 +408,9 @@ impl<'s> OptimumProblem<'s> {
             SearchEnd::Converged if beyond_jump.is_some() => OptimumEnd::Jump,
             SearchEnd::Converged => OptimumEnd::Converged,
         };
-        // If the search has reached its bound on work, its frictions are not checked. An interval between two such
-        // frictions would not be reliable.
+        // Tolerances and sensitivities describe the minimum of a single quantity. If the search has reached its bound
+        // on work, its frictions are not checked. An interval between two such frictions would not be reliable.
+        let is_minimum = is_minimum && !self.is_weighted;
         let checked = EXCESSES
             .iter()
             .filter(|_| is_minimum && least.end != SearchEnd::Spent);
@@ -214,7 +421,7 @@ impl<'s> OptimumProblem<'s> {
         });
         let tolerances = tolerances.collect();
         let sensitivities = match end {
-            OptimumEnd::Converged if is_minimum => self.sensitivities(beta, &peaks),
+            OptimumEnd::Converged if is_minimum => self.sensitivities(objective, (beta, &peaks)),
             _ => None,
         };
         Ok(Optimum {
@@ -236,12 +443,36 @@ impl<'s> OptimumProblem<'s> {
             evaluations: band.asked.get(),
             unsettled: least.at.unsettled,
             unanswered: band.silent.get(),
+            largest,
+            decisive,
+            tuned: Vec::new(),
+            scan: Vec::new(),
+            before: None,
         })
+    }
+
+    /// Returns the largest value of a quantity over the band without friction, and with all contacts stuck.
+    fn extremes(&self, objective: Objective) -> Result<[f64; 2], OptimumError> {
+        let band = self.band(Goal::one(objective));
+        band.watch.set(None);
+        let all = [FrictionAmount::Ratio(0.0), FrictionAmount::Locked];
+        let largest = all.map(|friction| band.look(friction, Merit::WORST, Closely::Grid).merit);
+        let largest = largest.map(|merit| merit.value);
+        if largest.first() == Some(&0.0) && objective.size != MotionQuantity::Force {
+            return Err(OptimumError::AtRest);
+        }
+        Ok(largest)
     }
 
     /// Returns the reason why the friction is the best one. On an interval of friction with the same amplitude, this
     /// function moves the result to the lower bound of the interval.
-    fn kind(&self, band: &Band<'_>, range: Range, least: &mut Least) -> OptimumKind {
+    fn kind(
+        &self,
+        band: &Band<'_>,
+        (range, objective): (Range, Objective),
+        least: &mut Least,
+    ) -> OptimumKind {
+        let rests = objective.rests_if_stuck(self.system);
         let value = least.at.merit.value;
         let mut highest = least.at.peaks.iter();
         let is_stuck = highest
@@ -286,8 +517,7 @@ impl<'s> OptimumProblem<'s> {
             let beta = least.at.beta;
             least.bracket = [beta, to.max(beta)];
             if band.evaluator.locks() && range.locked_from <= beta {
-                let rests = value == 0.0 || self.objective.rests_if_stuck(self.system);
-                return if rests {
+                return if value == 0.0 || rests {
                     OptimumKind::Trivial
                 } else {
                     OptimumKind::Stuck
@@ -298,7 +528,6 @@ impl<'s> OptimumProblem<'s> {
             }
             least.bracket = [beta; 2];
         }
-        let rests = self.objective.rests_if_stuck(self.system);
         if value == 0.0 || (rests && range.locked_from <= least.at.beta) {
             OptimumKind::Trivial
         } else if least.at.beta == 0.0 {
@@ -316,8 +545,12 @@ impl<'s> OptimumProblem<'s> {
     /// Returns the relative derivatives d ln X/d ln p of the best amplitude X with respect to each parameter p. For one
     /// peak they are the derivatives of the peak. For two equal peaks they are the derivatives of the common height,
     /// while the friction changes so that the peaks stay equal.
-    fn sensitivities(&self, beta: f64, peaks: &[OptimumPeak]) -> Option<Vec<(Parameter, f64)>> {
-        if !self.objective.has_derivatives() || self.joined.is_some() {
+    fn sensitivities(
+        &self,
+        objective: Objective,
+        (beta, peaks): (f64, &[OptimumPeak]),
+    ) -> Option<Vec<(Parameter, f64)>> {
+        if !objective.has_derivatives() || self.joined.is_some() {
             return None;
         }
         let (system, load) = (self.system, self.load?);
@@ -329,7 +562,7 @@ impl<'s> OptimumProblem<'s> {
                 friction,
                 load,
             };
-            system.response_sensitivities(point, self.objective.of).ok()
+            system.response_sensitivities(point, objective.of).ok()
         };
         let all = peaks.iter().map(of).collect::<Option<Vec<_>>>()?;
         let relative = |of: &ResponseSensitivities, parameter: Parameter| {
@@ -358,8 +591,16 @@ impl<'s> OptimumProblem<'s> {
     }
 }
 
-/// Checks a request for a scene with one contact.
-fn check_single(system: &System, objective: &Objective) -> Result<(), OptimumError> {
+/// Checks if the search can minimise a quantity of a scene.
+fn check(system: &System, objective: &Objective) -> Result<(), OptimumError> {
+    let scene = system.scene();
+    if !system.has_motion(objective.of) {
+        return Err(OptimumError::NoSuchMotion(objective.of));
+    }
+    if scene.has_joined_states() {
+        let combination = Combination::of(scene, objective.of, objective.size);
+        return combination.map_or(Err(OptimumError::OnlyMotions), |_| Ok(()));
+    }
     if !objective.is_sound() {
         return Err(OptimumError::Size);
     }
@@ -369,24 +610,6 @@ fn check_single(system: &System, objective: &Objective) -> Result<(), OptimumErr
     let lost = constants
         .position(|((zeta, load), contact)| zeta.is_zero() && contact.is_zero() && !load.is_zero());
     lost.map_or(Ok(()), |mode| Err(OptimumError::Undamped(mode)))
-}
-
-/// Checks a request for a scene with several contacts or dashpots, and returns its solver.
-fn checked<'s>(
-    system: &'s System,
-    objective: &Objective,
-    load: Option<Load>,
-    r: f64,
-) -> Result<Joined<'s>, OptimumError> {
-    if Combination::of(system.scene(), objective.of, objective.size).is_none() {
-        return Err(OptimumError::OnlyMotions);
-    }
-    let joined = system.joined()?;
-    match load.map(|load| system.load_scale(load)).transpose()? {
-        Some(scale) => joined.with_length(scale.length()).at_any(r)?,
-        None => joined.at_any(r)?,
-    };
-    Ok(joined)
 }
 
 /// Returns the peaks that are as high as the highest peak, within a thousandth.

@@ -1,9 +1,11 @@
 //! The request for a search for the best friction.
 
+use super::number::Tunable;
 use crate::Of;
 use crate::study::error::{InvalidScene, UnknownMass, no_such_motion};
 use crate::study::joined::JoinedError;
 use crate::study::response::MotionQuantity;
+use crate::study::system::System;
 use crate::study::units::{Load, LoadError};
 
 /// A band of frequencies, given as frequency ratios or in Hz.
@@ -27,6 +29,74 @@ pub struct OptimumRequest {
     pub band: FrequencyBand,
     /// Load of the scene. Results in N and m require a load.
     pub load: Option<Load>,
+}
+
+/// A quantity with a value: the upper bound of a bounded quantity, or the divisor of a minimised quantity.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct QuantityValue {
+    /// The motion to which the quantity belongs.
+    pub of: Of,
+    /// The quantity of the motion: displacement, velocity, acceleration, or a quantity of the contact.
+    pub size: MotionQuantity,
+    /// The bound or the divisor, in the same unit as [`Optimum::amplitude`](super::Optimum::amplitude) has for this
+    /// quantity.
+    pub value: f64,
+}
+
+/// A number of the scene description that the search varies together with the friction, and the interval of its values.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Tuning {
+    /// The varied number of the scene description.
+    pub of: Tunable,
+    /// Lower bound of the interval, in the unit of the varied number.
+    pub from: f64,
+    /// Upper bound of the interval, in the unit of the varied number.
+    pub to: f64,
+}
+
+impl QuantityValue {
+    /// Returns the request that minimises this quantity instead of the quantity of `request`.
+    pub(super) fn request(&self, request: &OptimumRequest) -> OptimumRequest {
+        OptimumRequest {
+            of: self.of,
+            size: self.size,
+            ..request.clone()
+        }
+    }
+}
+
+impl Tuning {
+    /// Returns an error if the interval is invalid, or if the scene is invalid at one of its bounds.
+    pub(super) fn check(&self, system: &System) -> Result<(), OptimumError> {
+        let Self { of, from, to } = *self;
+        if !(from.is_finite() && to.is_finite() && from < to) {
+            return Err(OptimumError::Interval);
+        }
+        for end in [from, to] {
+            system.with_value(of, end).map_err(OptimumError::Scene)?;
+        }
+        Ok(())
+    }
+}
+
+/// Further conditions of a search for the best friction. The default has no conditions.
+#[derive(Clone, Copy, Default)]
+pub struct OptimumOptions<'a> {
+    /// Upper bounds of other quantities. The search takes only frictions with which no quantity exceeds its bound over
+    /// the band.
+    pub kept: &'a [QuantityValue],
+    /// Several quantities, each with a divisor above 0. The search minimises the largest quotient of a quantity and its
+    /// divisor, and ignores the quantity of the request. It then accepts neither bounds nor varied numbers.
+    pub weighted: &'a [QuantityValue],
+    /// Numbers of the scene description that the search varies together with the friction: one number, or the shares
+    /// of several contacts.
+    pub vary: &'a [Tuning],
+    /// Bound on the work of one search over all frictions, in units of about 10 µs of computing time. `None` stands for
+    /// the default.
+    pub work: Option<usize>,
+    /// A function that the search calls after each evaluation, from several threads if a number varies. If it returns
+    /// false once, it must return false from then on. The search then ends with the best friction so far.
+    pub watch: Option<&'a (dyn Fn() -> bool + Sync)>,
 }
 
 /// The reason why a search for the best friction fails.
@@ -67,6 +137,10 @@ pub enum OptimumError {
     /// The request contains several quantities. The value by which the search divides one of the quantities is
     /// missing, 0, negative, infinite or NaN.
     Weight,
+    /// The request contains several quantities together with bounds or varied numbers.
+    SingleQuantity,
+    /// The request varies several numbers that are not all shares of contacts, or the same number twice.
+    Several,
     /// The scene has several contacts or dashpots, and the quantity is not the displacement of a mass.
     OnlyMotions,
     /// The solver for several contacts does not support the scene or the request.
@@ -114,6 +188,8 @@ impl std::fmt::Display for OptimumError {
             Self::OnlyMotions => "with `contacts` or `dampers`, the search minimises motions and forces of springs, and no quantity of a contact",
             Self::Joined(error) => return error.fmt(f),
             Self::Weight => "each of several quantities needs a value above 0 to divide it by",
+            Self::SingleQuantity => "bounds and varied numbers need a single minimised quantity",
+            Self::Several => "the search varies one number of the description, or several shares of contacts",
             Self::Unreachable {
                 index,
                 least,

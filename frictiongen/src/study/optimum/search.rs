@@ -7,7 +7,7 @@
 
 use super::band::{Band, BandPeak, Closely, FINELY, Look, Merit};
 use super::evaluator::FrictionAmount;
-use super::line;
+use crate::study::golden::{self, GOLDEN};
 
 /// Smallest friction of the scan, divided by the median of β*_lim over the band.
 const LEAST: f64 = 0.02;
@@ -40,8 +40,6 @@ const FOLLOWED: usize = 4;
 const WORTH: f64 = 0.8;
 /// Largest number of golden sections.
 const SECTIONS: usize = 60;
-/// Larger of the two fractions into which a golden section divides an interval.
-const GOLDEN: f64 = 0.618_033_988_749_894_8;
 /// Largest number of checks on the finer grid.
 const CHECKS: usize = 5;
 /// Relative excess of a check over the search up to which the check confirms the result.
@@ -121,7 +119,7 @@ impl Band<'_> {
                     side.copied().unwrap_or(*r)
                 });
                 let f = |r: f64| of(self.evaluator.limits(r));
-                best = best.max(line::largest(f, ends, (*r, own), PLACE).1);
+                best = best.max(golden::largest(f, ends, (*r, own), PLACE).1);
             }
             best
         };

@@ -1,10 +1,11 @@
 //! Finds the best common friction together with the best shares of several contacts.
 
-use super::band::{Band, Closely, KeepGoing, Merit};
-use super::evaluator::{FrictionAmount, Goal};
+use super::band::{Band, Closely, Merit};
+use super::evaluator::FrictionAmount;
 use super::problem::OptimumProblem;
-use super::{Optimum, OptimumEnd, OptimumError, OptimumRequest, WORK};
-use crate::study::joined::JoinedError;
+use super::request::{OptimumOptions, Tuning};
+use super::{Optimum, OptimumEnd, OptimumError, OptimumRequest, Tunable, TunedNumber};
+use crate::study::joined::JoinedParameter;
 use crate::study::system::System;
 
 /// First step of the search. A step is a factor on a share or on the friction.
@@ -15,127 +16,92 @@ const LAST: f64 = 1.02;
 /// numbers.
 const MOST: usize = 400;
 
-/// Interval of the values that a search for the best shares may give to the share of one contact.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct ShareRange {
-    /// Index of the contact in the scene description.
-    pub contact: usize,
-    /// Smallest share of the common friction that the contact may have. It is above 0.
-    pub from: f64,
-    /// Largest share of the common friction that the contact may have.
-    pub to: f64,
+/// Interval of the share of one contact.
+struct ShareRange {
+    contact: usize,
+    from: f64,
+    to: f64,
 }
 
-/// Result of a search for the best common friction and the best shares of the contacts.
-#[derive(Clone, Debug)]
-pub struct SharesOptimum {
-    /// The best share of each contact, in the order of the scene description.
-    pub shares: Vec<f64>,
-    /// The best common friction with these shares.
-    pub optimum: Optimum,
-    /// The largest amplitude over the band with the best common friction and the shares of the scene description.
-    pub before: f64,
-}
-
-impl System {
-    /// Returns the indices of the contacts whose shares a name selects. `share pads` selects one contact. `share` selects
-    /// all contacts but the first, because a common factor on all shares has the effect of the common friction. Returns
-    /// `None` for another name, and for a scene with a single contact.
-    ///
-    /// # Errors
-    /// The reason in words, if there is no such contact.
-    #[doc(hidden)]
-    pub fn shares_named(&self, name: &str) -> Result<Option<Vec<usize>>, String> {
-        let mut words = name.split_whitespace();
-        if !self.scene().is_joined() || words.next() != Some("share") {
-            return Ok(None);
+/// Returns the intervals of the shares that a request varies.
+fn ranges(system: &System, vary: &[Tuning]) -> Result<Vec<ShareRange>, OptimumError> {
+    let mut ranges: Vec<ShareRange> = Vec::new();
+    for tuning in vary {
+        let contact = tuning.of.share().ok_or(OptimumError::Several)?;
+        if ranges.iter().any(|range| range.contact == contact) {
+            return Err(OptimumError::Several);
         }
-        let contacts = self.scene().named_contacts();
-        let names = || contacts.iter().map(|contact| contact.name.as_str());
-        let name: Vec<&str> = words.collect();
-        if name.is_empty() {
-            return Ok(Some((1..contacts.len()).collect()));
-        }
-        let name = name.join(" ");
-        let found = names().position(|contact| contact == name);
-        let found = found.ok_or_else(|| {
-            let known = names().collect::<Vec<_>>().join(", ");
-            format!("there is no contact `{name}`; the contacts are {known}")
+        tuning.check(system)?;
+        ranges.push(ShareRange {
+            contact,
+            from: tuning.from,
+            to: tuning.to,
         });
-        Ok(Some(vec![found?]))
     }
+    Ok(ranges)
+}
 
-    /// Finds the common friction and the shares with which the largest amplitude of a mass over a band of frequencies is
-    /// smallest. The search calls `watch` after each steady state, and ends with the best result so far if `watch`
-    /// returns false.
-    ///
-    /// The search begins at the best common friction with the shares of the scene description. In each round, it
-    /// multiplies or divides the friction and then each share by a factor, and keeps every change that reduces the
-    /// largest amplitude. If a round has reduced this amplitude, the search also tries all changes of the round a second
-    /// time, together. Otherwise it reduces the factor, from 1.6 down to 1.02.
-    ///
-    /// The result is a local minimum. Another distribution far from the description may be better.
-    ///
-    /// # Errors
-    /// Same errors as [`optimum`](System::optimum). [`JoinedError::Shares`] for an interval that does not begin above 0,
-    /// does not end above its start, or is not finite, and for a contact that does not exist.
-    #[doc(hidden)]
-    pub fn best_shares(
-        &self,
-        request: &OptimumRequest,
-        ranges: &[ShareRange],
-        watch: &(dyn Fn() -> bool + Sync),
-    ) -> Result<SharesOptimum, OptimumError> {
-        let contacts = self.scene().named_contacts().into_iter();
-        let given: Vec<f64> = contacts.map(|contact| contact.law.share).collect();
-        for range in ranges {
-            let sound = 0.0 < range.from && range.from < range.to && range.to.is_finite();
-            if !sound || given.len() <= range.contact {
-                return Err(JoinedError::Shares.into());
-            }
-        }
-        let mut problem = OptimumProblem::new(self, request)?.watched_by(watch);
-        let goal = Goal::one(problem.objective);
-        let before = problem.found(goal.clone(), WORK, None)?;
-        let mut descent = Descent {
-            band: problem.band(goal.clone()),
-            problem: &problem,
-            ranges,
-            compared: 0,
-            best: Distribution {
-                shares: given,
-                friction: before.least.at.beta,
-                merit: before.least.at.merit,
-            },
-        };
-        if watch() {
-            descent.run();
-        }
-        let (best, asked) = (descent.best, descent.band.asked.get());
-        problem.joined = problem
-            .joined
-            .map(|joined| joined.with_shares(&best.shares));
-        let stopped = !watch();
-        let quiet: KeepGoing<'_> = &|| true;
-        if stopped {
-            problem = problem.watched_by(quiet);
-        }
-        let found = problem.found(goal, WORK, None)?;
-        let optimum = problem.told(found, true)?;
-        Ok(SharesOptimum {
-            shares: best.shares,
-            optimum: Optimum {
-                end: if stopped {
-                    OptimumEnd::Stopped
-                } else {
-                    optimum.end
-                },
-                evaluations: asked + before.band.asked.get() + optimum.evaluations,
-                ..optimum
-            },
-            before: before.least.at.merit.value,
-        })
+/// Finds the common friction and the shares of contacts with which the largest amplitude over a band is smallest.
+///
+/// The search begins at the best common friction with the shares of the scene description. In each round, it multiplies
+/// or divides the friction and then each share by a factor, and keeps every change that reduces the largest amplitude.
+/// If a round has reduced this amplitude, the search also tries all changes of the round a second time, together.
+/// Otherwise it reduces the factor, from 1.6 down to 1.02.
+///
+/// The result is a local minimum. Another distribution far from the description may be better.
+pub(super) fn best(
+    system: &System,
+    request: &OptimumRequest,
+    options: &OptimumOptions<'_>,
+) -> Result<Optimum, OptimumError> {
+    let ranges = ranges(system, options.vary)?;
+    let goes_on = || options.watch.is_none_or(|watch| watch());
+    let problem = OptimumProblem::new(system, request, options)?.watched_by(options.watch);
+    let contacts = system.scene().named_contacts().into_iter();
+    let (start, before) = match problem.found(problem.work, None) {
+        // Other shares may satisfy the bounds.
+        Err(OptimumError::Unreachable { .. }) => (problem.free()?, None),
+        found => found.map(|found| {
+            let before = found.least.at.merit.value;
+            (found, Some(before))
+        })?,
+    };
+    let mut descent = Descent {
+        band: problem.band(problem.goal(usize::MAX)),
+        problem: &problem,
+        ranges: &ranges,
+        compared: 0,
+        best: Distribution {
+            shares: contacts.map(|contact| contact.law.share).collect(),
+            friction: start.least.at.beta,
+            merit: start.least.at.merit,
+        },
+    };
+    if goes_on() {
+        descent.run();
     }
+    let (best, asked) = (descent.best, descent.band.asked.get());
+    let stopped = !goes_on();
+    let mut problem = problem.with_shares(&best.shares);
+    if stopped {
+        problem = problem.watched_by(None);
+    }
+    let mut optimum = problem.solved()?;
+    if stopped {
+        optimum.end = OptimumEnd::Stopped;
+    }
+    optimum.evaluations += asked + start.band.asked.get();
+    optimum.before = before;
+    let share = |(contact, share): (usize, &f64)| {
+        let range = ranges.iter().find(|range| range.contact == contact);
+        TunedNumber {
+            of: Tunable::Joined(JoinedParameter::Share(contact)),
+            value: *share,
+            at_end: range.is_some_and(|range| [range.from, range.to].contains(share)),
+        }
+    };
+    optimum.tuned = best.shares.iter().enumerate().map(share).collect();
+    Ok(optimum)
 }
 
 /// A common friction and the shares of all contacts.
@@ -239,7 +205,7 @@ impl Descent<'_, '_> {
     /// Returns the merit of a distribution, or a lower bound of it beyond `cutoff`.
     fn merit(&mut self, tried: &Distribution, cutoff: Merit) -> Merit {
         self.compared += 1;
-        let goal = Goal::one(self.problem.objective);
+        let goal = self.problem.goal(usize::MAX);
         self.band.evaluator = self.problem.evaluator(goal, Some(&tried.shares));
         let friction = FrictionAmount::Ratio(tried.friction);
         let look = self.band.look(friction, cutoff, Closely::Grid);

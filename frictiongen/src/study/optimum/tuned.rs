@@ -4,12 +4,13 @@
 //! bound change. The search therefore uses no derivatives: a scan brackets the minima, and golden sections with parabolas
 //! narrow them.
 
-use super::band::KeepGoing;
-use super::line;
-use super::number::Tunable;
-use super::several::{KeptFound, KeptProblem, KeptQuantity};
-use super::{FrequencyBand, Optimum, OptimumEnd, OptimumError, OptimumRequest, WORK};
+use super::answer::{TunedNumber, TunedPoint};
+use super::problem::{Found, OptimumProblem};
+use super::request::{OptimumOptions, QuantityValue, Tuning};
+use super::search::SearchEnd;
+use super::{FrequencyBand, Optimum, OptimumEnd, OptimumError, OptimumRequest};
 use crate::Of;
+use crate::study::golden;
 use crate::study::response::MotionQuantity;
 use crate::study::system::System;
 use crate::study::units::angular_frequency;
@@ -18,8 +19,10 @@ use std::sync::atomic::{AtomicUsize, Ordering};
 
 /// Number of intervals of the scan over the varied number.
 const STEPS: usize = 16;
-/// Bound on the work of a search at one value of the number, in units of about 10 µs of computing time.
+/// Bounds on the work of a search at one scanned value of the number, and at the best value, in units of about 10 µs of
+/// computing time.
 const WORK_OF_ONE: usize = 300_000;
+const WORK: usize = 1_200_000;
 /// The search narrows the interval around a scanned value only if its amplitude, divided by the smallest amplitude of
 /// all scanned values, is at most this number.
 const WORTH: f64 = 1.5;
@@ -27,146 +30,14 @@ const WORTH: f64 = 1.5;
 const MOST_LOOKED_INTO: usize = 3;
 /// Relative accuracy of the best value of the number.
 const NEAR: f64 = 1e-9;
+/// Relative accuracy of the best value, if the bound on work ends the searches over friction.
+const ROUGHLY: f64 = 1e-2;
 /// Distance from a bound of the interval at which the search tests if the amplitude falls, divided by the distance to
 /// the next scanned value.
 const INWARD: f64 = 1e-3;
 /// Bounds of the friction that a search near a minimum covers, divided by the smaller and by the larger of the best
 /// frictions on both sides.
 const WINDOW: [f64; 2] = [0.7, 1.4];
-
-/// A number of the scene description that the search varies together with the friction, and the interval of its values.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Tuning {
-    /// The varied number of the scene description.
-    pub of: Tunable,
-    /// Lower bound of the interval, in the unit of the varied number.
-    pub from: f64,
-    /// Upper bound of the interval, in the unit of the varied number.
-    pub to: f64,
-}
-
-/// The best friction at one value of the varied number.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct TunedPoint {
-    /// Value of the varied number at this point.
-    pub value: f64,
-    /// The best friction ratio β, with m₁ and k₁ of the scene description. NaN if no best friction exists.
-    pub beta: f64,
-    /// The largest amplitude over the band with this friction, divided by P/k₁ (by Y for base motion), with k₁ of the
-    /// scene description. The amplitude is infinite if no friction bounds it. The amplitude is NaN if the search
-    /// reached its bound on work or was stopped before it found any friction.
-    pub amplitude: f64,
-}
-
-/// The friction and the value of the varied number that together make the largest amplitude over a band of frequencies
-/// smallest.
-#[derive(Clone, Debug)]
-pub struct TunedOptimum {
-    /// The best value of the varied number.
-    pub value: f64,
-    /// True if the best value of the varied number is a bound of its interval. A value outside the interval may then be
-    /// better.
-    pub at_end: bool,
-    /// The scene with the best value of the varied number.
-    pub system: System,
-    /// The best friction at the best value of the varied number. Its groups r, β and x̄ refer to m₁ and k₁ of the
-    /// original scene description. Use the original description to convert them to Hz, N and m.
-    pub optimum: Optimum,
-    /// The best friction at all scanned values of the varied number, in ascending order of the values. The list shows
-    /// the influence of the number.
-    pub scan: Vec<TunedPoint>,
-    /// Total number of amplitudes that the search computed.
-    pub evaluations: usize,
-}
-
-impl System {
-    /// Returns the best friction together with the best value of one number of the scene description. With this
-    /// friction and this value, the largest amplitude of a motion over a band of frequencies is smallest. The number is
-    /// a stiffness, a mass, a damping ratio, a damping factor or μ. Band, load and friction force keep their values in
-    /// Hz, N and m, even if m₁ or k₁ varies.
-    ///
-    /// The search evaluates 17 values of the number, including both bounds of its interval. The values are in geometric
-    /// steps, or in quadratic steps if the interval starts at 0 or below. For each value the search finds the best of
-    /// all frictions, as [`optimum`](Self::optimum) does. It then narrows the intervals around the best values, with the
-    /// frictions near those of the neighbouring values. At the end it searches among all frictions at the best value.
-    /// The search misses a minimum between two values that has no lower amplitude at a scanned value.
-    ///
-    /// ```no_run
-    /// use frictiongen::study::{System, optimum::{FrequencyBand, OptimumRequest, Tuning}, response::MotionQuantity};
-    ///
-    /// # fn main() -> Result<(), Box<dyn std::error::Error>> {
-    /// // The base drives the block and is its contact partner. A stiffer spring to the wall reduces the motion.
-    /// let block: System = "struct Block {
-    ///     masses: { block: 1 },
-    ///     springs: { base - block: 1, block - wall: 1 },
-    ///     contact: block - base,
-    ///     excitation: base,
-    ///     damping: modal(0.05),
-    /// }"
-    /// .parse()?;
-    /// let request = OptimumRequest {
-    ///     of: block.motion_named("block")?,
-    ///     size: MotionQuantity::Displacement,
-    ///     band: FrequencyBand::Ratio(0.2, 1.2),
-    ///     load: None,
-    /// };
-    /// let tuning = Tuning { of: block.tunable_named("k block - wall")?, from: 1.0, to: 2.0 };
-    /// let tuned = block.tuned_optimum(&request, &tuning)?;
-    /// assert!(tuned.at_end && tuned.value == 2.0);
-    /// assert!(tuned.optimum.amplitude < block.optimum(&request)?.amplitude);
-    /// # Ok(())
-    /// # }
-    /// ```
-    ///
-    /// # Errors
-    /// Same errors as [`optimum`](Self::optimum). [`OptimumError`] also for an invalid interval, for a scene that is
-    /// invalid at a bound of the interval, and if no value of the number has a result.
-    pub fn tuned_optimum(
-        &self,
-        request: &OptimumRequest,
-        tuning: &Tuning,
-    ) -> Result<TunedOptimum, OptimumError> {
-        let (tuned, _) = TunedSearch::new(self, request, *tuning, &[], &|| true)?.solved()?;
-        Ok(tuned)
-    }
-
-    /// Searches as [`tuned_optimum`](Self::tuned_optimum) does, and calls `watch` after each evaluation, from several
-    /// threads. If `watch` returns false once, it must return false from then on. The search then ends with the best
-    /// result so far.
-    ///
-    /// # Errors
-    /// Same errors as [`tuned_optimum`](Self::tuned_optimum), and [`OptimumError::Stopped`] if the search was stopped
-    /// before it found a result.
-    #[doc(hidden)]
-    pub fn tuned_optimum_watched(
-        &self,
-        request: &OptimumRequest,
-        tuning: &Tuning,
-        watch: &(dyn Fn() -> bool + Sync),
-    ) -> Result<TunedOptimum, OptimumError> {
-        let (tuned, _) = TunedSearch::new(self, request, *tuning, &[], watch)?.solved()?;
-        Ok(tuned)
-    }
-
-    /// Finds the best friction together with the best value of one number of the scene description, under bounds. With
-    /// this friction and this value, other quantities stay within their bounds over the whole band. The result also has
-    /// the largest value over the band of each quantity with a bound, in the order of the bounds.
-    ///
-    /// The search calls `watch` as [`tuned_optimum_watched`](Self::tuned_optimum_watched) does.
-    ///
-    /// # Errors
-    /// Same errors as [`tuned_optimum`](Self::tuned_optimum) and [`kept_optimum`](Self::kept_optimum).
-    #[doc(hidden)]
-    pub fn kept_tuned_optimum(
-        &self,
-        request: &OptimumRequest,
-        tuning: &Tuning,
-        kept: &[KeptQuantity],
-        watch: &(dyn Fn() -> bool + Sync),
-    ) -> Result<(TunedOptimum, Vec<f64>), OptimumError> {
-        TunedSearch::new(self, request, *tuning, kept, watch)?.solved()
-    }
-}
 
 /// Factors that convert the non-dimensional groups r, β and x̄ of the varied scene to those of the original scene. The
 /// two scenes may have different m₁ and k₁.
@@ -229,12 +100,11 @@ impl GroupRatios {
 }
 
 /// A checked request for the best friction together with one number of the scene description.
-struct TunedSearch<'s> {
+pub(super) struct TunedSearch<'s> {
     described: &'s System,
     request: &'s OptimumRequest,
     tuning: Tuning,
-    kept: &'s [KeptQuantity],
-    watch: KeepGoing<'s>,
+    options: OptimumOptions<'s>,
     asked: AtomicUsize,
 }
 
@@ -246,6 +116,8 @@ struct Trial {
     /// the search ended before it found any friction.
     amplitude: f64,
     beta: f64,
+    /// True if the bound on work has ended the search over friction.
+    is_spent: bool,
 }
 
 /// A scanned value of the number, and the neighbours between which the search looks for a minimum.
@@ -261,36 +133,32 @@ impl Trial {
 }
 
 impl<'s> TunedSearch<'s> {
-    fn new(
+    pub fn new(
         described: &'s System,
         request: &'s OptimumRequest,
         tuning: Tuning,
-        kept: &'s [KeptQuantity],
-        watch: KeepGoing<'s>,
+        options: OptimumOptions<'s>,
     ) -> Result<Self, OptimumError> {
-        let Tuning { of, from, to } = tuning;
-        if !(from.is_finite() && to.is_finite() && from < to) {
-            return Err(OptimumError::Interval);
-        }
-        for end in [from, to] {
-            described.with_value(of, end).map_err(OptimumError::Scene)?;
-        }
+        tuning.check(described)?;
         // The error `Undamped` depends on the value of the number. All other faults of a request are the same for every
         // value of the number.
-        if let Err(error) = KeptProblem::new(described, request, kept, watch)
+        if let Err(error) = OptimumProblem::new(described, request, &options)
             && !matches!(error, OptimumError::Undamped(_))
         {
             return Err(error);
         }
-        let asked = AtomicUsize::new(0);
         Ok(Self {
             described,
             request,
             tuning,
-            kept,
-            watch,
-            asked,
+            options,
+            asked: AtomicUsize::new(0),
         })
+    }
+
+    /// Returns false if the caller has stopped the search.
+    fn goes_on(&self) -> bool {
+        self.options.watch.is_none_or(|watch| watch())
     }
 
     fn with(&self, value: f64) -> Result<System, OptimumError> {
@@ -309,11 +177,7 @@ impl<'s> TunedSearch<'s> {
     }
 
     /// Returns the checked request for a varied scene, with the same band of frequencies in Hz and the same bounds.
-    fn problem<'v>(
-        &self,
-        varied: &'v System,
-        watch: KeepGoing<'v>,
-    ) -> Result<KeptProblem<'v>, OptimumError> {
+    fn problem<'v>(&self, varied: &'v System) -> Result<OptimumProblem<'v>, OptimumError> {
         let groups = GroupRatios::new(self.request, self.described, varied);
         let ratio = |r: f64| r / groups.r;
         let hertz = |hertz: f64| ratio(self.described.frequency_ratio(angular_frequency(hertz)));
@@ -325,21 +189,25 @@ impl<'s> TunedSearch<'s> {
             band,
             ..self.request.clone()
         };
-        let kept = self.kept.iter().zip(self.factors(varied));
-        let kept = kept.map(|(kept, factor)| KeptQuantity {
-            most: kept.most / factor,
+        let kept = self.options.kept.iter().zip(self.factors(varied));
+        let kept = kept.map(|(kept, factor)| QuantityValue {
+            value: kept.value / factor,
             ..*kept
         });
-        KeptProblem::new(varied, &request, &kept.collect::<Vec<_>>(), watch)
+        let options = OptimumOptions {
+            kept: &kept.collect::<Vec<_>>(),
+            ..self.options
+        };
+        OptimumProblem::new(varied, &request, &options)
     }
 
     /// Returns one factor for each quantity with a bound. The factor converts the quantity from the groups of the
     /// varied scene to the groups of the original scene.
     fn factors(&self, varied: &System) -> Vec<f64> {
-        let factor = |kept: &KeptQuantity| {
+        let factor = |kept: &QuantityValue| {
             GroupRatios::new(&kept.request(self.request), self.described, varied).length
         };
-        self.kept.iter().map(factor).collect()
+        self.options.kept.iter().map(factor).collect()
     }
 
     /// Returns the best friction at one value of the number: the best of all frictions, or of an interval of friction.
@@ -348,13 +216,15 @@ impl<'s> TunedSearch<'s> {
             value,
             amplitude,
             beta: f64::NAN,
+            is_spent: false,
         };
         let varied = self.with(value)?;
         let groups = GroupRatios::new(self.request, self.described, &varied);
         let window = window.map(|window| window.map(|beta| beta / groups.beta));
-        let found = self
-            .problem(&varied, self.watch)
-            .and_then(|problem| Ok(self.counted(problem.found(WORK_OF_ONE, window)?)));
+        let found = self.problem(&varied).and_then(|problem| {
+            let problem = problem.watched_by(self.options.watch);
+            Ok(self.counted(problem.found(self.work_of_one(), window)?))
+        });
         match found {
             Err(
                 OptimumError::Undamped(_)
@@ -363,67 +233,70 @@ impl<'s> TunedSearch<'s> {
             ) => Ok(none(f64::INFINITY)),
             Err(OptimumError::TooLong | OptimumError::Stopped) => Ok(none(f64::NAN)),
             Err(error) => Err(error),
-            Ok(_) if !(self.watch)() => Ok(none(f64::NAN)),
+            Ok(_) if !self.goes_on() => Ok(none(f64::NAN)),
             Ok(found) => Ok(Trial {
                 value,
-                amplitude: found.found.least.at.merit.value * groups.length,
-                beta: found.found.least.at.beta * groups.beta,
+                amplitude: found.least.at.merit.value * groups.length,
+                beta: found.least.at.beta * groups.beta,
+                is_spent: found.least.end == SearchEnd::Spent,
             }),
         }
     }
 
+    /// Returns the bound on the work of a search at one value of the number.
+    fn work_of_one(&self) -> usize {
+        self.options.work.unwrap_or(WORK_OF_ONE)
+    }
+
     /// Adds the number of evaluations of a search to the total.
-    fn counted<'v>(&self, found: KeptFound<'v>) -> KeptFound<'v> {
+    fn counted<'v>(&self, found: Found<'v>) -> Found<'v> {
         self.asked
-            .fetch_add(found.found.band.asked.get(), Ordering::Relaxed);
+            .fetch_add(found.band.asked.get(), Ordering::Relaxed);
         found
     }
 
-    fn solved(&self) -> Result<(TunedOptimum, Vec<f64>), OptimumError> {
+    pub fn solved(&self) -> Result<Optimum, OptimumError> {
         let (best, scan) = self.best()?;
-        let scan = scan.iter().map(|trial| TunedPoint {
-            value: trial.value,
-            beta: trial.beta,
-            amplitude: trial.amplitude,
-        });
-        let scan = scan.collect();
         let varied = self.with(best.value)?;
         let groups = GroupRatios::new(self.request, self.described, &varied);
         // If the caller has stopped the search, the shorter search of the scan is repeated without the caller's
         // function.
-        let stopped = !(self.watch)();
-        let unwatched: KeepGoing<'_> = &|| true;
-        let watch = if stopped { unwatched } else { self.watch };
-        let problem = self.problem(&varied, watch)?;
+        let stopped = !self.goes_on();
+        let watch = self.options.watch.filter(|_| !stopped);
+        let problem = self.problem(&varied)?.watched_by(watch);
         let found = if stopped {
-            problem.found(WORK_OF_ONE, None)?
+            problem.found(self.work_of_one(), None)?
         } else {
             let near = best.beta / groups.beta;
             let window = WINDOW.map(|share| share * near);
-            let all = problem.found(WORK, None)?;
-            match problem.found(WORK, Some(window)) {
+            let work = self.options.work.unwrap_or(WORK);
+            let all = problem.found(work, None)?;
+            match problem.found(work, Some(window)) {
                 Ok(near) if 0.0 < best.beta && near.is_better_than(&all) => near.with_scan_of(all),
                 _ => all,
             }
         };
         let found = self.counted(found);
-        let told = problem.told(found)?;
-        let largest = told.largest.iter().zip(self.factors(&varied));
-        let largest = largest.map(|(largest, factor)| largest * factor).collect();
-        let mut optimum = groups.of(told.optimum);
-        if stopped || !(self.watch)() {
+        let mut optimum = groups.of(problem.told(found)?);
+        for (largest, factor) in optimum.largest.iter_mut().zip(self.factors(&varied)) {
+            *largest *= factor;
+        }
+        if stopped || !self.goes_on() {
             optimum.end = OptimumEnd::Stopped;
         }
-        let tuning = self.tuning;
-        let tuned = TunedOptimum {
+        let points = scan.iter().map(|trial| TunedPoint {
+            value: trial.value,
+            beta: trial.beta,
+            amplitude: trial.amplitude,
+        });
+        optimum.scan = points.collect();
+        optimum.tuned = vec![TunedNumber {
+            of: self.tuning.of,
             value: best.value,
-            at_end: [tuning.from, tuning.to].contains(&best.value),
-            optimum,
-            scan,
-            evaluations: self.asked.load(Ordering::Relaxed),
-            system: varied.clone(),
-        };
-        Ok((tuned, largest))
+            at_end: [self.tuning.from, self.tuning.to].contains(&best.value),
+        }];
+        optimum.evaluations = self.asked.load(Ordering::Relaxed);
+        Ok(optimum)
     }
 
     /// Returns the values of the number that the scan evaluates, including both bounds of the interval.
@@ -466,7 +339,7 @@ impl<'s> TunedSearch<'s> {
             valid.min_by(|a, b| a.amplitude.total_cmp(&b.amplitude))
         };
         let best = least(scan.clone()).ok_or_else(|| self.none())?;
-        if best.amplitude == 0.0 || !(self.watch)() {
+        if best.amplitude == 0.0 || !self.goes_on() {
             return Ok((best, scanned));
         }
         let valleys = self.valleys(&scan, WORTH * best.amplitude);
@@ -478,7 +351,7 @@ impl<'s> TunedSearch<'s> {
 
     /// Returns the error for a search in which no value of the number has a result.
     fn none(&self) -> OptimumError {
-        match (self.watch)() {
+        match self.goes_on() {
             true => OptimumError::TooLong,
             false => OptimumError::Stopped,
         }
@@ -491,23 +364,25 @@ impl<'s> TunedSearch<'s> {
     /// [`OptimumError::Unreachable`] names the first bound that no value and no friction satisfy together with all
     /// earlier bounds in the list.
     fn reachable(&self, scan: &[Trial]) -> Result<Trial, OptimumError> {
-        if !scan.iter().any(|trial| trial.amplitude == f64::INFINITY) || !(self.watch)() {
+        if !scan.iter().any(|trial| trial.amplitude == f64::INFINITY) || !self.goes_on() {
             return Err(self.none());
         }
         let mut found = None;
-        for (index, kept) in self.kept.iter().enumerate() {
+        for (index, kept) in self.options.kept.iter().enumerate() {
             let request = kept.request(self.request);
-            let before = self.kept.get(..index).unwrap_or_default();
-            let search =
-                TunedSearch::new(self.described, &request, self.tuning, before, self.watch)?;
+            let options = OptimumOptions {
+                kept: self.options.kept.get(..index).unwrap_or_default(),
+                ..self.options
+            };
+            let search = TunedSearch::new(self.described, &request, self.tuning, options)?;
             let best = search.best();
             self.asked
                 .fetch_add(search.asked.load(Ordering::Relaxed), Ordering::Relaxed);
             let (best, _) = best?;
-            if !(self.watch)() {
+            if !self.goes_on() {
                 return Err(OptimumError::Stopped);
             }
-            if !(best.amplitude <= kept.most) {
+            if !(best.amplitude <= kept.value) {
                 return Err(OptimumError::Unreachable {
                     index,
                     least: best.amplitude,
@@ -556,7 +431,7 @@ impl<'s> TunedSearch<'s> {
             None
         };
         let mut height = |value: f64| {
-            if !(self.watch)() {
+            if !self.goes_on() {
                 return f64::NEG_INFINITY;
             }
             let trial = self.trial(value, window).ok().filter(Trial::is_valid);
@@ -576,7 +451,8 @@ impl<'s> TunedSearch<'s> {
         {
             return best;
         }
-        line::largest(height, ends, (start, -valley.start.amplitude), NEAR);
+        let near = if valley.start.is_spent { ROUGHLY } else { NEAR };
+        golden::largest(height, ends, (start, -valley.start.amplitude), near);
         best
     }
 }

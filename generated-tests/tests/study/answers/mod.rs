@@ -15,7 +15,10 @@ use frictiongen::study::response::MotionQuantity;
 use frictiongen::study::{
     System,
     curve::CurveRequest,
-    optimum::{FrequencyBand, OptimumEnd, OptimumError, OptimumKind, OptimumRequest},
+    optimum::{
+        FrequencyBand, Optimum, OptimumEnd, OptimumError, OptimumKind, OptimumOptions,
+        OptimumRequest,
+    },
     response::SystemResponse,
     units::Load,
 };
@@ -64,14 +67,24 @@ fn processor_seconds() -> f64 {
     )
 }
 
+/// Finds an optimum within a bound on the work, or within the default bound.
+fn within(
+    system: &System,
+    request: &OptimumRequest,
+    work: Option<usize>,
+) -> Result<Optimum, OptimumError> {
+    let options = OptimumOptions {
+        work,
+        ..OptimumOptions::default()
+    };
+    system.optimum_with(request, &options)
+}
+
 /// Finds the optimum of a frame, and compares it with a map. `work` bounds the work of the search; `None` stands for
 /// the default bound.
 fn outcome(frame: &Frame, work: Option<usize>) -> Option<Outcome> {
     let start = processor_seconds();
-    let found = match work {
-        Some(work) => frame.system.optimum_within(&frame.request(), work),
-        None => frame.system.optimum(&frame.request()),
-    };
+    let found = within(&frame.system, &frame.request(), work);
     let seconds = processor_seconds() - start;
     let found = match found {
         Ok(found) => found,
@@ -155,9 +168,7 @@ fn a_frame_on_which_the_search_gave_up() {
         band: FrequencyBand::Hertz(4.0, 12.0),
         load: Some(load),
     };
-    let found = system
-        .optimum_within(&request, 100_000)
-        .expect("the best so far at least");
+    let found = within(&system, &request, Some(100_000)).expect("the best so far at least");
     let scale = system.load_scale(load).expect("a force");
     let (force, millimetres) = (
         scale.friction(found.beta),
@@ -195,7 +206,7 @@ fn a_narrow_range_of_stick_slip_counts() {
         band: FrequencyBand::Hertz(2.0, 2.4),
         load: Some(Load::Base(1e-3)),
     };
-    let found = tower.optimum_within(&request, 200_000).expect("an optimum");
+    let found = within(&tower, &request, Some(200_000)).expect("an optimum");
     let ends = [2.0, 2.4].map(|hertz| tower.frequency_ratio_at_hertz(hertz));
     let request = CurveRequest {
         widest: Some(0.0003),

@@ -3,7 +3,7 @@
 use frictiongen::study::response::MotionQuantity;
 use frictiongen::study::{
     System,
-    optimum::{FrequencyBand, OptimumRequest, TunedOptimum, Tuning},
+    optimum::{FrequencyBand, Optimum, OptimumOptions, OptimumRequest, Tuning},
     units::Load,
 };
 
@@ -72,7 +72,7 @@ impl Case {
         text.parse().expect("a valid scene")
     }
 
-    pub fn tuned(&self, described: f64) -> TunedOptimum {
+    pub fn tuned(&self, described: f64) -> Optimum {
         let system = self.system(described);
         let hertz = self.band.map(|omega| omega / std::f64::consts::TAU);
         let request = OptimumRequest {
@@ -81,12 +81,16 @@ impl Case {
             band: FrequencyBand::Hertz(hertz[0], hertz[1]),
             load: Some(self.load()),
         };
-        let tuning = Tuning {
+        let vary = [Tuning {
             of: system.tunable_named(self.name).expect("a number"),
             from: self.interval[0],
             to: self.interval[1],
+        }];
+        let options = OptimumOptions {
+            vary: &vary,
+            ..OptimumOptions::default()
         };
-        system.tuned_optimum(&request, &tuning).expect("an optimum")
+        system.optimum_with(&request, &options).expect("an optimum")
     }
 
     pub fn load(&self) -> Load {
@@ -98,12 +102,11 @@ impl Case {
     }
 
     /// Returns the best friction in N, and the largest amplitude at this friction in m.
-    pub fn physical(&self, described: f64, tuned: &TunedOptimum) -> [f64; 2] {
+    pub fn physical(&self, described: f64, optimum: &Optimum) -> [f64; 2] {
         let scale = self
             .system(described)
             .load_scale(self.load())
             .expect("a load");
-        let optimum = &tuned.optimum;
         [
             scale.friction(optimum.beta),
             scale.displacement(optimum.amplitude),

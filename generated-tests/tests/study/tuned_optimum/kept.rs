@@ -3,7 +3,8 @@
 
 use frictiongen::study::System;
 use frictiongen::study::optimum::{
-    FrequencyBand, KeptQuantity, OptimumError, OptimumKind, OptimumRequest, TunedOptimum, Tuning,
+    FrequencyBand, Optimum, OptimumError, OptimumKind, OptimumOptions, OptimumRequest,
+    QuantityValue, Tuning,
 };
 use frictiongen::study::units::Load;
 
@@ -48,7 +49,7 @@ struct Asked {
     described: System,
     request: OptimumRequest,
     tuning: Tuning,
-    drift: KeptQuantity,
+    drift: QuantityValue,
 }
 
 fn asked(described: f64, [from, to]: [f64; 2], interval: [f64; 2], most: f64) -> Asked {
@@ -68,9 +69,9 @@ fn asked(described: f64, [from, to]: [f64; 2], interval: [f64; 2], most: f64) ->
         to: interval[1],
     };
     let (of, size) = described.quantity_named("block-base").expect("a quantity");
-    let most = most / BASE;
+    let value = most / BASE;
     Asked {
-        drift: KeptQuantity { of, size, most },
+        drift: QuantityValue { of, size, value },
         described,
         request,
         tuning,
@@ -78,22 +79,23 @@ fn asked(described: f64, [from, to]: [f64; 2], interval: [f64; 2], most: f64) ->
 }
 
 impl Asked {
-    fn found(&self) -> Result<(TunedOptimum, Vec<f64>), OptimumError> {
-        let (request, tuning) = (&self.request, &self.tuning);
-        let kept = std::slice::from_ref(&self.drift);
-        self.described
-            .kept_tuned_optimum(request, tuning, kept, &|| true)
+    fn found(&self) -> Result<Optimum, OptimumError> {
+        let options = OptimumOptions {
+            vary: std::slice::from_ref(&self.tuning),
+            kept: std::slice::from_ref(&self.drift),
+            ..OptimumOptions::default()
+        };
+        self.described.optimum_with(&self.request, &options)
     }
 
     /// Returns the best friction in N, the largest acceleration in m/s² and the largest drift in m.
-    fn physical(&self, tuned: &TunedOptimum, largest: &[f64]) -> [f64; 3] {
+    fn physical(&self, optimum: &Optimum) -> [f64; 3] {
         let scale = self.described.load_scale(Load::Base(BASE)).expect("a load");
         let omega = self.described.angular_frequency(1.0);
-        let optimum = &tuned.optimum;
         [
             scale.friction(optimum.beta),
             optimum.amplitude * BASE * omega * omega,
-            largest[0] * BASE,
+            optimum.largest[0] * BASE,
         ]
     }
 }
@@ -102,16 +104,17 @@ impl Asked {
 /// bound is better.
 fn check(band: [f64; 2], interval: [f64; 2], most: f64, [values, forces]: [u32; 2]) {
     let asked = asked(4e5, band, interval, most);
-    let (tuned, found) = asked.found().expect("an optimum");
-    let [friction, value, drift] = asked.physical(&tuned, &found);
-    assert_eq!(tuned.optimum.kind, OptimumKind::Bounded);
+    let tuned = asked.found().expect("an optimum");
+    let [friction, value, drift] = asked.physical(&tuned);
+    let stiffness = tuned.tuned[0].value;
+    assert_eq!(tuned.kind, OptimumKind::Bounded);
     // The bound decides, so that the drift reaches it.
     assert!(
         drift <= most * (1.0 + 1e-12) && most * (1.0 - 1e-5) < drift,
         "{drift} {most}"
     );
     // The grid of frequencies of the map misses a smooth maximum between two of its points by a part in 1e4.
-    let there = largest(tuned.value, friction, band, 800);
+    let there = largest(stiffness, friction, band, 800);
     for (there, found) in there.iter().zip([value, drift]) {
         let over = there / found - 1.0;
         assert!(-2e-4 < over && over < 1e-9, "{there} {found}");
@@ -135,10 +138,7 @@ fn check(band: [f64; 2], interval: [f64; 2], most: f64, [values, forces]: [u32; 
             }
         }
     }
-    println!(
-        "{} N/m, {friction} N, {value} m/s2, {drift} m; {holds} points hold",
-        tuned.value
-    );
+    println!("{stiffness} N/m, {friction} N, {value} m/s2, {drift} m; {holds} points hold");
     assert!(10 < holds, "{holds}");
 }
 

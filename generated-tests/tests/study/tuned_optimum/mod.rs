@@ -16,7 +16,7 @@ mod numbers;
 use brute_force::{Tried, golden};
 use case::{ABSORBER, BLOCK, FIRST_SPRING, SHARP};
 use frictiongen::study::optimum::{
-    FrequencyBand, OptimumError, OptimumKind, OptimumRequest, Tuning,
+    FrequencyBand, OptimumError, OptimumKind, OptimumOptions, OptimumRequest, Tuning,
 };
 use frictiongen::study::response::MotionQuantity;
 use std::time::Instant;
@@ -35,10 +35,11 @@ fn two_masses_as_by_brute_force() {
         (&SHARP, 0.1, true),
     ] {
         let start = Instant::now();
-        let tuned = case.tuned(described);
+        let found = case.tuned(described);
+        let tuned = found.tuned[0];
         let seconds = start.elapsed().as_secs_f64();
         assert!(!tuned.at_end, "{}: {}", case.name, tuned.value);
-        let [force, amplitude] = case.physical(described, &tuned);
+        let [force, amplitude] = case.physical(described, &found);
         let start = Instant::now();
         let mut count = 0;
         // The found value is not a point of the scan.
@@ -63,8 +64,8 @@ fn two_masses_as_by_brute_force() {
              from the least), {:?}; {} amplitudes in {seconds:.1} s, by brute force {count} in {:.0} s",
             case.name,
             tuned.value,
-            tuned.optimum.kind,
-            tuned.evaluations,
+            found.kind,
+            found.evaluations,
             start.elapsed().as_secs_f64()
         );
         assert!(in_force < 1e-6 && in_amplitude < 1e-9 && in_depth < 1e-9);
@@ -77,7 +78,8 @@ fn two_masses_as_by_brute_force() {
 #[test]
 #[ignore = "many optima: a minute without optimisation"]
 fn sharp_as_by_receptances() {
-    let tuned = SHARP.tuned(0.1);
+    let found = SHARP.tuned(0.1);
+    let tuned = found.tuned[0];
     let amplitude = |mass: f64, omega: f64| {
         let square = omega * omega;
         let (main, own) = (1.085 - square, 0.085 - mass * square);
@@ -99,9 +101,9 @@ fn sharp_as_by_receptances() {
     }
     let least = amplitude(a, SHARP.band[0]);
     println!("{} ({:.1e} off), {least}", tuned.value, off(tuned.value, a));
-    assert_eq!(tuned.optimum.kind, OptimumKind::NoFriction);
-    assert!(tuned.optimum.beta == 0.0 && off(tuned.value, a) < 1e-9);
-    assert!(off(tuned.optimum.amplitude, least) < 1e-9);
+    assert_eq!(found.kind, OptimumKind::NoFriction);
+    assert!(found.beta == 0.0 && off(tuned.value, a) < 1e-9);
+    assert!(off(found.amplitude, least) < 1e-9);
 }
 
 /// Checks one mass. With a softer spring to its base it moves less, so the best value is the bound of the interval.
@@ -119,11 +121,12 @@ fn one_mass_as_by_brute_force() {
 }
 
 fn one_mass([values, forces]: [u32; 2]) {
-    let tuned = BLOCK.tuned(1.0);
+    let found = BLOCK.tuned(1.0);
+    let tuned = found.tuned[0];
     assert!(tuned.at_end && tuned.value == 0.1, "{}", tuned.value);
-    let kind = tuned.optimum.kind;
+    let kind = found.kind;
     assert!(!matches!(kind, OptimumKind::Stuck | OptimumKind::Trivial));
-    let [force, amplitude] = BLOCK.physical(1.0, &tuned);
+    let [force, amplitude] = BLOCK.physical(1.0, &found);
     let mut tried = Tried::new(&BLOCK, tuned.value);
     let (best, least) = tried.least(force);
     let offs = [off(force, best), off(amplitude, least)];
@@ -153,7 +156,7 @@ fn one_mass([values, forces]: [u32; 2]) {
 fn whatever_is_described() {
     let [one, other] = [0.9, 1.1].map(|described| (described, FIRST_SPRING.tuned(described)));
     let [a, b] = [&one, &other].map(|(described, tuned)| FIRST_SPRING.physical(*described, tuned));
-    assert!(off(one.1.value, other.1.value) < 1e-6);
+    assert!(off(one.1.tuned[0].value, other.1.tuned[0].value) < 1e-6);
     assert!(
         off(a[0], b[0]) < 1e-6 && off(a[1], b[1]) < 1e-12,
         "{a:?} {b:?}"
@@ -191,10 +194,15 @@ fn what_makes_no_sense() {
     };
     let of = system.tunable_named("k2").expect("a spring");
     assert_eq!(system.tunable_named(" k  b-a "), Ok(of));
-    let asked = |from: f64, to: f64| {
-        let found = system.tuned_optimum(&request, &Tuning { of, from, to });
-        found.expect_err("nonsense")
+    let tuned = |request: &OptimumRequest, from: f64, to: f64| {
+        let vary = [Tuning { of, from, to }];
+        let options = OptimumOptions {
+            vary: &vary,
+            ..OptimumOptions::default()
+        };
+        system.optimum_with(request, &options)
     };
+    let asked = |from: f64, to: f64| tuned(&request, from, to).expect_err("nonsense");
     for (from, to) in [
         (0.2, 0.1),
         (0.1, 0.1),
@@ -229,13 +237,6 @@ fn what_makes_no_sense() {
         band: FrequencyBand::Ratio(1.0, 1.0),
         ..request.clone()
     };
-    let found = system.tuned_optimum(
-        &band,
-        &Tuning {
-            of,
-            from: 0.1,
-            to: 0.2,
-        },
-    );
+    let found = tuned(&band, 0.1, 0.2);
     assert_eq!(found.err(), Some(OptimumError::Width));
 }

@@ -42,8 +42,9 @@ class Design(Base):
         :param base: amplitude of the base motion in m, or text such as `"0.2g"`, `"2 m/s2"`, `"0.1 m/s"`.
         :param force: amplitude of the force in N, or an unbalance such as `"0.02 kg m"`.
         :param vary: a second variable of the optimisation: the name of a number in the description, and its interval.
-            It needs a single quantity.  With several contacts, `share pads` is the share of one contact, and `share` are
-            those of all contacts but the first.
+            It needs a single quantity.  With several contacts or dashpots, `c lower - upper` is a dashpot, `share pads`,
+            `stiffness pads` and `mu pads` are numbers of one contact, and `share` are the shares of all contacts but the
+            first.
         :param keep: upper bounds, as a dict of quantities and values above 0.  The result is the best friction with which
             no quantity exceeds its bound over the band.  It needs a single quantity as `of`.
         :param start: the initial state at each frequency and friction, as for :meth:`orbit`.

@@ -5,8 +5,8 @@ use crate::study::columns::builder::Columns;
 use crate::study::columns::cell::Cell;
 use crate::study::columns::column::{Column, ColumnKind, Head, Shown, TableRow};
 use crate::study::columns::measure::PhysicalQuantity;
-use crate::study::columns::setting::{Frequency, MovingPart};
-use crate::study::optimum::{Optimum, SharesOptimum, Tunable, TunedOptimum};
+use crate::study::columns::setting::Frequency;
+use crate::study::optimum::{Optimum, TunedNumber};
 
 /// Largest number of frequencies without a steady state that the result names.
 const MOST_UNSETTLED: usize = 5;
@@ -36,37 +36,21 @@ pub struct OptimumLine {
 
 impl TableRow for OptimumLine {}
 
-/// A number of the scene description that the search has optimised together with the friction, and the result of this
-/// search.
-#[derive(Clone, Debug)]
-pub struct Tuned<'a> {
-    /// The number of the scene description, such as a mass or a stiffness.
-    pub of: Tunable,
-    /// The result of the search for the number and the friction.
-    pub found: &'a TunedOptimum,
-}
+/// Collects the lines of a result.
+#[derive(Default)]
+struct Lines(Vec<OptimumLine>);
 
-impl Tuned<'_> {
-    /// Returns the best friction, with the number of amplitudes that the whole search has computed.
-    #[must_use]
-    pub fn optimum(&self) -> Optimum {
-        Optimum {
-            evaluations: self.found.evaluations,
-            ..self.found.optimum.clone()
+impl Lines {
+    /// Begins an entry of a list, or a value outside the lists.
+    fn entry(&mut self, list: Option<&'static str>, row: Option<usize>) -> LineEntry<'_> {
+        LineEntry {
+            lines: &mut self.0,
+            list,
+            row,
+            excess: None,
+            name: String::new(),
         }
     }
-}
-
-/// Quantities of a result about the best friction, in addition to the minimised quantity. Each entry has three items:
-/// the quantity, its bound or divisor, and its largest value over the band of frequencies.
-#[derive(Clone, Copy, Debug)]
-pub enum Further<'a> {
-    /// The search has considered no further quantities.
-    None,
-    /// Quantities with their upper bounds, which the result of the search satisfies.
-    Kept(&'a [(MovingPart, f64, f64)]),
-    /// Quantities with their divisors. The search has minimised the largest quotient.
-    Weighted(&'a [(MovingPart, f64, f64)]),
 }
 
 /// Collects the result lines of one entry of a list.
@@ -76,17 +60,22 @@ struct LineEntry<'l> {
     row: Option<usize>,
     excess: Option<f64>,
     /// Text that replaces `{}` in the labels of the lines.
-    name: &'l str,
+    name: String,
 }
 
 impl LineEntry<'_> {
-    fn line(&mut self, key: impl Into<String>, label: String, value: Cell<'_>, unit: &'static str) {
+    fn line(
+        &mut self,
+        key: impl Into<String>,
+        label: impl Into<String>,
+        (value, unit): (impl Into<Cell<'static>>, &'static str),
+    ) {
         self.lines.push(OptimumLine {
             list: self.list,
             row: self.row,
             key: key.into(),
-            label,
-            value: value.into_owned(),
+            label: label.into(),
+            value: value.into(),
             unit,
             per: None,
             excess: self.excess,
@@ -97,169 +86,104 @@ impl LineEntry<'_> {
     fn lines<R>(&mut self, columns: &[Column<'_, R>], row: &R) {
         for column in columns.iter().filter(|column| column.says(row)) {
             let title = column.title.first().map_or("", String::as_str);
-            let label = title.replace("{}", self.name);
-            self.line(column.key(), label, column.read(row), column.of_what());
+            let label = title.replace("{}", &self.name);
+            let value = column.read(row).into_owned();
+            self.line(column.key(), label, (value, column.of_what()));
         }
     }
 }
 
 impl<'a> OptimumTable<'a> {
-    /// Returns the result as lines: the best friction, its peaks, tolerances and sensitivities.
+    /// Returns the result as lines: the best numbers and the best friction, further quantities, peaks, tolerances and
+    /// sensitivities.
     #[must_use]
-    pub fn lines(&self, optimum: &Optimum, tuned: Option<&Tuned<'_>>) -> Vec<OptimumLine> {
-        self.lines_with(optimum, tuned, Further::None)
-    }
-
-    /// Returns the result as lines, with further lines for the quantities in `further`. Each of these quantities has
-    /// its bound or divisor, and its largest value with the best friction.
-    #[must_use]
-    pub fn lines_with(
-        &self,
-        optimum: &Optimum,
-        tuned: Option<&Tuned<'_>>,
-        further: Further<'_>,
-    ) -> Vec<OptimumLine> {
-        let mut lines = Vec::new();
-        if let Some(tuned) = tuned {
-            self.tuned(tuned, &mut lines);
-        }
-        let once = |lines: &mut Vec<OptimumLine>, columns: Vec<Column<'a, Optimum>>| {
-            let (list, row) = (None, None);
-            let name = "";
-            LineEntry {
-                lines,
-                list,
-                row,
-                excess: None,
-                name,
-            }
-            .lines(&columns, optimum);
-        };
-        once(&mut lines, self.best());
-        self.further_lines(further, optimum.reference, &mut lines);
+    pub fn lines(&self, optimum: &Optimum) -> Vec<OptimumLine> {
+        let mut lines = Lines::default();
+        self.tuned_lines(optimum, &mut lines);
+        lines.entry(None, None).lines(&self.best(), optimum);
+        self.further_lines(optimum, &mut lines);
         self.peak_lines(optimum, &mut lines);
         self.tolerance_lines(optimum, &mut lines);
-        once(&mut lines, self.bounds());
+        lines.entry(None, None).lines(&self.bounds(), optimum);
         self.sensitivity_lines(optimum, &mut lines);
-        if let Some(tuned) = tuned {
-            self.scan_lines(tuned, &mut lines);
-        }
-        once(&mut lines, self.effort());
+        self.scan_lines(optimum, &mut lines);
+        lines.entry(None, None).lines(&self.effort(), optimum);
         self.unsettled_lines(optimum, &mut lines);
-        lines
+        lines.0
     }
 
     /// Adds one line for each of the first frequencies at which the motion does not settle.
-    fn unsettled_lines(&self, optimum: &Optimum, lines: &mut Vec<OptimumLine>) {
+    fn unsettled_lines(&self, optimum: &Optimum, lines: &mut Lines) {
         for (row, r) in (1..=MOST_UNSETTLED).zip(&optimum.unsettled) {
-            let mut entry = LineEntry {
-                lines: &mut *lines,
-                list: Some("unsettled"),
-                row: Some(row),
-                excess: None,
-                name: "",
-            };
             let frequency = Frequency::at(self.setting.system, *r);
             let (key, value, unit) = match self.setting.frequency.has_hertz() {
                 true => ("frequency_Hz", frequency.hertz, "Hz"),
                 false => ("r", frequency.r, ""),
             };
-            entry.line(
-                key,
-                "  the last 64 cycles count at".to_owned(),
-                value.into(),
-                unit,
+            let mut entry = lines.entry(Some("unsettled"), Some(row));
+            entry.line(key, "  the last 64 cycles count at", (value, unit));
+        }
+    }
+
+    /// Adds the lines of the varied numbers. With shares, the best amplitude with the shares of the scene description
+    /// follows.
+    fn tuned_lines(&self, optimum: &Optimum, lines: &mut Lines) {
+        let scene = self.setting.system.scene();
+        let contacts = scene.named_contacts();
+        for (row, number) in (1..).zip(&optimum.tuned) {
+            let (of, value) = (number.of, (number.value, number.of.unit()));
+            let contact = of.share().and_then(|contact| contacts.get(contact));
+            let mut entry = match contact {
+                Some(_) => lines.entry(Some("shares"), Some(row)),
+                None => lines.entry(Some("tuned"), None),
+            };
+            match contact {
+                Some(contact) => {
+                    let label = format!("share of {}", contact.name);
+                    entry.line(contact.name.as_str(), label, value);
+                }
+                None => entry.line("value", of.symbol(scene), value),
+            }
+            if number.at_end {
+                let end = "a bound of the interval; a value beyond it may be better";
+                entry.line("at_end", "which is", (end, ""));
+            }
+        }
+        if let Some(before) = optimum.before {
+            let measure = &self.setting.measure;
+            let before = measure.convert(self.size(), before, optimum.reference);
+            lines.entry(None, None).line(
+                measure.name("amplitude_before", self.size()),
+                "largest amplitude with the shares of the description",
+                (before, measure.unit_or_reference(self.size())),
             );
         }
     }
 
-    /// Returns the lines of the best shares of several contacts, and the best amplitude with the shares of the scene
-    /// description.
-    #[must_use]
-    pub fn share_lines(&self, found: &SharesOptimum) -> Vec<OptimumLine> {
-        let mut lines = Vec::new();
-        let contacts = self.setting.system.scene().named_contacts();
-        for (row, (contact, share)) in (1..).zip(contacts.iter().zip(&found.shares)) {
-            let mut entry = LineEntry {
-                lines: &mut lines,
-                list: Some("shares"),
-                row: Some(row),
-                excess: None,
-                name: "",
-            };
-            let label = format!("share of {}", contact.name);
-            entry.line(contact.name.as_str(), label, (*share).into(), "");
-        }
-        let measure = &self.setting.measure;
-        let before = measure.convert(self.size(), found.before, found.optimum.reference);
-        let mut entry = LineEntry {
-            lines: &mut lines,
-            list: None,
-            row: None,
-            excess: None,
-            name: "",
-        };
-        let label = "largest amplitude with the shares of the description".to_owned();
-        let key = measure.name("amplitude_before", self.size());
-        entry.line(
-            key,
-            label,
-            before.into(),
-            measure.unit_or_reference(self.size()),
-        );
-        lines
-    }
-
     /// Adds two lines for each further quantity: its largest value, and its bound or divisor.
-    fn further_lines(&self, further: Further<'_>, reference: f64, lines: &mut Vec<OptimumLine>) {
+    fn further_lines(&self, optimum: &Optimum, lines: &mut Lines) {
         let measure = &self.setting.measure;
-        let (list, all) = match further {
-            Further::None => return,
-            Further::Kept(all) => ("kept", all),
-            Further::Weighted(all) => ("weighted", all),
-        };
-        for (row, (part, value, largest)) in (1..).zip(all) {
+        let kept = self.kept.iter().map(|one| ("kept", one));
+        let weighted = self.weighted.iter().map(|one| ("weighted", one));
+        let all = kept.chain(weighted).zip(&optimum.largest);
+        for (row, ((list, (part, value)), largest)) in (1..).zip(all) {
             let dimension = part.dimension();
-            let mut entry = LineEntry {
-                lines: &mut *lines,
-                list: Some(list),
-                row: Some(row),
-                excess: None,
-                name: "",
-            };
             let unit = measure.unit_or_reference(dimension);
-            let name = format!("largest value of {}", part.name);
-            let [found, other] =
-                [*largest, *value].map(|value| measure.convert(dimension, value, reference));
-            entry.line("largest", name, found.into(), unit);
-            if let Further::Kept(_) = further {
-                entry.line("bound", "  which is at most".to_owned(), other.into(), unit);
+            let [found, other] = [*largest, *value]
+                .map(|value| measure.convert(dimension, value, optimum.reference));
+            let mut entry = lines.entry(Some(list), Some(row));
+            let label = format!("largest value of {}", part.name);
+            entry.line("largest", label, (found, unit));
+            if list == "kept" {
+                entry.line("bound", "  which is at most", (other, unit));
             } else {
-                entry.line("over", "  divided by".to_owned(), other.into(), unit);
-                let quotient = largest / value;
-                entry.line("ratio", "  is".to_owned(), quotient.into(), "");
+                entry.line("over", "  divided by", (other, unit));
+                entry.line("ratio", "  is", (largest / value, ""));
             }
         }
     }
 
-    /// Adds the line of the number that the search has optimised together with the friction.
-    fn tuned(&self, tuned: &Tuned<'_>, lines: &mut Vec<OptimumLine>) {
-        let mut entry = LineEntry {
-            lines,
-            list: Some("tuned"),
-            row: None,
-            excess: None,
-            name: "",
-        };
-        let name = tuned.of.symbol(self.setting.system.scene());
-        entry.line("value", name, tuned.found.value.into(), tuned.of.unit());
-        if tuned.found.at_end {
-            let end = "a bound of the interval; a value beyond it may be better";
-            entry.line("at_end", "which is".to_owned(), end.into(), "");
-        }
-    }
-
-    fn peak_lines(&self, optimum: &Optimum, lines: &mut Vec<OptimumLine>) {
+    fn peak_lines(&self, optimum: &Optimum, lines: &mut Lines) {
         let mut columns = Columns::new(&self.setting.measure);
         if self.setting.frequency.has_hertz() {
             let head = Head::of("frequency", PhysicalQuantity::Hertz).titled(&["{}"]);
@@ -277,21 +201,17 @@ impl<'a> OptimumTable<'a> {
             (!is_frequency && !is_flag).then_some(column)
         }));
         for (row, peak) in (1..).zip(self.peaks(optimum)) {
-            let mut entry = LineEntry {
-                lines: &mut *lines,
-                list: Some("peaks"),
-                row: Some(row),
-                excess: None,
-                name: match peak.peak.at_end {
-                    true => "peak at the end of the band at",
-                    false => "peak at",
-                },
+            let mut entry = lines.entry(Some("peaks"), Some(row));
+            let name = match peak.peak.at_end {
+                true => "peak at the end of the band at",
+                false => "peak at",
             };
+            name.clone_into(&mut entry.name);
             entry.lines(&columns, &peak);
         }
     }
 
-    fn tolerance_lines(&self, optimum: &Optimum, lines: &mut Vec<OptimumLine>) {
+    fn tolerance_lines(&self, optimum: &Optimum, lines: &mut Lines) {
         let mut columns = self.tolerance_columns();
         // The name of the entry, such as `5 % above the best`, replaces `{}`.
         let titles = ["{}: friction from", "{}: friction to"];
@@ -299,23 +219,19 @@ impl<'a> OptimumTable<'a> {
             column.title = vec![title.to_owned()];
         }
         for (row, tolerance) in (1..).zip(&optimum.tolerances) {
-            let mut entry = LineEntry {
-                lines: &mut *lines,
-                list: Some("tolerances"),
-                row: Some(row),
-                excess: Some(tolerance.excess),
-                name: &format!("{:.0} % above the best", tolerance.excess * 100.0),
-            };
+            let mut entry = lines.entry(Some("tolerances"), Some(row));
+            entry.excess = Some(tolerance.excess);
+            entry.name = format!("{:.0} % above the best", tolerance.excess * 100.0);
             entry.lines(columns.get(1..).unwrap_or_default(), tolerance);
         }
     }
 
-    fn sensitivity_lines(&self, optimum: &Optimum, lines: &mut Vec<OptimumLine>) {
+    fn sensitivity_lines(&self, optimum: &Optimum, lines: &mut Lines) {
         let Some(point) = self.point() else { return };
         let scene = self.setting.system.scene();
         for row in self.sensitivities(optimum) {
             let name = row.parameter.label(scene, &point);
-            lines.push(OptimumLine {
+            lines.0.push(OptimumLine {
                 list: Some("sensitivities"),
                 row: None,
                 key: row.parameter.key(scene, &point),
@@ -328,37 +244,26 @@ impl<'a> OptimumTable<'a> {
         }
     }
 
-    fn scan_lines(&self, tuned: &Tuned<'_>, lines: &mut Vec<OptimumLine>) {
+    fn scan_lines(&self, optimum: &Optimum, lines: &mut Lines) {
+        let Some(TunedNumber { of, .. }) = optimum.tuned.first() else {
+            return;
+        };
         let measure = &self.setting.measure;
-        let name = tuned.of.symbol(self.setting.system.scene());
-        let reference = tuned.found.optimum.reference;
+        let name = of.symbol(self.setting.system.scene());
         let key = match measure.scale() {
             Some(_) => "friction",
             None => "beta",
         };
-        for (row, point) in (1..).zip(&tuned.found.scan) {
-            let mut entry = LineEntry {
-                lines: &mut *lines,
-                list: Some("scan"),
-                row: Some(row),
-                excess: None,
-                name: "",
-            };
-            let value = point.value.into();
-            entry.line("value", format!("at {name}"), value, tuned.of.unit());
-            let numbers = [
-                (key, "  best friction", PhysicalQuantity::Force, point.beta),
-                (
-                    "amplitude",
-                    "  largest amplitude",
-                    self.size(),
-                    point.amplitude,
-                ),
-            ];
-            for (key, label, dimension, value) in numbers {
-                let unit = measure.unit_or_reference(dimension);
-                let value = measure.convert(dimension, value, reference);
-                entry.line(key, label.to_owned(), value.into(), unit);
+        for (row, point) in (1..).zip(&optimum.scan) {
+            let mut entry = lines.entry(Some("scan"), Some(row));
+            entry.line("value", format!("at {name}"), (point.value, of.unit()));
+            let (force, size) = (PhysicalQuantity::Force, self.size());
+            for (key, label, dimension, value) in [
+                (key, "  best friction", force, point.beta),
+                ("amplitude", "  largest amplitude", size, point.amplitude),
+            ] {
+                let value = measure.convert(dimension, value, optimum.reference);
+                entry.line(key, label, (value, measure.unit_or_reference(dimension)));
             }
         }
     }
