@@ -7,9 +7,11 @@ use crate::asked::{
 use crate::columns::NamedArrays;
 use crate::errors::domain;
 use crate::joined::{JoinedQuestion, motions};
+use crate::measure::drive::signals;
 use crate::system::NativeSystem;
 use crate::work::left_at_interrupt;
 use frictiongen::System;
+use frictiongen::measure::{Signal, SignalInputs};
 use frictiongen::study::columns::{
     Column, Frequency, FrequencyUnit, FrictionSetting, HistoryTable, JoinedEventRow, JoinedSample,
     JoinedTable,
@@ -26,15 +28,19 @@ use std::sync::Arc;
 const MOST: u32 = MOST_SAMPLES as u32;
 
 /// Python arguments of a run: number of cycles, number of skipped cycles, samples in a cycle, and initial state. The end
-/// of a free vibration in s follows, with flags for one period of the steady state and for the spectra.
+/// of a motion without a harmonic load in s follows, with the texts of inputs over time. Flags ask for one period of the
+/// steady state and for the spectra.
 type RunKeywords<'py> = (
     Optional<'py>,
     Optional<'py>,
     Optional<'py>,
     Optional<'py>,
-    Optional<'py>,
+    (Optional<'py>, Vec<String>),
     (bool, bool),
 );
+
+/// Displacements and velocities of all masses.
+type State = (Vec<f64>, Vec<f64>);
 
 /// The samples, the events and the spectra of a motion, each as arrays by the names of the columns. The spectra are
 /// missing unless the caller asks for them.
@@ -44,25 +50,47 @@ type Arrays<'py> = (
     Option<Bound<'py, PyDict>>,
 );
 
-/// Computes samples and events of the free vibration from a state, in SI units.
+/// Computes the motion of a scene with several contacts, or under inputs over time, from a state.
+fn history(
+    system: &System,
+    (from, inputs): (&State, &[Signal]),
+    (until, samples): (f64, u32),
+    friction: f64,
+) -> Result<JoinedHistory, String> {
+    let joined = system.joined().map_err(|error| error.to_string())?;
+    let state = (from.0.as_slice(), from.1.as_slice());
+    if inputs.is_empty() {
+        let run = joined.simulation_without_load(friction, state);
+        let history = run.and_then(|mut run| run.until(until, samples, false));
+        return history.map_err(|error| error.to_string());
+    }
+    let extent = (until, samples as usize);
+    let inputs = SignalInputs::new(inputs, extent, friction).map_err(|error| error.to_string())?;
+    let history = inputs.history(&joined, Some(state));
+    history.map_err(|error| error.to_string())
+}
+
+/// Computes samples and events of the motion from a state, or from rest, in SI units: the free vibration, or the motion
+/// under inputs over time.
 fn free<'py>(
     py: Python<'py>,
     system: &Arc<System>,
-    (from, until, samples): (&Bound<'py, PyAny>, f64, u32),
+    (from, inputs, until, samples): (Option<&Bound<'py, PyAny>>, &[String], f64, u32),
     (friction, of): (&FrictionKeywords<'py>, Optional<'py>),
 ) -> PyResult<Arrays<'py>> {
     let measure = Measure::si(system);
     let friction = FrictionValues::of(friction, &measure)?.only()?.force();
     let masses_at_zero = || vec![0.0; system.scene().masses.len()];
-    let from = match start::is_rest(from)? {
-        true => (masses_at_zero(), masses_at_zero()),
-        false => start::state(from, system, (measure.scale(), 1.0))?,
+    let from = match from {
+        Some(from) if !start::is_rest(from)? => start::state(from, system, (measure.scale(), 1.0))?,
+        _ => (masses_at_zero(), masses_at_zero()),
     };
+    let inputs = signals(system, inputs)?;
     let mut at = Frequency::at(system, 1.0);
     // The history has times in s in place of phases.
     at.omega = 1.0;
     let owned = Arc::clone(system);
-    if system.scene().is_joined() {
+    if system.scene().is_joined() || !inputs.is_empty() {
         if !samples.is_multiple_of(2) {
             return Err(domain(HistoryError::Samples));
         }
@@ -75,12 +103,9 @@ fn free<'py>(
         };
         table.check_in_time("of").map_err(domain)?;
         let history = left_at_interrupt(py, move |_| {
-            let (x, v) = &from;
-            let run = owned.joined()?.simulation_without_load(friction, (x, v));
-            run?.until(until, samples, false)
+            history(&owned, (&from, &inputs), (until, samples), friction)
         })?;
-        let history = history.map_err(|error: JoinedError| domain(error))?;
-        return several(py, &table, (&history, at.omega));
+        return several(py, &table, (&history.map_err(domain)?, at.omega));
     }
     let parts = parts(system, "of", of.as_ref())?;
     let request = FreeRequest {
@@ -221,7 +246,7 @@ pub fn simulate<'py>(
     of: Optional<'py>,
     extent: RunKeywords<'py>,
 ) -> PyResult<Arrays<'py>> {
-    let (cycles, skip, samples, from, until, (steady, spectrum)) = extent;
+    let (cycles, skip, samples, from, (until, inputs), (steady, spectrum)) = extent;
     let system = &system.system;
     let number = |argument, given: &Option<Bound<'py, PyAny>>, least, default| {
         given
@@ -233,14 +258,18 @@ pub fn simulate<'py>(
         let (force, base) = &load;
         let loads = [r, hz, omega, force, base, &cycles, &skip];
         let loaded = steady || spectrum || loads.iter().any(|given| given.is_some());
-        let Some(from) = from.filter(|_| !loaded) else {
+        if loaded || (from.is_none() && inputs.is_empty()) {
             return Err(domain(
-                "until= gives a free vibration: give start and friction too, and leave out the load, its frequency, cycles, skip, steady and spectrum",
+                "until= gives a free vibration: give start and friction too, and leave out the load, its frequency, cycles, skip, steady and spectrum; inputs= gives loads over time",
             ));
-        };
+        }
         let until = one("until", &until)?;
         let samples = number("samples", &samples, 2, 1000)?;
-        return free(py, system, (&from, until, samples), (&friction, of));
+        let run = (from.as_ref(), inputs.as_slice(), until, samples);
+        return free(py, system, run, (&friction, of));
+    }
+    if !inputs.is_empty() {
+        return Err(domain("inputs= needs until=, the end of the motion in s"));
     }
     let frequencies = FrequencyValues::of(system, &frequency, true)?;
     if steady && (cycles.is_some() || skip.is_some()) {

@@ -71,8 +71,18 @@ def test_what_is_of_the_wrong_type(plate):
             Recording(GOOD, **options)
     for wrong in [None, 3, "above.csv", [good, "above.csv"], {"base": BASE}]:
         for ask in (plate.transmissibility, plate.identify, plate.free_decay, plate.drive):
+            if ask == plate.drive and wrong == "above.csv":
+                continue
             with pytest.raises(TypeError, match="is needed"):
                 ask(wrong)
+    with pytest.raises(DomainError, match="inputs need until="):
+        plate.drive("step 1 mm", friction=1.0)
+    with pytest.raises(DomainError, match="`leap` is no shape"):
+        plate.drive("leap 1 mm", friction=1.0, until=1.0)
+    with pytest.raises(ValueError, match="belong to inputs"):
+        plate.drive(good, friction=1.0, until=1.0)
+    with pytest.raises(DomainError, match="inputs= needs until="):
+        plate.simulate(inputs="step 1 mm", friction=1.0, hz=1.0, base=1e-3)
     with pytest.raises(TypeError, match="a Recording is needed, not Observation"):
         plate.transmissibility([Observation(hz=1.0, base=1.0)])
     for ask in (plate.transmissibility, plate.identify):

@@ -41,10 +41,18 @@ impl Summary {
             scene: scene.name.clone(),
             natural_frequencies,
             resonances: system.resonances().to_vec(),
-            description: description(scene, !measure.is_free()),
+            description: description(scene, measure.is_free().then_some("no load")),
             base_motion: scene.excitation == Excitation::Base,
             hertz,
             measure,
+        }
+    }
+
+    /// Says that inputs over time act on the scene.
+    pub fn under_inputs(self, scene: &Scene) -> Self {
+        Self {
+            description: description(scene, Some("inputs over time")),
+            ..self
         }
     }
 
@@ -104,10 +112,12 @@ pub fn row(values: &[f64]) -> String {
     cells.join("  ")
 }
 
-/// Describes the excitation of a scene in a few words.
-fn excitation(scene: &Scene, loaded: bool) -> String {
+/// Describes the excitation of a scene in a few words. `load` has words for a load that is not the excitation.
+fn excitation(scene: &Scene, load: Option<&str>) -> String {
+    if let Some(load) = load {
+        return load.to_owned();
+    }
     match scene.excitation {
-        _ if !loaded => "no load".to_owned(),
         Excitation::Base => "base motion".to_owned(),
         Excitation::Force(index) => {
             let mass = scene.masses.get(index).map_or("?", |mass| &mass.name);
@@ -117,7 +127,7 @@ fn excitation(scene: &Scene, loaded: bool) -> String {
 }
 
 /// Describes a scene with several contacts or dashpots in a few words.
-fn joints(scene: &Scene, masses: &str, loaded: bool) -> String {
+fn joints(scene: &Scene, masses: &str, load: Option<&str>) -> String {
     let ends = |from, to| format!("{} - {}", scene.node_name(from), scene.node_name(to));
     let contacts = scene.named_contacts().into_iter().map(|contact| {
         let stiffness = contact.law.stiffness.map_or_else(String::new, |stiffness| {
@@ -151,18 +161,18 @@ fn joints(scene: &Scene, masses: &str, loaded: bool) -> String {
         format!("constant force {:?} on {mass}", own.force)
     });
     let parts = contacts.chain(dampers).chain(stops).chain(constant);
-    let parts = parts.chain([excitation(scene, loaded)]);
+    let parts = parts.chain([excitation(scene, load)]);
     format!("{masses}, {}", parts.collect::<Vec<_>>().join(", "))
 }
 
 /// Describes a scene in a few words.
-fn description(scene: &Scene, loaded: bool) -> String {
+fn description(scene: &Scene, load: Option<&str>) -> String {
     let masses = match scene.masses.len() {
         1 => "1 mass".to_owned(),
         count => format!("{count} masses"),
     };
     if scene.is_joined() {
-        return joints(scene, &masses, loaded);
+        return joints(scene, &masses, load);
     }
     let name = match scene.contact_name.as_str() {
         CONTACT => String::new(),
@@ -170,7 +180,7 @@ fn description(scene: &Scene, loaded: bool) -> String {
     };
     let from = scene.node_name(scene.contact.from);
     let to = scene.node_name(scene.contact.to);
-    let excitation = excitation(scene, loaded);
+    let excitation = excitation(scene, load);
     let damping = match &scene.damping {
         Damping::None => "undamped",
         Damping::Uniform(_) | Damping::Modal(_) => "modal damping",

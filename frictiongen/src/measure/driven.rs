@@ -3,16 +3,16 @@
 use super::Inputs;
 use super::columns::{DrivenSample, DrivenTable};
 use crate::study::joined::{Joined, JoinedError, JoinedInput, JoinedStepper};
-use crate::study::scene::{Excitation, Scene};
+use crate::study::scene::Excitation;
 use frictiongen_kernel::stepper::Work;
 use std::fmt;
 
 /// Function that sees the motion at every sample: the stepper, the displacement and the velocity of the base, and the
 /// number of events since the previous sample. The motion ends early if the function returns false.
-type Visit<'v> = &'v mut dyn FnMut(&JoinedStepper<'_>, [f64; 2], usize) -> bool;
+pub(super) type Visit<'v> = &'v mut dyn FnMut(&JoinedStepper<'_>, [f64; 2], usize) -> bool;
 
 /// Displacements in m and velocities in m/s of all masses.
-type GivenState<'s> = (&'s [f64], &'s [f64]);
+pub(super) type GivenState<'s> = (&'s [f64], &'s [f64]);
 
 /// Motion of a scene under a recorded input.
 #[derive(Clone, Debug)]
@@ -37,6 +37,24 @@ impl DrivenMotion {
     }
 }
 
+/// Inputs that drive a scene over time: a recording, or signals in closed form.
+#[doc(hidden)]
+pub trait Drive: Send + Sync {
+    /// Returns the number of samples of the motion.
+    fn samples(&self) -> usize;
+
+    /// Follows the motion from the first sample to the last, and calls `visit` at each of them.
+    ///
+    /// # Errors
+    /// [`DriveError::Sample`] for the first step that fails.
+    fn follow(
+        &self,
+        step: &mut JoinedStepper<'_>,
+        joined: &Joined<'_>,
+        visit: Visit<'_>,
+    ) -> Result<(), DriveError>;
+}
+
 /// Reason why the motion under a recorded input fails.
 #[derive(Clone, Debug)]
 pub enum DriveError {
@@ -44,6 +62,8 @@ pub enum DriveError {
     Step(f64),
     /// The step that ends at a sample fails.
     Sample(usize, JoinedError),
+    /// This number of steps has more events than the stepper follows.
+    Events(u64),
 }
 
 impl fmt::Display for DriveError {
@@ -53,7 +73,11 @@ impl fmt::Display for DriveError {
                 f,
                 "the samples are {dt:?} s apart: too far for the fastest mode of the scene"
             ),
-            Self::Sample(sample, error) => write!(f, "sample {sample} of the recording: {error}"),
+            Self::Sample(sample, error) => write!(f, "sample {sample} of the input: {error}"),
+            Self::Events(steps) => write!(
+                f,
+                "{steps} steps have more events than the stepper follows; take more samples"
+            ),
         }
     }
 }
@@ -76,17 +100,20 @@ impl Inputs<'_> {
         let step = joined.stepper_from(self.dt(), (x, v));
         step.map_err(|_| DriveError::Step(self.dt()))
     }
+}
 
-    /// Follows the motion from the first sample to the last, and calls `visit` at each of them.
-    ///
-    /// # Errors
-    /// [`DriveError::Sample`] for the first step that fails.
-    pub fn follow(
+impl Drive for Inputs<'_> {
+    fn samples(&self) -> usize {
+        self.len()
+    }
+
+    fn follow(
         &self,
         step: &mut JoinedStepper<'_>,
-        scene: &Scene,
+        joined: &Joined<'_>,
         visit: Visit<'_>,
     ) -> Result<(), DriveError> {
+        let scene = joined.scene();
         let excited = match scene.excitation {
             Excitation::Force(mass) => scene.masses.get(mass).map(|mass| mass.name.as_str()),
             Excitation::Base => None,
@@ -125,17 +152,17 @@ impl DrivenTable<'_> {
     /// if `goes_on` returns false.
     ///
     /// # Errors
-    /// Same errors as [`Inputs::follow`].
+    /// Same errors as [`Drive::follow`].
     pub fn motion(
         &self,
         joined: &Joined<'_>,
-        (inputs, mut step): (&Inputs<'_>, JoinedStepper<'_>),
+        (inputs, mut step): (&dyn Drive, JoinedStepper<'_>),
         goes_on: &dyn Fn() -> bool,
     ) -> Result<DrivenMotion, DriveError> {
         let signs = (0..self.names.len()).map(|contact| joined.sign(contact));
         let signs: Vec<f64> = signs.collect();
-        let mut samples = Vec::with_capacity(inputs.len());
-        inputs.follow(&mut step, joined.scene(), &mut |step, base, events| {
+        let mut samples = Vec::with_capacity(inputs.samples());
+        inputs.follow(&mut step, joined, &mut |step, base, events| {
             let contacts = step.contacts().into_iter().zip(&signs);
             let contacts = contacts.map(|(now, sign)| now.signed(*sign)).collect();
             let instant = (step.time(), events);

@@ -152,6 +152,13 @@ pub enum MeasureError {
     NoFit,
     /// The request does not apply to this scene, or one of its arguments is out of range.
     Asked(&'static str),
+    /// The text of a signal is wrong, or the scene cannot have the signal.
+    Signal {
+        /// Text of the signal. It is empty if the message is about several signals.
+        text: String,
+        /// Description of the mistake, as text for the message.
+        what: String,
+    },
     /// A free decay has too few peaks above the noise. The field is the number of peaks found.
     FewPeaks(usize),
     /// The peaks of a free decay do not decrease.
@@ -324,6 +331,8 @@ impl std::fmt::Display for MeasureError {
             ),
             Self::NoFit => write!(f, "the least-squares fit does not converge"),
             Self::Asked(what) => f.write_str(what),
+            Self::Signal { text, what } if text.is_empty() => f.write_str(what),
+            Self::Signal { text, what } => write!(f, "`{text}`: {what}"),
             Self::FewPeaks(count) => write!(
                 f,
                 "the free decay has {count} peaks above its noise: at least 4 are needed"

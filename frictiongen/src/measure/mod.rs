@@ -10,6 +10,7 @@
 //! * [`System::fit_sweep`](crate::System::fit_sweep): frequencies, mass and stiffness ratios from sweeps without
 //!   friction (4.1, 6.15 to 6.20).
 //! * [`Inputs`]: inputs of a scene's stepper, from a recording.
+//! * [`Signal`]: an input in closed form, such as a step, a pulse or a chirp.
 //! * [`Recording::regression`]: mass and friction of an axis that has no spring.
 //!
 //! On a microcontroller, [`crate::watch`] computes the amplitude of a signal at one frequency, sample by sample.
@@ -26,6 +27,7 @@ mod measured;
 mod motion;
 mod recording;
 mod regression;
+mod signal;
 mod spectrum;
 mod statistics;
 mod steady;
@@ -36,7 +38,7 @@ pub use decay::FreeDecay;
 pub use drive::DriveSample;
 pub use drive::Inputs;
 #[doc(hidden)]
-pub use driven::{DriveError, DrivenMotion};
+pub use driven::{Drive, DriveError, DrivenMotion};
 pub use error::MeasureError;
 pub use error::unit_of;
 pub use identify::{
@@ -46,6 +48,7 @@ pub use measured::{Measured, Transmissibility};
 pub use motion::MotionFit;
 pub use recording::{Channel, CsvColumn, CsvRequest, Dimension, Recording, Unit};
 pub use regression::Regression;
+pub use signal::{Signal, SignalInputs};
 pub use spectrum::{PeakResponse, periods, response_spectrum};
 pub use sweep::{SweepFit, SweepPoint, two_storeys};
 pub use tone::HARMONICS;

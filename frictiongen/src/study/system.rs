@@ -360,7 +360,7 @@ impl<S: Float> System<S> {
     }
 
     /// Fails if the description has no field `excitation`.
-    pub(super) fn loaded(&self) -> Result<(), Unsupported> {
+    pub(crate) fn loaded(&self) -> Result<(), Unsupported> {
         match self.is_loaded {
             true => Ok(()),
             false => Err(Unsupported::NoExcitation),

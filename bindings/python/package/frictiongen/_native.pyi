@@ -9,6 +9,7 @@ _Frequency = tuple[Any | None, Any | None, Any | None]
 _Friction = tuple[Any | None, Any | None]
 _Load = tuple[Any | None, Any | None]
 _Driven = tuple[_Load, Any | None]
+_Driver = "Recording | tuple[list[str], Any | None, Any | None]"
 _Columns = dict[str, Any]
 _Beginning = tuple[Any | None, Any | None, Any | None]
 
@@ -147,7 +148,9 @@ def simulate(
     friction: _Friction,
     load: _Load,
     of: Any | None,
-    extent: tuple[Any | None, Any | None, Any | None, Any | None, Any | None, tuple[bool, bool]],
+    extent: tuple[
+        Any | None, Any | None, Any | None, Any | None, tuple[Any | None, list[str]], tuple[bool, bool]
+    ],
 ) -> tuple[_Columns, _Columns, _Columns | None]: ...
 def step(
     system: System,
@@ -158,10 +161,10 @@ def step(
     beginning: _Beginning,
 ) -> _Columns: ...
 def drive(
-    system: System, recording: Recording, keywords: tuple[Any | None, Any | None, Any | None, Any | None]
+    system: System, driver: _Driver, keywords: tuple[Any | None, Any | None, Any | None, Any | None]
 ) -> _Columns: ...
 def drive_peaks(
-    system: System, recording: Recording, keywords: tuple[Any | None, Any | None, Any | None, Any | None]
+    system: System, driver: _Driver, keywords: tuple[Any | None, Any | None, Any | None, Any | None]
 ) -> _Columns: ...
 def response_spectrum(system: System, recording: Recording, damping: Any) -> _Columns: ...
 def optimum(

@@ -133,17 +133,20 @@ pub struct TimeArguments {
     /// x1,...;v1,... in m and m/s under a load and with --until, otherwise non-dimensional
     #[arg(long, value_name = "STATE", allow_hyphen_values = true)]
     pub from: Option<String>,
-    /// Print the free vibration from the state --from until this time in s, without a load, in N and m. The description
-    /// needs no `excitation`
+    /// Print the motion until this time in s, in N and m: the free vibration from the state --from, or the motion under
+    /// --input. The description needs no `excitation`
     #[arg(
         long,
         value_name = "S",
         allow_hyphen_values = true,
-        requires = "from",
         group = "FrequencyArguments",
         conflicts_with_all = ["beta", "force", "base", "unbalance", "cycles", "skip", "steady", "spectrum"]
     )]
     pub until: Option<String>,
+    /// Input over time, instead of a harmonic load, for example "step 5 N from 0.5 s" or "sine 0.2 g at 2 Hz for 3 s"; may
+    /// be given more than once
+    #[arg(long, value_name = "TEXT", requires = "until")]
+    pub input: Vec<String>,
     /// Print one period of the steady state instead of a run from the initial state
     #[arg(long, conflicts_with_all = ["cycles", "skip"])]
     pub steady: bool,

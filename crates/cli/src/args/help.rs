@@ -213,6 +213,21 @@ Free vibrations:
   --from \"x1,x2;v1,v2\" --until S --friction F  the motion from this state, in m and m/s, during S seconds without
                         a load. A moving base is at rest. The output has times in s, m, m/s and N
 
+Inputs:
+  --input TEXT --until S --friction F  the motion under inputs in closed form, from rest or --from, in s, m, m/s and N
+  const 5 N                         5 N at all times
+  step 5 N from 1 s                 5 N from 1 s on; `for 3 s` ends it after 3 s
+  ramp 5 N from 1 s for 2 s         a straight line from 0 to 5 N in 2 s, then 5 N
+  sine 5 N at 2 Hz from 1 s         5 sin(2 pi 2 (t - 1)) N from 1 s on; `for 3 s` ends it after 3 s
+  half-sine 10 g from 1 s for 11 ms   a pulse, one half wave of a sine
+  rectangle 10 g from 1 s for 11 ms   a rectangular pulse
+  chirp 5 N at 1 Hz to 9 Hz for 20 s  a sine whose frequency changes linearly from 1 Hz to 9 Hz in 20 s
+  Without `from` an input starts at 0 s. A force acts on the mass of `excitation`, or on the mass of `on NAME`. The
+  units of forces and motions are those of recordings: N, kN, mm, m/s, m/s2, g. The unit of a motion moves the base.
+  Several inputs act together, but only one can move the base. At a jump, a sample has the state before the jump. All
+  inputs are exact but a chirp. It consists of pieces of constant frequency, and its error is at most 1e-6 of the
+  amplitude.
+
 Events:
   The events are stop, break-away, and reversal (the contact changes its direction without a stop). The
   instants are exact. The list has all events between the first and the last sample.

@@ -107,8 +107,10 @@ pub enum Command {
     /// Fit natural frequencies, mass ratios and stiffness ratios to a sweep without friction
     #[command(after_help = FITS)]
     Fit(FitArguments),
-    /// Compute the motion under a recorded force or base motion, step by step
-    #[command(after_help = DRIVES)]
+    /// Compute the motion under a recorded force or base motion, or under an input in closed form, step by step
+    #[command(after_help = DRIVES, mut_arg("recordings", |recordings| {
+        recordings.required(false).required_unless_present("input")
+    }))]
     Drive(DriveArguments),
     /// Write tables of the limits, the contact motion and stuck responses, to a declared accuracy
     #[command(after_help = TABLES)]

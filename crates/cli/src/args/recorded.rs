@@ -127,6 +127,22 @@ pub struct DriveArguments {
     /// Arguments for the description and the recordings.
     #[command(flatten)]
     pub recordings: RecordingArguments,
+    /// Input over time, instead of a recording, for example "step 5 N from 0.5 s" or "half-sine 10 g for 11 ms"; may be
+    /// given more than once. `frictiongen time --help` lists all inputs
+    #[arg(
+        long,
+        value_name = "TEXT",
+        requires = "until",
+        requires = "friction",
+        conflicts_with_all = ["recordings", "channel", "rate", "after", "spectrum"]
+    )]
+    pub input: Vec<String>,
+    /// End of the motion under --input, in s
+    #[arg(long, value_name = "S", allow_hyphen_values = true, requires = "input")]
+    pub until: Option<String>,
+    /// Number of sample intervals of the motion under --input [default: 1000]
+    #[arg(long, value_name = "N", allow_hyphen_values = true, requires = "input")]
+    pub samples: Option<String>,
     /// Kinetic friction force F in N, constant over time; with --peaks also a grid of forces [default: the channel
     /// `friction` of the recording]
     #[arg(long, value_name = "F", allow_hyphen_values = true)]
@@ -174,6 +190,11 @@ Recording:
   A PEER AT2 record (a header with NPTS and DT, then accelerations in g) needs no option.
   At the first sample all masses are at rest relative to the base, and displacements are 0. The base has the
   first recorded velocity there; with displacements or accelerations its velocity is 0.
+
+Inputs (--input TEXT --until S):
+  An input in closed form takes the place of the recording, as in `frictiongen time`. All masses start at rest with
+  the displacement 0, and the base then moves or jumps.
+  --input \"half-sine 10 g for 11 ms\"   --input \"step 5 N on roof from 0.5 s\"
 
 Quantities:
   displacement, velocity  motion of a mass, or relative motion of the contact. If the base moves, the motion of

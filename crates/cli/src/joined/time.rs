@@ -3,15 +3,17 @@
 use super::{Asked, Question};
 use crate::destination::OutputFormat;
 use crate::failure::Failure;
-use crate::from::state;
+use crate::from::{self, state};
 use crate::layout::Layout;
 use crate::output::{self, ResultTable, Visitor};
 #[cfg(feature = "pictures")]
 use crate::picture::short;
+use crate::recorded::signals;
 use crate::time::asked::TimeRequest as Length;
 use frictiongen::study::columns::{Column, Frequency, JoinedEventRow, JoinedSample};
 use frictiongen::study::joined::JoinedHistory;
 use frictiongen::study::scene::Scene;
+use serde_json::{Value as Json, json};
 use std::io::Write;
 
 /// Length, initial state and form of a motion over time.
@@ -20,8 +22,10 @@ pub struct OfTime<'a> {
     pub asked: Length,
     /// Initial state of the motion, as the text of the option `--from`.
     pub from: Option<&'a str>,
-    /// End of a free vibration in s. `None` for a motion under a load.
+    /// End in s of a free vibration or of a motion under `inputs`. `None` for a motion under a harmonic load.
     pub until: Option<f64>,
+    /// Inputs over time, as the texts of the option `--input`.
+    pub inputs: &'a [String],
     /// True if the output contains the events instead of samples.
     pub events: bool,
 }
@@ -59,12 +63,17 @@ pub(super) fn write(
         let motion = (&history, frequency);
         return super::draw::motion(question, motion, &caption, (form, out));
     }
-    let (history, summary) = (&history, question.summary());
+    let (history, mut summary) = (&history, question.summary());
+    let inputs = time.inputs;
+    if !inputs.is_empty() {
+        summary = summary.under_inputs(question.system.scene());
+    }
     if time.events {
         let report = EventsReport {
             question,
             history,
             omega,
+            inputs,
         };
         return output::write(&report, &summary, form, out);
     }
@@ -72,6 +81,7 @@ pub(super) fn write(
         question,
         history,
         omega,
+        inputs,
     };
     output::write(&report, &summary, form, out)
 }
@@ -94,7 +104,11 @@ fn caption(
         None => format!("β = {}", short(friction.beta)),
     };
     if time.until.is_some() {
-        return Ok(format!("{friction}; free vibration"));
+        let kind = match time.inputs {
+            [] => "free vibration".to_owned(),
+            inputs => inputs.join("; "),
+        };
+        return Ok(format!("{friction}; {kind}"));
     }
     let kind = match (time.asked.steady, time.from) {
         (true, _) => "steady state, one period",
@@ -115,8 +129,19 @@ fn history(
     if let Some(until) = time.until {
         // The history has times in s in place of phases.
         frequency.omega = 1.0;
-        let from = time.from.unwrap_or_default();
-        let (x, v) = state(from, question.system, question.measure.scale(), 1.0)?;
+        let from = time.from.filter(|text| text.trim() != from::REST);
+        let state = from.map(|text| state(text, question.system, question.measure.scale(), 1.0));
+        let state = state.transpose()?;
+        let samples = time.asked.samples as usize;
+        if !time.inputs.is_empty() {
+            let signals = signals::parsed(question.system, time.inputs)?;
+            let inputs = signals::inputs(&signals, (until, samples), friction.force())?;
+            let state = state.as_ref().map(|(x, v)| (x.as_slice(), v.as_slice()));
+            let history = inputs.history(question.joined, state);
+            return Ok((history.map_err(Failure::new)?, frequency));
+        }
+        let masses = question.system.scene().masses.len();
+        let (x, v) = state.unwrap_or_else(|| (vec![0.0; masses], vec![0.0; masses]));
         let run = question.joined;
         let run = run.simulation_without_load(friction.force(), (&x, &v));
         let mut run = run.map_err(Failure::new)?;
@@ -148,11 +173,25 @@ fn history(
     Ok((history.map_err(Failure::new)?, frequency))
 }
 
+/// Returns the JSON fields of the inputs over time.
+fn head(inputs: &[String]) -> Vec<(String, Json)> {
+    match inputs {
+        [] => Vec::new(),
+        inputs => vec![("inputs".to_owned(), json!(inputs))],
+    }
+}
+
+/// Returns the lines of the inputs over time before a table.
+fn preamble(inputs: &[String]) -> Vec<(&'static str, String)> {
+    inputs.iter().map(|text| ("input", text.clone())).collect()
+}
+
 /// The samples of a motion over time, with the options for the output.
 struct SamplesReport<'m> {
     question: &'m Question<'m>,
     history: &'m JoinedHistory,
     omega: f64,
+    inputs: &'m [String],
 }
 
 /// The events of a motion over time, with the options for the output.
@@ -160,6 +199,7 @@ struct EventsReport<'m> {
     question: &'m Question<'m>,
     history: &'m JoinedHistory,
     omega: f64,
+    inputs: &'m [String],
 }
 
 impl<'m> ResultTable for SamplesReport<'m> {
@@ -186,6 +226,14 @@ impl<'m> ResultTable for SamplesReport<'m> {
     fn layout(&self) -> Layout {
         Layout::Lists
     }
+
+    fn head(&self) -> Vec<(String, Json)> {
+        head(self.inputs)
+    }
+
+    fn preamble(&self) -> Vec<(&'static str, String)> {
+        preamble(self.inputs)
+    }
 }
 
 impl<'m> ResultTable for EventsReport<'m> {
@@ -211,5 +259,13 @@ impl<'m> ResultTable for EventsReport<'m> {
 
     fn layout(&self) -> Layout {
         Layout::Lists
+    }
+
+    fn head(&self) -> Vec<(String, Json)> {
+        head(self.inputs)
+    }
+
+    fn preamble(&self) -> Vec<(&'static str, String)> {
+        preamble(self.inputs)
     }
 }

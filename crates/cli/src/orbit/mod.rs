@@ -56,6 +56,7 @@ pub fn run(arguments: &OrbitArguments, out: &mut dyn Write) -> Result<(), Failur
                     asked: time::asked::TimeRequest::PERIOD,
                     from: None,
                     until: None,
+                    inputs: &[],
                     events: false,
                 };
                 return asked.time(description.scene, &period, form, out);

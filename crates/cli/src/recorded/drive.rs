@@ -2,10 +2,10 @@
 
 use super::driven::DrivenReport;
 use super::peaks::PeaksReport;
-use super::read;
 use super::spectrum::ResponseSpectrumReport;
+use super::{read, signals};
 use crate::args::{DriveArguments, RecordingArguments};
-use crate::asked::{number_that, without_rates};
+use crate::asked::{number_that, whole, without_rates};
 use crate::destination::Destination;
 use crate::failure::Failure;
 use crate::grid::{self, GridQuantity};
@@ -14,8 +14,10 @@ use crate::measure::Measure;
 use crate::output;
 use crate::summary::Summary;
 use frictiongen::System;
-use frictiongen::measure::Inputs;
 use frictiongen::measure::columns::{DrivenTable, PeakQuantities, driven_parts};
+use frictiongen::measure::{Drive, Recording, Signal};
+use frictiongen::study::history::MOST_SAMPLES;
+use frictiongen::study::joined::{Joined, JoinedStepper};
 use std::io::Write;
 
 /// Runs `frictiongen drive`.
@@ -45,18 +47,15 @@ pub fn run(arguments: &DriveArguments, out: &mut dyn Write) -> Result<(), Failur
     }
     let joined = system.joined().map_err(Failure::new)?;
     let names = joined.contact_names();
-    let recording = files.inputs()?;
-    let inputs = |friction| read::drive(files, &recording, &system, (friction, after));
+    let source = Source::of(arguments, &system, after)?;
     let asked = (names.as_slice(), arguments.of.as_slice());
-    let begun = |inputs: &Inputs<'_>| inputs.joined_stepper(&joined, None).map_err(Failure::new);
     if arguments.peaks {
         let quantities = PeakQuantities::named(&system, "--of", asked).map_err(Failure::new)?;
         let mut rows = Vec::new();
         for friction in frictions {
-            let inputs = inputs(friction)?;
-            let mut step = begun(&inputs)?;
+            let (inputs, mut step) = source.begin(files, &joined, (&system, friction))?;
             quantities.follow(&mut step).map_err(Failure::new)?;
-            let found = quantities.rows(&joined, (&inputs, step), friction, &|| true);
+            let found = quantities.rows(&joined, (&*inputs, step), friction, &|| true);
             rows.extend(found.map_err(Failure::new)?);
         }
         let system = &system;
@@ -72,8 +71,8 @@ pub fn run(arguments: &DriveArguments, out: &mut dyn Write) -> Result<(), Failur
         has_slips: true,
     };
     let friction = frictions.first().copied().flatten();
-    let inputs = inputs(friction)?;
-    let motion = table.motion(&joined, (&inputs, begun(&inputs)?), &|| true);
+    let (inputs, step) = source.begin(files, &joined, (&system, friction))?;
+    let motion = table.motion(&joined, (&*inputs, step), &|| true);
     let motion = motion.map_err(Failure::new)?;
     let driven = DrivenReport { table, motion };
     destination.write(out, |out| {
@@ -83,6 +82,51 @@ pub fn run(arguments: &DriveArguments, out: &mut dyn Write) -> Result<(), Failur
         }
         output::write(&driven, &summary, form, out)
     })
+}
+
+/// The inputs that drive the scene.
+enum Source {
+    /// A recording, followed by this time in s.
+    Recorded(Recording, f64),
+    /// Inputs in closed form, with the end of the motion in s and its number of sample intervals.
+    Signals(Vec<Signal>, (f64, usize)),
+}
+
+/// Inputs, and a stepper of the scene at their first sample.
+type Begun<'i, 's> = (Box<dyn Drive + 'i>, JoinedStepper<'s>);
+
+impl Source {
+    fn of(arguments: &DriveArguments, system: &System, after: f64) -> Result<Self, Failure> {
+        let Some(until) = &arguments.until else {
+            return Ok(Self::Recorded(arguments.recordings.inputs()?, after));
+        };
+        let until = number_that("--until", until, |time| 0.0 < time, "a time in s above 0")?;
+        let samples = arguments.samples.as_deref().unwrap_or("1000");
+        let samples = whole("--samples", samples, 1..=MOST_SAMPLES as u32)?;
+        let signals = signals::parsed(system, &arguments.input)?;
+        Ok(Self::Signals(signals, (until, samples as usize)))
+    }
+
+    /// Begins the motion at one friction force in N, or under the recorded friction.
+    fn begin<'i, 's>(
+        &'i self,
+        files: &RecordingArguments,
+        joined: &Joined<'s>,
+        (system, friction): (&System, Option<f64>),
+    ) -> Result<Begun<'i, 's>, Failure> {
+        match self {
+            Self::Recorded(recording, after) => {
+                let inputs = read::drive(files, recording, system, (friction, *after))?;
+                let step = inputs.joined_stepper(joined, None);
+                Ok((Box::new(inputs), step.map_err(Failure::new)?))
+            }
+            Self::Signals(signals, extent) => {
+                let inputs = signals::inputs(signals, *extent, friction.unwrap_or(0.0))?;
+                let step = inputs.stepper(joined, None);
+                Ok((Box::new(inputs), step.map_err(Failure::new)?))
+            }
+        }
+    }
 }
 
 /// Returns the friction forces of the option `--friction`, or `None` for the friction of the recording. Only `--peaks`

@@ -10,6 +10,7 @@ mod identify;
 mod lines;
 mod peaks;
 mod read;
+pub mod signals;
 mod spectrum;
 mod transmissibility;
 

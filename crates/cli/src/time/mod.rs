@@ -82,6 +82,7 @@ pub fn run(arguments: &TimeArguments, out: &mut dyn Write) -> Result<(), Failure
             asked,
             from: run_from,
             until: None,
+            inputs: &[],
             events: arguments.events,
         };
         return destination.write(out, |out| {
@@ -165,7 +166,7 @@ fn write(
     }
 }
 
-/// Writes the free vibration from the state --from.
+/// Writes the motion without a harmonic load: the free vibration from the state --from, or the motion under --input.
 fn free(
     arguments: &TimeArguments,
     (until, asked): (&str, &TimeRequest),
@@ -174,17 +175,23 @@ fn free(
 ) -> Result<(), Failure> {
     let form = destination.form;
     let until = number_that("--until", until, |time| 0.0 < time, "a time in s above 0")?;
+    if arguments.from.is_none() && arguments.input.is_empty() {
+        return Err(Failure::new(
+            "--until needs the state --from of a free vibration, or an input over time, --input",
+        ));
+    }
     let frictions = Frictions::parse(&arguments.point.friction, None)?;
     let system = arguments.point.file.maybe_unloaded()?;
     let measure = Measure::si(&system);
     let frictions = frictions.under(&measure)?;
     let friction = frictions.only()?;
     let from = arguments.from.as_deref();
-    if system.scene().is_joined() {
+    if system.scene().is_joined() || !arguments.input.is_empty() {
         let of_time = joined::OfTime {
             asked: *asked,
             from,
             until: Some(until),
+            inputs: &arguments.input,
             events: arguments.events,
         };
         return destination.write(out, |out| {

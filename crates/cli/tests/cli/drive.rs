@@ -165,7 +165,7 @@ fn says_what_is_wrong_with_a_recording() {
             "below",
             "time_s,base_mm,friction_N\n0,0,1\n0.01,1,-1\n",
             None,
-            "sample 1 of the recording",
+            "sample 1 of the input",
         ),
     ] {
         let path = file(name, text);

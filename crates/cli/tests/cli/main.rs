@@ -19,6 +19,7 @@ mod first_hour;
 mod first_steps;
 mod from;
 mod hints;
+mod inputs;
 mod joined;
 mod limits;
 mod map;

@@ -84,7 +84,7 @@ fn commands_on_a_damper_run() {
     }
     assert!(folder.join("curve.csv").exists() && folder.join("curve.json").exists());
     std::fs::remove_dir_all(&folder).unwrap();
-    assert_eq!(run, 9);
+    assert_eq!(run, 11);
 }
 
 /// Checks the best frictions of five storeys.

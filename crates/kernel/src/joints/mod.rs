@@ -90,7 +90,7 @@ pub use state::{FREE, IMPACT, STUCK, State};
 pub use steady::{MAX_PERIOD, Place, Soon, Steady};
 pub use stepper::{
     Layout, MAX_STEP, MAX_STEP_EVENTS, MAX_TABLE_CONTACTS, MAX_TABLE_ENTRIES, Pace, Sample, Saved,
-    Stepped, Stepper, fill, image_bytes, image_step,
+    Span, Stepped, Stepper, fill, image_bytes, image_step,
 };
 pub use stuck::StuckResponse;
 pub use table::{Leap, NoTables, Table, Tables};

@@ -2,7 +2,7 @@
 
 use super::driven::part_beside;
 use crate::Of;
-use crate::measure::{DriveError, Inputs};
+use crate::measure::{Drive, DriveError};
 use crate::study::System;
 use crate::study::columns::{
     Column, Columns, Head, Measure, MovingPart, PhysicalQuantity, TableRow,
@@ -73,15 +73,15 @@ impl PeakQuantities {
     /// The rows contain the friction force if the caller gives it. The motion ends early if `goes_on` returns false.
     ///
     /// # Errors
-    /// Same errors as [`Inputs::follow`].
+    /// Same errors as [`Drive::follow`].
     pub fn rows(
         &self,
         joined: &Joined<'_>,
-        (inputs, mut step): (&Inputs<'_>, JoinedStepper<'_>),
+        (inputs, mut step): (&dyn Drive, JoinedStepper<'_>),
         friction: Option<f64>,
         goes_on: &dyn Fn() -> bool,
     ) -> Result<Vec<PeakRow>, DriveError> {
-        inputs.follow(&mut step, joined.scene(), &mut |_, _, _| goes_on())?;
+        inputs.follow(&mut step, joined, &mut |_, _, _| goes_on())?;
         let found = self.0.iter().zip(step.peaks());
         let rows = found.map(|((part, _), peak)| PeakRow {
             friction,

@@ -69,7 +69,7 @@ pub use peaks::Peak;
 pub use scene::Joined;
 pub use sensitivity::{JoinedSensitivities, JoinedSensitivity};
 pub use simulation::{JoinedContactNow, JoinedEvent, JoinedSimulation};
-pub use stepper::{JoinedInput, JoinedStepper};
+pub use stepper::{JoinedInput, JoinedSpan, JoinedStepper};
 pub use units::AnswerUnits;
 pub(in crate::study) use waveform::Course;
 pub use waveform::Waveform;

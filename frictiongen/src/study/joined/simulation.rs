@@ -205,8 +205,21 @@ impl<'a> JoinedSimulation<'a> {
     }
 
     fn events(&self, transitions: &[(Transition, Vec<f64>)]) -> Vec<JoinedEvent> {
-        let names = self.joined.contact_names();
-        let contacts = names.len() - self.joined.scene().joints.stops.len();
+        let tau = |time: f64| self.omega * time;
+        self.joined.events(transitions, &tau, self.units.length)
+    }
+}
+
+impl Joined<'_> {
+    /// Returns one event for each contact that changes its state. `tau` converts the time of an event to its phase.
+    pub(super) fn events(
+        &self,
+        transitions: &[(Transition, Vec<f64>)],
+        tau: &dyn Fn(f64) -> f64,
+        length: f64,
+    ) -> Vec<JoinedEvent> {
+        let names = self.contact_names();
+        let contacts = names.len() - self.scene().joints.stops.len();
         let mut events = Vec::new();
         for (transition, places) in transitions {
             let phases = transition.before.iter().zip(&transition.after);
@@ -218,12 +231,12 @@ impl<'a> JoinedSimulation<'a> {
                     _ => Event::Reversal,
                 };
                 events.push(JoinedEvent {
-                    tau: self.omega * transition.time,
+                    tau: tau(transition.time),
                     contact,
                     name: name.clone(),
                     event,
                     is_of_stop: contact >= contacts,
-                    displacements: places.iter().map(|x| x / self.units.length).collect(),
+                    displacements: places.iter().map(|x| x / length).collect(),
                 });
             }
         }

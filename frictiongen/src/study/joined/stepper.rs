@@ -3,12 +3,12 @@
 use super::error::{JoinedError, UnknownContact};
 use super::peaks::{Peak, Peaks};
 use super::scene::Joined;
-use super::simulation::JoinedContactNow;
+use super::simulation::{JoinedContactNow, JoinedEvent};
 use super::slides::Slides;
 use crate::study::joints::{Chain, Heap, Wave};
 use crate::study::response::MotionQuantity;
 use crate::{Given, Of, OutOfDomain};
-use frictiongen_kernel::joints::{Sample, Stepper};
+use frictiongen_kernel::joints::{Curve, Sample, Span, Stepper};
 use frictiongen_kernel::stepper::Work;
 use frictiongen_model::scene::{Excitation, StepInput};
 
@@ -30,6 +30,23 @@ pub struct JoinedInput<'i> {
     pub frictions: &'i [(&'i str, f64)],
 }
 
+/// Input of one step of any length, in the units of the scene description. The time of all functions is 0 at the start of
+/// the step.
+#[derive(Clone, Copy, Debug)]
+pub struct JoinedSpan<'i> {
+    /// Time at the end of the step since the start of the motion, in s.
+    pub end: f64,
+    /// Displacement of the base.
+    pub base: Curve<f64>,
+    /// True if the displacement or the velocity of the base jumps at the start of the step.
+    pub jolts: bool,
+    /// Force of each load of the stepper, in the order of [`Joined::stepper_loaded`].
+    pub forces: &'i [Wave],
+    /// Kinetic friction force of each contact, with the name of the contact. A contact without an entry keeps its
+    /// friction force.
+    pub frictions: &'i [(&'i str, Wave)],
+}
+
 /// Advances a scene with several contacts in time steps of equal length. The units are those of the scene description.
 #[derive(Clone, Debug)]
 pub struct JoinedStepper<'a> {
@@ -39,6 +56,12 @@ pub struct JoinedStepper<'a> {
     frictions: Vec<f64>,
     /// For each contact, the distance that the slider has travelled, and the energy that friction has dissipated.
     slides: Slides,
+    /// Index of the mass on which each load acts.
+    loads: Vec<usize>,
+    /// Time in s at the end of the last step of a length of its own.
+    now: Option<f64>,
+    /// All events since the start, if the caller requests them.
+    events: Option<Vec<JoinedEvent>>,
 }
 
 /// Forces on the masses and friction forces of the contacts in one step, in the order of the scene description.
@@ -69,11 +92,27 @@ impl<'a> Joined<'a> {
     pub fn stepper_from(
         &self,
         dt: f64,
+        state: (&[f64], &[f64]),
+    ) -> Result<JoinedStepper<'a>, JoinedError> {
+        let masses = self.chain().masses.len();
+        self.stepper_loaded(dt, state, (0..masses).collect())
+    }
+
+    /// Returns a stepper that starts from a given state, with one load for each index of a mass in `loads`. Several loads
+    /// may act on one mass.
+    ///
+    /// # Errors
+    /// Same errors as [`stepper`](Self::stepper).
+    #[doc(hidden)]
+    pub fn stepper_loaded(
+        &self,
+        dt: f64,
         (x, v): (&[f64], &[f64]),
+        loads: Vec<usize>,
     ) -> Result<JoinedStepper<'a>, JoinedError> {
         let mut chain: Chain = self.chain().clone();
-        let masses = chain.masses.len();
-        chain.loads = (0..masses).map(|mass| (mass, Wave::default())).collect();
+        let of_mass = loads.iter().map(|mass| (*mass, Wave::default()));
+        chain.loads = of_mass.collect();
         let input = self.scene().stepping.input.into();
         let on_base = self.scene().excitation == Excitation::Base;
         // Without tables the stepper follows power series, from which the distances and energies come.
@@ -84,6 +123,9 @@ impl<'a> Joined<'a> {
             stepper,
             joined: self.clone(),
             frictions: vec![0.0; chain.contacts.len()],
+            loads,
+            now: None,
+            events: None,
         })
     }
 }
@@ -124,6 +166,70 @@ impl JoinedStepper<'_> {
         Ok(stepped.events as usize)
     }
 
+    /// Advances by one step whose end `span` gives. Returns the number of events in the step.
+    ///
+    /// # Errors
+    /// Same errors as [`advance`](Self::advance), and [`OutOfDomain::Step`] for a step that is 0, negative or too long.
+    /// After an error the stepper is unchanged.
+    pub fn advance_over(&mut self, span: JoinedSpan<'_>) -> Result<usize, JoinedError> {
+        let start = self.time();
+        let length = span.end - start;
+        let known = self.joined.contact_names();
+        let mut levels: Vec<Wave> = self.frictions.iter().copied().map(Wave::constant).collect();
+        for (name, level) in span.frictions {
+            if let Some(own) = levels.get_mut(self.joined.contact_index(name)?) {
+                *own = *level;
+            }
+        }
+        for (level, name) in levels.iter().zip(&known) {
+            let ends = [0.0, length].map(|time| level.value(time, 0));
+            if let Some(friction) = ends.iter().find(|end| !(0.0 <= **end && end.is_finite())) {
+                return Err(JoinedError::Friction(name.clone(), Given::of(*friction)));
+            }
+        }
+        let mut slides = self.slides.clone();
+        slides.peaks.start = start;
+        let starts: Vec<f64> = levels.iter().map(|level| level.value(0.0, 0)).collect();
+        self.relax(&mut slides, &starts);
+        let ends: Vec<f64> = levels.iter().map(|level| level.value(length, 0)).collect();
+        for (index, friction) in ends.iter().enumerate() {
+            slides.lead_level(index, *friction);
+        }
+        let span_end = span.end;
+        let span = Span {
+            length,
+            base: span.base,
+            jolts: span.jolts,
+            forces: span.forces,
+            frictions: &levels,
+        };
+        let stepped = self.stepper.advance_over(span, &mut slides)?;
+        let transitions = slides.take_events();
+        if let Some(events) = &mut self.events {
+            events.extend(self.joined.events(&transitions, &|time| start + time, 1.0));
+        }
+        (self.slides, self.frictions) = (slides, ends);
+        self.now = Some(span_end);
+        Ok(stepped.events as usize)
+    }
+
+    /// Keeps the events of all later steps of [`advance_over`](Self::advance_over).
+    pub fn keep_events(&mut self) {
+        self.events = Some(Vec::new());
+    }
+
+    /// Returns the events since [`keep_events`](Self::keep_events), with their times in s.
+    #[must_use]
+    pub fn events(self) -> Vec<JoinedEvent> {
+        self.events.unwrap_or_default()
+    }
+
+    /// Returns displacement and velocity of the base at the end of the last step.
+    #[must_use]
+    pub fn base(&self) -> [f64; 2] {
+        self.stepper.base()
+    }
+
     /// Sets the input at the start of the first step. Without this call, the input at the start is 0. After the call,
     /// the methods of the stepper return the state at the start under this input.
     ///
@@ -153,9 +259,11 @@ impl JoinedStepper<'_> {
         if let Some(value) = input.base.iter().find(is_large) {
             return Err(OutOfDomain::BaseMotion(Given::of(*value)).into());
         }
-        let mut forces = vec![0.0; self.joined.scene().masses.len()];
+        let mut forces = vec![0.0; self.loads.len()];
         for (name, force) in input.forces {
-            if let Some(own) = forces.get_mut(self.joined.mass_index(name)?) {
+            let mass = self.joined.mass_index(name)?;
+            let load = self.loads.iter().position(|own| *own == mass);
+            if let Some(own) = load.and_then(|load| forces.get_mut(load)) {
                 *own += *force;
             }
         }
@@ -189,7 +297,8 @@ impl JoinedStepper<'_> {
     /// Returns the time since the start at the end of the last step, in s.
     #[must_use]
     pub fn time(&self) -> f64 {
-        self.stepper.steps() as f64 * self.stepper.dt()
+        self.now
+            .unwrap_or_else(|| self.stepper.steps() as f64 * self.stepper.dt())
     }
 
     /// Follows the largest absolute values of quantities from the next step on: of a displacement, a velocity, an

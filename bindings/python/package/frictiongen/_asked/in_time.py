@@ -36,12 +36,14 @@ class InTime(Base):
         start: str | tuple[ArrayLike, ArrayLike] | None = None,
         steady: bool = False,
         until: float | None = None,
+        inputs: str | Iterable[str] | None = None,
         spectrum: bool = False,
     ) -> History:
         """Computes the exact motion and all events over time, from rest, from a state, or in the steady state.
 
         With `until`, no load acts: the motion is the free vibration from `start`, and `friction` is in N.  The scene then
-        may have several contacts, and needs no `excitation`.
+        may have several contacts, and needs no `excitation`.  With `inputs`, forces or a motion of the base in closed form
+        act until `until`, such as "step 5 N from 0.5 s" or "half-sine 10 g for 11 ms" (`frictiongen time --help`).
 
         :param cycles: number of cycles of the excitation, 10 by default.
         :param skip: number of cycles before the first sample, 0 by default.
@@ -50,7 +52,8 @@ class InTime(Base):
         :param start: initial displacements and velocities of all masses, in m and m/s with a load and with `until`, or
             "rest".  A run starts from rest by default.  For a steady state, :meth:`orbit` describes the default.
         :param steady: whether to return one period of the steady state instead of a run.
-        :param until: end of the free vibration in s.
+        :param until: end of the free vibration, or of the motion under `inputs`, in s.
+        :param inputs: one or several inputs over time, as texts.
         :param spectrum: whether to return also the spectrum of each motion, for a scene with one contact.
 
         >>> import frictiongen
@@ -63,6 +66,9 @@ class InTime(Base):
         >>> free = frame.simulate(start=([0.004, 0.006], [0, 0]), friction=0.8, until=10)
         >>> str(free.events.event[-1])
         'stop'
+        >>> shock = frame.simulate(inputs="half-sine 2 g for 11 ms", friction=0.8, until=2, samples=100)
+        >>> shock.events.event[:2].tolist()
+        ['slip', 'reversal']
         """
         return History(
             *_native.simulate(
@@ -71,7 +77,7 @@ class InTime(Base):
                 (beta, friction),
                 (force, base),
                 names(of),
-                (cycles, skip, samples, state(start), until, (bool(steady), bool(spectrum))),
+                (cycles, skip, samples, state(start), (until, _texts(inputs)), (bool(steady), bool(spectrum))),
             )
         )
 
@@ -131,35 +137,41 @@ class InTime(Base):
     @overload
     def drive(
         self,
-        recording: Recording,
+        recording: Recording | str | Iterable[str],
         *,
         friction: float | None = None,
         of: str | Iterable[str] | None = None,
         start: tuple[ArrayLike, ArrayLike] | None = None,
-        after: float = 0.0,
+        after: float | None = None,
+        until: float | None = None,
+        samples: int | None = None,
         peaks: Literal[False] = False,
     ) -> Driven: ...
 
     @overload
     def drive(
         self,
-        recording: Recording,
+        recording: Recording | str | Iterable[str],
         *,
         friction: ArrayLike | None = None,
         of: str | Iterable[str] | None = None,
         start: tuple[ArrayLike, ArrayLike] | None = None,
-        after: float = 0.0,
+        after: float | None = None,
+        until: float | None = None,
+        samples: int | None = None,
         peaks: Literal[True],
     ) -> Peaks: ...
 
     def drive(
         self,
-        recording: Recording,
+        recording: Recording | str | Iterable[str],
         *,
         friction: ArrayLike | None = None,
         of: str | Iterable[str] | None = None,
         start: tuple[ArrayLike, ArrayLike] | None = None,
-        after: float = 0.0,
+        after: float | None = None,
+        until: float | None = None,
+        samples: int | None = None,
         peaks: bool = False,
     ) -> Driven | Peaks:
         """Computes the motion of a scene with any number of contacts under a recorded input.
@@ -172,7 +184,7 @@ class InTime(Base):
         at rest relative to the base.
 
         :param recording: recording of the inputs.  `Recording(..., drives=True)` also takes a single or a constant
-            channel.
+            channel.  One or several texts are inputs in closed form, such as "step 5 N from 0.5 s", from rest at 0.
         :param friction: kinetic friction force, N, of which each contact has its share.  With `peaks` it may be a list or
             an array.  The default is the channel `friction`.
         :param of: names of the motions to return: masses, contacts, `roof-base`, `roof-first`, `spring(a-b)`, `shear`.  The
@@ -182,6 +194,8 @@ class InTime(Base):
             base.
         :param after: time in s for which the motion goes on after the recording, without forces and with a base that
             keeps its last recorded displacement, or its last velocity under accelerations.
+        :param until: end of the motion under inputs in closed form, in s.
+        :param samples: number of sample intervals of this motion, 1000 by default.
         :param peaks: whether to return the largest values of quantities instead of the motion.
 
         >>> import frictiongen, numpy
@@ -192,12 +206,12 @@ class InTime(Base):
         True
         >>> frame.drive(recording, friction=[0.2, 0.4], peaks=True, of="upper-lower").unit.tolist()
         ['m', 'm']
+        >>> float(frame.drive("step 0.1 m/s", friction=0.2, until=3, peaks=True, of="upper-base").time_s[0]) < 3
+        True
         """
-        if not isinstance(recording, Recording):
-            raise TypeError(f"a Recording is needed, not {type(recording).__name__}")
         if isinstance(start, Steps):
             raise TypeError("start: displacements and velocities are needed; `step` continues earlier steps")
-        asked = self._native, recording._native, (friction, names(of), after, state(start))
+        asked = self._native, _driver(recording, until, samples), (friction, names(of), after, state(start))
         return Peaks(_native.drive_peaks(*asked)) if peaks else Driven(_native.drive(*asked))
 
     def response_spectrum(self, recording: Recording, *, damping: float) -> ResponseSpectrum:
@@ -222,3 +236,22 @@ def _start(start: tuple[ArrayLike, ArrayLike] | Steps | None) -> tuple[ArrayLike
     if isinstance(start, Steps):
         return start.end
     return cast("tuple[ArrayLike, ArrayLike] | None", state(start))
+
+
+def _driver(
+    recording: Recording | str | Iterable[str], until: float | None, samples: int | None
+) -> _native.Recording | tuple[list[str], float | None, int | None]:
+    if isinstance(recording, Recording):
+        if until is not None or samples is not None:
+            raise ValueError("until and samples belong to inputs in closed form; leave them out, or give after")
+        return recording._native
+    texts = _texts(recording) if isinstance(recording, Iterable) and not isinstance(recording, Mapping) else [recording]
+    if not all(isinstance(text, str) for text in texts):
+        raise TypeError(f"a Recording is needed, or inputs as texts, not {type(recording).__name__}")
+    return texts, until, samples
+
+
+def _texts(inputs: str | Iterable[str] | None) -> list[str]:
+    if inputs is None or isinstance(inputs, str):
+        return [] if inputs is None else [inputs]
+    return list(inputs)

@@ -1,5 +1,9 @@
 //! Advances a stepper by one step.
 
+mod span;
+
+pub use span::Span;
+
 use super::coast::{PIECES, PIECES_PER_EVENT};
 use super::work::Sums;
 use super::{Sample, Stepper};

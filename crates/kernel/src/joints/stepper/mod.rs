@@ -32,7 +32,7 @@ use crate::motion::Total;
 use crate::stepper::Input;
 use crate::stepper::now::elapsed;
 
-pub use advance::{MAX_STEP_EVENTS, Stepped};
+pub use advance::{MAX_STEP_EVENTS, Span, Stepped};
 pub use image::{Saved, image_bytes, image_step};
 pub use table::{Layout, MAX_TABLE_CONTACTS, MAX_TABLE_ENTRIES, fill};
 
