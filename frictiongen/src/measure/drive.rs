@@ -2,10 +2,10 @@
 
 use super::recording::MOTION;
 use super::{Channel, Dimension, MeasureError, Recording};
-use crate::System;
 use crate::study::scene::{Excitation, StepInput};
 use crate::study::stepper::SystemStepper;
 use crate::study::{StudyError, SystemInput};
+use crate::{Error, Given, OutOfDomain, System};
 
 /// Largest difference between the velocities of the base in two steps that counts as rounding of the recorded
 /// displacements, as a multiple of the rounding unit.
@@ -52,7 +52,7 @@ const ON_MASS: &str =
 /// ```
 #[derive(Clone, Debug)]
 pub struct Inputs<'r> {
-    dt: f64,
+    steps: Steps,
     len: usize,
     /// True if each sample of a force acts until the next sample (`input: hold`).
     holds: bool,
@@ -63,6 +63,40 @@ pub struct Inputs<'r> {
     /// The recorded forces on other masses, each with the name of the mass.
     others: Vec<(&'r str, SiChannel<'r>)>,
     friction: DriveFriction<'r>,
+}
+
+/// Lengths of the steps between two samples.
+#[derive(Clone, Debug)]
+enum Steps {
+    /// All steps have this length in s.
+    Even(f64),
+    /// Times of the samples in s, and the length of the shortest step.
+    Uneven(Vec<f64>, f64),
+}
+
+impl Steps {
+    /// Returns the length in s of the step that ends at a sample.
+    fn length(&self, sample: usize) -> f64 {
+        match self {
+            Self::Even(dt) => *dt,
+            Self::Uneven(times, shortest) => {
+                let ends = sample
+                    .checked_sub(1)
+                    .and_then(|before| times.get(before..=sample));
+                ends.map_or(*shortest, |ends| match ends {
+                    [start, end] => end - start,
+                    _ => *shortest,
+                })
+            }
+        }
+    }
+
+    /// Returns the length in s of the shortest step.
+    fn shortest(&self) -> f64 {
+        match self {
+            Self::Even(dt) | Self::Uneven(_, dt) => *dt,
+        }
+    }
 }
 
 /// Motion of the base in the step that ends at a sample.
@@ -119,8 +153,12 @@ impl<'r> Inputs<'r> {
         let scene = system.scene();
         let moving = scene.excitation == Excitation::Base;
         let dt = 1.0 / recording.rate();
+        let steps = match recording.uneven_times() {
+            None => Steps::Even(dt),
+            Some(times) => Steps::Uneven(times.to_vec(), dt),
+        };
         let mut inputs = Self {
-            dt,
+            steps,
             len: recording.len(),
             holds: scene.stepping.input == StepInput::Hold,
             base: None,
@@ -135,7 +173,9 @@ impl<'r> Inputs<'r> {
             let is_mass = scene.masses.iter().any(|mass| mass.name == name);
             match name {
                 "friction" if !is_mass => recorded = Some(force(channel, needed)?),
-                "base" if moving => inputs.base = Some((channel, base(channel, dt)?)),
+                "base" if moving => {
+                    inputs.base = Some((channel, base(channel, &inputs.steps)?));
+                }
                 "force" if !moving && !is_mass => inputs.force = Some(force(channel, needed)?),
                 _ if is_mass => inputs.others.push((name, force(channel, ON_MASS)?)),
                 _ => {
@@ -162,14 +202,20 @@ impl<'r> Inputs<'r> {
         Ok(inputs)
     }
 
-    /// Returns these inputs with at least `seconds` after the last sample, at the same rate. At these samples forces are 0,
+    /// Returns these inputs with at least `seconds` after the last sample, at the rate of the shortest step. At these samples forces are 0,
     /// as are recorded velocities and accelerations of the base. A recorded displacement of the base and a recorded
     /// friction force keep their last value.
     ///
     /// # Errors
     /// Same errors as [`of`](Self::of).
     pub fn followed_by(mut self, seconds: f64) -> Result<Self, MeasureError> {
-        self.len += (seconds / self.dt - WHOLE).ceil().max(0.0) as usize;
+        let dt = self.steps.shortest();
+        let more = (seconds / dt - WHOLE).ceil().max(0.0) as usize;
+        self.len += more;
+        if let Steps::Uneven(times, _) = &mut self.steps {
+            let last = times.last().copied().unwrap_or(0.0);
+            times.extend((1..=more).map(|sample| last + dt * sample as f64));
+        }
         if let Some((channel, steps)) = &mut self.base {
             let mut longer = channel.clone();
             let rest = match longer.unit.dimension() {
@@ -177,15 +223,23 @@ impl<'r> Inputs<'r> {
                 _ => None,
             };
             longer.samples.resize(self.len, rest.unwrap_or(0.0));
-            *steps = base(&longer, self.dt)?;
+            *steps = base(&longer, &self.steps)?;
         }
         Ok(self)
     }
 
-    /// Returns the time between two samples of the recording, in s.
+    /// Returns the time between two samples of the recording, in s. If the steps differ, it is that of the shortest step.
     #[must_use]
     pub fn dt(&self) -> f64 {
-        self.dt
+        self.steps.shortest()
+    }
+
+    /// Returns the times of the samples in s, if the steps differ.
+    pub(super) fn uneven_times(&self) -> Option<&[f64]> {
+        match &self.steps {
+            Steps::Even(_) => None,
+            Steps::Uneven(times, _) => Some(times),
+        }
     }
 
     /// Returns the number of samples in the recording.
@@ -216,10 +270,13 @@ impl<'r> Inputs<'r> {
     /// Returns a stepper of the scene at the first sample.
     ///
     /// # Errors
-    /// Same errors as [`System::stepper`] and [`SystemStepper::begin`].
+    /// Same errors as [`System::stepper`] and [`SystemStepper::begin`]. [`OutOfDomain::Step`] for steps that differ.
     pub fn stepper<'s>(&self, system: &'s System) -> Result<SystemStepper<'s>, StudyError> {
+        let Steps::Even(dt) = self.steps else {
+            return Err(Error::from(OutOfDomain::Step(Given::of(f64::NAN))).into());
+        };
         let (displacements, velocities) = self.initial_state(system);
-        let mut stepper = system.stepper_from(self.dt, (&displacements, &velocities))?;
+        let mut stepper = system.stepper_from(dt, (&displacements, &velocities))?;
         stepper.begin(self.at(0))?;
         Ok(stepper)
     }
@@ -257,7 +314,7 @@ impl<'r> Inputs<'r> {
         let (base, start_velocity, end) = if self.holds {
             let [from, _] = self.base_step(acting).end;
             let [to, _] = step.end;
-            let velocity = (to - from) / self.dt;
+            let velocity = (to - from) / self.steps.length(sample);
             ([from, velocity], None, [to, velocity])
         } else {
             (step.end, step.start, step.end)
@@ -324,15 +381,16 @@ fn wrong(channel: &Channel, needed: &'static str) -> MeasureError {
 }
 
 /// Returns the motion of the base in every step, in m and m/s. The step of the first sample has no length.
-fn base(channel: &Channel, dt: f64) -> Result<Vec<BaseStep>, MeasureError> {
+fn base(channel: &Channel, lengths: &Steps) -> Result<Vec<BaseStep>, MeasureError> {
     let scale = channel.unit.scale();
     let samples = channel.samples.iter().map(|value| value * scale);
     let first = samples.clone().next().unwrap_or(0.0);
-    let pairs = samples.clone().zip(samples.skip(1));
+    let pairs = samples.clone().zip(samples.skip(1)).enumerate();
+    let pairs = pairs.map(|(before, (from, to))| (from, to, lengths.length(before + 1)));
     let mut step = BaseStep::default();
     let mut steps = vec![step];
     match channel.unit.dimension() {
-        Dimension::Displacement => steps.extend(pairs.map(|(from, to)| {
+        Dimension::Displacement => steps.extend(pairs.map(|(from, to, dt)| {
             let ([_, before], velocity) = (step.end, (to - from) / dt);
             let rounding = ROUNDINGS * f64::EPSILON * (from.abs() + to.abs()) / dt;
             step.start = (rounding < (velocity - before).abs()).then_some(velocity);
@@ -342,13 +400,13 @@ fn base(channel: &Channel, dt: f64) -> Result<Vec<BaseStep>, MeasureError> {
         Dimension::Velocity => {
             step.end = [0.0, first];
             steps = vec![step];
-            steps.extend(pairs.map(|(from, to)| {
+            steps.extend(pairs.map(|(from, to, dt)| {
                 let [place, _] = step.end;
                 step.end = [place + 0.5 * dt * (from + to), to];
                 step
             }));
         }
-        Dimension::Acceleration => steps.extend(pairs.map(|(from, to)| {
+        Dimension::Acceleration => steps.extend(pairs.map(|(from, to, dt)| {
             let [place, velocity] = step.end;
             let rise = dt * velocity + dt * dt / 6.0 * (2.0 * from + to);
             step.end = [place + rise, velocity + 0.5 * dt * (from + to)];
@@ -375,7 +433,7 @@ pub(super) fn accelerations(
 ) -> Result<Vec<BaseAcceleration>, MeasureError> {
     let scale = channel.unit.scale();
     let dimension = channel.unit.dimension();
-    let steps = base(channel, dt)?;
+    let steps = base(channel, &Steps::Even(dt))?;
     let steps = steps.windows(2).zip(channel.samples.windows(2));
     let steps = steps.filter_map(|(steps, samples)| {
         let ([last, step], [from, to]) = (steps, samples) else {

@@ -1,5 +1,8 @@
 //! Follows the motion of a scene with any number of contacts under a recorded input.
 
+#[cfg(test)]
+mod tests;
+
 use super::Inputs;
 use super::columns::{DrivenSample, DrivenTable};
 use crate::study::joined::{Joined, JoinedError, JoinedInput, JoinedStepper};
@@ -13,6 +16,9 @@ pub(super) type Visit<'v> = &'v mut dyn FnMut(&JoinedStepper<'_>, [f64; 2], usiz
 
 /// Displacements in m and velocities in m/s of all masses.
 pub(super) type GivenState<'s> = (&'s [f64], &'s [f64]);
+
+/// Forces on masses and friction forces of contacts at one sample.
+type Acting<'n> = (Vec<(&'n str, f64)>, Vec<(&'n str, f64)>);
 
 /// Motion of a scene under a recorded input.
 #[derive(Clone, Debug)]
@@ -119,6 +125,7 @@ impl Drive for Inputs<'_> {
             Excitation::Base => None,
         };
         let contacts = scene.named_contacts();
+        let mut before: Option<Acting<'_>> = None;
         for sample in 0..self.len() {
             let input = self.sample(sample);
             let mut forces = input.others;
@@ -134,10 +141,20 @@ impl Drive for Inputs<'_> {
                 forces: &forces,
                 frictions: &frictions,
             };
-            let events = match sample {
-                0 => step.begin(now).map(|()| 0),
-                _ => step.advance(now),
+            let times = self.uneven_times();
+            let events = match (&before, times.and_then(|times| times.get(sample))) {
+                (None, _) => step.begin(now).map(|()| 0),
+                (_, None) => step.advance(now),
+                (Some((forces, frictions)), Some(end)) => {
+                    let before = JoinedInput {
+                        forces,
+                        frictions,
+                        ..JoinedInput::default()
+                    };
+                    step.advance_between(before, now, *end)
+                }
             };
+            before = Some((forces, frictions));
             let events = events.map_err(|error| DriveError::Sample(sample, error))?;
             if !visit(step, input.end, events) {
                 break;

@@ -86,7 +86,7 @@ impl Measured {
     /// [`MeasureError`] also for too few cycles, and for a motion that is never steady.
     pub fn of(recording: &Recording, scene: &Scene) -> Result<Self, MeasureError> {
         let places = places(recording, scene)?;
-        let rate = recording.rate();
+        let rate = recording.even_rate()?;
         let (drive, _) = places.drive;
         let per_sample = frequency(&drive.samples).ok_or_else(|| MeasureError::TooShort {
             found: "no frequency with at least four cycles exceeds the noise".to_owned(),

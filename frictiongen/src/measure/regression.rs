@@ -53,14 +53,15 @@ impl Recording {
             self.channel_of(axis, Dimension::Displacement)?,
             self.channel_of("force", Dimension::Force)?,
         );
-        let length = (seconds * self.rate()).round();
+        let rate = self.even_rate()?;
+        let length = (seconds * rate).round();
         if !(5.0..=1e6).contains(&length) {
             return Err(MeasureError::Asked(
                 "a window must have at least 5 samples, and fewer than the recording",
             ));
         }
         let length = length as usize;
-        let step = 1.0 / self.rate();
+        let step = 1.0 / rate;
         let bump = bump(length, step);
         let windows = position
             .samples

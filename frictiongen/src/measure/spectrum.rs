@@ -45,7 +45,8 @@ pub fn periods(recording: &Recording) -> Vec<f64> {
 /// the damping ratio ζ, which must be less than 1. Its base follows the channel `base` of the recording.
 ///
 /// # Errors
-/// [`MeasureError`] if the recording has no channel `base`, or if the unit of the channel is not that of a motion.
+/// [`MeasureError`] if the recording has no channel `base`, if the unit of the channel is not that of a motion, or if the
+/// samples are not evenly spaced.
 pub fn response_spectrum(
     recording: &Recording,
     zeta: f64,
@@ -53,7 +54,7 @@ pub fn response_spectrum(
 ) -> Result<Vec<PeakResponse>, MeasureError> {
     let channel = recording.channel(BASE);
     let channel = channel.ok_or(MeasureError::NoDrive(BASE))?;
-    let dt = 1.0 / recording.rate();
+    let dt = 1.0 / recording.even_rate()?;
     let steps = accelerations(channel, dt)?;
     let peak = |period: &f64| PeakResponse {
         period: *period,

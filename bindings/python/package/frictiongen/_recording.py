@@ -1,4 +1,4 @@
-"""Recordings: samples of several channels at equal time steps.  Each channel has a unit."""
+"""Recordings: samples of several channels, each with a unit."""
 
 from __future__ import annotations
 
@@ -24,7 +24,7 @@ class Recording:
         Units are m, cm, mm, um, m/s, mm/s, m/s2, cm/s2, mm/s2, in/s2, ft/s2, g, Gal, N, mN, kN.  Displacements,
         velocities and accelerations may be mixed.
     :param rate: sampling rate, Hz.
-    :param time_s: time of each sample, s, evenly spaced, instead of `rate`.
+    :param time_s: time of each sample, s, evenly spaced, instead of `rate`.  With `drives` the steps may differ.
     :param drives: whether the channels are inputs of :meth:`System.drive`.  Then one channel is enough, and it may be
         constant.
     :raises MeasureError: for a channel without a unit, too few samples, numbers that are not finite, a channel that is
@@ -119,13 +119,14 @@ class Recording:
 
     @property
     def rate(self) -> float:
-        """Sampling rate, Hz."""
+        """Sampling rate, Hz.  With uneven times, it is that of the shortest step."""
         return self._native.rate
 
     @property
     def time_s(self) -> Floats:
         """Time of each sample in s, from 0."""
-        return np.arange(len(self)) / self.rate
+        uneven = self._native.uneven_times
+        return np.arange(len(self)) / self.rate if uneven is None else uneven
 
     @property
     def units(self) -> dict[str, str]:

@@ -70,12 +70,12 @@ impl NativeRecording {
                 samples: given.values,
             });
         }
-        let rate = match (rate_of(rate.as_ref())?, times) {
+        let sampling = match (rate_of(rate.as_ref())?, times) {
             (Some(_), Some(_)) => {
                 return Err(domain("give either rate or time_s, not both"));
             }
             (None, None) => return Err(told(MeasureError::NoRate)),
-            (Some(rate), None) => rate,
+            (Some(rate), None) => Ok(rate),
             (None, Some(times)) => {
                 let times = numbers("time_s", &times)?;
                 if let Some(channel) = listed.first()
@@ -88,19 +88,25 @@ impl NativeRecording {
                         channel.samples.len()
                     )));
                 }
-                Recording::rate_of(&times.values)
-                    .map_err(|error| measurement(py, Some("time_s"), &error))?
+                match Recording::rate_of(&times.values) {
+                    Ok(rate) => Ok(rate),
+                    // Only inputs may have uneven times.
+                    Err(_) if drives => Err(times.values),
+                    Err(error) => return Err(measurement(py, Some("time_s"), &error)),
+                }
             }
         };
-        let recording = py.detach(|| {
-            if drives {
-                Recording::inputs(rate, listed)
-            } else {
-                Recording::new(rate, listed)
-            }
+        let uneven = sampling.is_err();
+        let recording = py.detach(|| match sampling {
+            Err(times) => Recording::inputs_at(&times, listed),
+            Ok(rate) if drives => Recording::inputs(rate, listed),
+            Ok(rate) => Recording::new(rate, listed),
         });
         Ok(Self {
-            recording: recording.map_err(told)?,
+            recording: recording.map_err(|error| {
+                let source = uneven.then_some("time_s");
+                measurement(py, source, &error)
+            })?,
             source: None,
         })
     }
@@ -141,6 +147,13 @@ impl NativeRecording {
     #[getter]
     fn rate(&self) -> f64 {
         self.recording.rate()
+    }
+
+    /// Returns the times since the first sample in s, if the samples are not evenly spaced.
+    #[getter]
+    fn uneven_times<'py>(&self, py: Python<'py>) -> Option<Bound<'py, PyArray1<f64>>> {
+        let times = self.recording.uneven_times();
+        times.map(|times| PyArray1::from_slice(py, times))
     }
 
     /// Returns the name and the unit of each channel of the recording.

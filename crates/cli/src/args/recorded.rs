@@ -175,7 +175,7 @@ pub struct DriveArguments {
 /// Text below the options of `drive`.
 pub const DRIVES: &str = "\
 Recording:
-  A CSV file has the inputs at evenly spaced times:
+  A CSV file has the inputs at increasing times. The steps may differ:
     time_s,base_m_s2
   The column `base` is the motion of the base: displacement, velocity or acceleration. The column `force` is
   the force on the excited mass. A column with the name of a mass is a force on that mass. The column
@@ -222,7 +222,7 @@ Peaks (--peaks):
 Response spectrum (--spectrum ZETA):
   The spectrum is the largest displacement of a linear oscillator relative to the base within the record,
   as a function of the period of the oscillator. Lines with a mode have the natural periods of the scene.
-  Other lines have 60 periods in a decade, from two time steps to the length of the record.
+  Other lines have 60 periods in a decade, from two time steps to the length of the record. The steps must be equal.
   pseudo_velocity, pseudo_acceleration  displacement times omega, and displacement times omega^2
 
 Exit status:

@@ -57,7 +57,7 @@ fn table(arguments: &PeriodicArguments, system: &System) -> Result<PeriodicLoad,
     };
     let scale = channel.unit.scale();
     let samples: Vec<f64> = channel.samples.iter().map(|value| value * scale).collect();
-    let step = 1.0 / recording.rate();
+    let step = 1.0 / recording.even_rate().map_err(|error| told(&error))?;
     let quantity = match channel.unit.dimension() {
         Dimension::Force => None,
         Dimension::Displacement => Some(BaseTable::Displacement),

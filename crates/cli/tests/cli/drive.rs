@@ -156,10 +156,10 @@ fn says_what_is_wrong_with_a_recording() {
             "the friction force is given as a number and as the channel `friction`",
         ),
         (
-            "uneven",
-            "time_s,base_mm\n0,0\n0.005,1\n0.02,0\n",
+            "back",
+            "time_s,base_mm\n0,0\n0.005,1\n0.003,0\n",
             Some("1"),
-            "the time step changes from 0.005 s to 0.015 s at line 4",
+            "the time step changes from 0.005 s to -0.002 s at line 4",
         ),
         (
             "below",
@@ -178,4 +178,55 @@ fn says_what_is_wrong_with_a_recording() {
         assert_eq!(lines.len(), 1, "{lines:?}");
         assert!(lines[0].contains(told), "{name}: {lines:?}");
     }
+}
+
+/// A record whose steps differ moves the scene as the even record with the same straight lines. Only the spectrum needs
+/// even steps.
+#[test]
+fn a_record_with_uneven_steps() {
+    let at = |time: f64| (20.0 * time).min(3.0 - 10.0 * time);
+    let record = |times: &[f64]| {
+        let lines = times.iter().map(|time| format!("{time},{}\n", at(*time)));
+        file(
+            "steps.csv",
+            &format!("time_s,base_m_s2\n{}", lines.collect::<String>()),
+        )
+    };
+    let even: Vec<f64> = (0..=40).map(|sample| 0.01 * f64::from(sample)).collect();
+    let uneven = [0.0, 0.05, 0.06, 0.1, 0.25, 0.39, 0.4];
+    let driven = |path: &str| {
+        let line = [
+            "drive",
+            FRAME,
+            path,
+            "--friction",
+            "0.3",
+            "--after",
+            "1",
+            "--csv",
+        ];
+        output("", &line)
+    };
+    let [all, few] = [record(&even), record(&uneven)].map(|path| (driven(&path), path));
+    for name in [
+        "upper-base.displacement_m",
+        "contact.energy_J",
+        "contact.velocity_m_s",
+    ] {
+        let (expected, found) = (column(&all.0, name), column(&few.0, name));
+        let size = expected
+            .iter()
+            .fold(0.0_f64, |size, value| size.max(value.abs()));
+        for (time, found) in uneven.iter().zip(&found) {
+            let error = (found - expected[(100.0 * time).round() as usize]).abs();
+            assert!(
+                error < 1e-12 * size,
+                "{name} at {time} s: {error:e} of {size:e}"
+            );
+        }
+        let ends = [&expected, &found].map(|all| all[all.len() - 1]);
+        assert!((ends[0] - ends[1]).abs() < 1e-12 * size, "{name}: {ends:?}");
+    }
+    let refused = failure("", &["drive", FRAME, &few.1, "--spectrum", "0.05"]).join("\n");
+    assert!(refused.contains("not evenly spaced"), "{refused}");
 }

@@ -127,7 +127,7 @@ impl System {
         }
         let scale = channel.unit.scale();
         let samples: Vec<f64> = channel.samples.iter().map(|value| value * scale).collect();
-        of(&samples, recording.rate(), stiffness, damping)
+        of(&samples, recording.even_rate()?, stiffness, damping)
     }
 }
 

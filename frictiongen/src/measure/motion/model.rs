@@ -93,6 +93,7 @@ impl<'p> MotionProblem<'p> {
         if motions.is_empty() {
             return Err(MeasureError::NoMass);
         }
+        recording.even_rate()?;
         let inputs = Inputs::of_channels((recording, &others), system, friction)?;
         if friction.is_none() && vary.is_empty() {
             return Err(MeasureError::Asked(

@@ -150,17 +150,26 @@ impl Recording {
     /// [`MeasureError`] for everything that [`new`](Self::new) rejects, and for a missing unit, rate or column.
     /// [`MeasureError`] also for a cell that is not a number, and for unequal time steps.
     pub fn from_csv(text: &str, request: &CsvRequest) -> Result<Self, MeasureError> {
-        let (rate, channels) = read(text, request)?;
+        let (sampling, channels) = read(text, request)?;
+        let rate = match sampling {
+            Sampling::Rate(rate) => rate,
+            Sampling::Times(times, lines) => even_rate(&times, |index| place(&lines, index))?,
+        };
         Self::new(rate, channels)
     }
 
-    /// Reads from CSV text the inputs that drive a scene. One channel is enough, and it may be constant.
+    /// Reads from CSV text the inputs that drive a scene. One channel is enough, and it may be constant. The time steps may
+    /// differ.
     ///
     /// # Errors
-    /// Same errors as [`from_csv`](Self::from_csv), and those of [`inputs`](Self::inputs).
+    /// Same errors as [`from_csv`](Self::from_csv), and those of [`inputs_at`](Self::inputs_at).
     pub fn inputs_from_csv(text: &str, request: &CsvRequest) -> Result<Self, MeasureError> {
-        let (rate, channels) = read(text, request)?;
-        Self::inputs(rate, channels)
+        match read(text, request)? {
+            (Sampling::Rate(rate), channels) => Self::inputs(rate, channels),
+            (Sampling::Times(times, lines), channels) => {
+                Self::inputs_named(&times, channels, |index| place(&lines, index))
+            }
+        }
     }
 
     /// Returns the recording as CSV text with all digits of every number. From this text, [`from_csv`](Self::from_csv)
@@ -173,7 +182,9 @@ impl Recording {
         }
         text.push('\n');
         for index in 0..self.len() {
-            let _ = write!(text, "{:?}", index as f64 / self.rate());
+            let time = self.uneven_times().and_then(|times| times.get(index));
+            let time = time.map_or_else(|| index as f64 / self.rate(), |time| *time);
+            let _ = write!(text, "{time:?}");
             for channel in self.channels() {
                 let value = channel.samples.get(index).copied().unwrap_or(f64::NAN);
                 let _ = write!(text, ",{value:?}");
@@ -184,10 +195,23 @@ impl Recording {
     }
 }
 
-/// Returns the sampling rate, in samples per second, and the channels of CSV text.
-fn read(text: &str, request: &CsvRequest) -> Result<(f64, Vec<Channel>), MeasureError> {
+/// Sampling of the channels in a file.
+enum Sampling {
+    /// Samples per second.
+    Rate(f64),
+    /// Times of the samples in s, and the line of each in the file.
+    Times(Vec<f64>, Vec<usize>),
+}
+
+/// Returns the name of a sample for an error.
+fn place(lines: &[usize], index: usize) -> String {
+    format!("line {}", lines.get(index).copied().unwrap_or(0))
+}
+
+/// Returns the sampling and the channels of CSV text.
+fn read(text: &str, request: &CsvRequest) -> Result<(Sampling, Vec<Channel>), MeasureError> {
     if let Some(record) = bare::at2(text, request) {
-        return record;
+        return record.map(|(rate, channels)| (Sampling::Rate(rate), channels));
     }
     let table = match bare::columns(text, request.rate)? {
         Some(_) if request.columns.is_empty() => {
@@ -254,12 +278,10 @@ fn read(text: &str, request: &CsvRequest) -> Result<(f64, Vec<Channel>), Measure
             }
         }
     }
-    let rate = match (time, request.rate) {
-        (Some(time), None) => even_rate(&time, |index| {
-            format!("line {}", table.lines.get(index).copied().unwrap_or(0))
-        })?,
-        (_, Some(rate)) => rate,
+    let sampling = match (time, request.rate) {
+        (Some(time), None) => Sampling::Times(time, table.lines),
+        (_, Some(rate)) => Sampling::Rate(rate),
         (None, None) => return Err(MeasureError::NoRate),
     };
-    Ok((rate, channels))
+    Ok((sampling, channels))
 }

@@ -1,4 +1,4 @@
-//! Recordings: evenly spaced samples of several channels, each with its unit.
+//! Recordings: samples of several channels, each with its unit.
 
 mod bare;
 mod check;

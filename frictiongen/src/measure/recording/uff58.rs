@@ -154,21 +154,29 @@ impl Recording {
                 0
             );
             let count = channel.samples.len();
-            let (start, step) = (exponential(0.0, 5), exponential(1.0 / self.rate(), 5));
+            let times = self.uneven_times();
+            let step = times.map_or(1.0 / self.rate(), |_| 0.0);
+            let (start, step) = (exponential(0.0, 5), exponential(step, 5));
             let _ = writeln!(
                 text,
                 "{:>10}{count:>10}{:>10}{start:>13}{step:>13}{start:>13}",
-                4, 1
+                4,
+                u8::from(times.is_none())
             );
             text.push_str(&axis(TIME, "Time", "s"));
             text.push_str(&axis(ordinate, "NONE", channel.unit.name()));
             text.push_str(&axis(0, "NONE", "NONE"));
             text.push_str(&axis(0, "NONE", "NONE"));
-            for group in channel.samples.chunks(4) {
-                for value in group {
-                    let _ = write!(text, "{:>20}", exponential(*value, 12));
+            let times = times.unwrap_or_default();
+            for (index, value) in channel.samples.iter().enumerate() {
+                if let Some(time) = times.get(index) {
+                    let _ = write!(text, "{:>13}", exponential(*time, 5));
                 }
-                text.push('\n');
+                let _ = write!(text, "{:>20}", exponential(*value, 12));
+                let line = if times.is_empty() { 4 } else { 2 };
+                if (index + 1).is_multiple_of(line) || index + 1 == count {
+                    text.push('\n');
+                }
             }
             text.push_str("    -1\n");
         }

@@ -213,6 +213,50 @@ impl JoinedStepper<'_> {
         Ok(stepped.events as usize)
     }
 
+    /// Advances by one step that ends at the time `end` in s since the start. `before` has the forces and friction forces at
+    /// the start of the step. The step is otherwise that of [`advance`](Self::advance).
+    ///
+    /// # Errors
+    /// Same errors as [`advance_over`](Self::advance_over).
+    pub fn advance_between(
+        &mut self,
+        before: JoinedInput<'_>,
+        input: JoinedInput<'_>,
+        end: f64,
+    ) -> Result<usize, JoinedError> {
+        let length = end - self.time();
+        let scene = self.joined.scene();
+        let holds = scene.stepping.input == StepInput::Hold;
+        let from = self.ordered(if holds { &input } else { &before })?;
+        let to = self.ordered(&input)?;
+        let lines = |from: &[f64], to: &[f64]| -> Vec<Wave> {
+            let pairs = from.iter().zip(to);
+            pairs
+                .map(|(from, to)| Wave::line((0.0, *from), (length, *to)))
+                .collect()
+        };
+        let (base, jolts) = match (scene.excitation, input.start_velocity) {
+            (Excitation::Force(_), _) => (Curve::zero(), false),
+            (Excitation::Base, _) if holds => (Curve::straight(input.base), true),
+            (Excitation::Base, jump) => {
+                let [place, velocity] = self.base();
+                let start = [place, jump.unwrap_or(velocity)];
+                let curve = Curve::through(start, input.base, length);
+                (curve, jump.is_some())
+            }
+        };
+        let names = self.joined.contact_names();
+        let frictions = names.iter().map(String::as_str);
+        let frictions = frictions.zip(lines(&from.frictions, &to.frictions));
+        self.advance_over(JoinedSpan {
+            end,
+            base,
+            jolts,
+            forces: &lines(&from.forces, &to.forces),
+            frictions: &frictions.collect::<Vec<_>>(),
+        })
+    }
+
     /// Keeps the events of all later steps of [`advance_over`](Self::advance_over).
     pub fn keep_events(&mut self) {
         self.events = Some(Vec::new());
