@@ -87,6 +87,7 @@
 //! | `budget` | size of the tables in bytes, instead of an accuracy: the tables have the best accuracy that fits into this size | |
 //! | `beyond` | the answer outside the range: `error`, or `exact` for the exact formulas | `error` |
 //! | `friction` | `coulomb`; or `stribeck(v: f, …)`: the kinetic friction divided by F at the speeds v, linear between the speeds, 1 at rest and constant beyond the last speed; for `simulation` and `stepper` alone | `coulomb` |
+//! | `stribeck` | `exp(fs, vs)` in place of `friction`: the kinetic friction of rigid contacts is F(1 + (fs − 1)exp(−∣v∣/vs)), as straight lines with errors of at most 0.001 F; `exp(fs, vs, a)` with errors of at most aF | |
 //! | `step` | the stepper's step in s, if it is known at compile time: its tables are then constants | |
 //! | `input` | the stepper's input between samples: `linear`, or `hold` | `linear` |
 //! | `force` | `{ name, … }`: masses that the stepper may load besides `excitation` | |

@@ -31,7 +31,7 @@ pub use diagnostics::{Errors, MacroErrors, Partial};
 pub use emit::{StepFacts, step_facts};
 pub use emit::{emit, traces};
 pub use expand::expand;
-pub use frictiongen_syntax::{Diagnostic, Diagnostics, warnings};
+pub use frictiongen_syntax::{Diagnostic, Diagnostics, smooth_law, warnings};
 pub use lower::{Description, ProofAt, SceneTables, SizeLimits, parse_text, parse_tokens};
 
 #[cfg(feature = "pretty")]

@@ -16,6 +16,7 @@ pub mod scene;
 pub mod sensitivity;
 mod special;
 pub mod stepping;
+pub mod stribeck;
 pub mod table;
 pub mod transient;
 pub mod validate;

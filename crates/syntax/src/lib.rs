@@ -20,7 +20,7 @@ pub use parse::syntax::{Attribute, Visibility};
 pub use parse::syntax::{RustPath, Syntax};
 pub use parse::token::{DEEPEST, Delimiter, TOO_DEEP, Token, TokenKind};
 pub use parse::{parse_faulty, parse_tokens};
-pub use warnings::warnings;
+pub use warnings::{smooth_law, warnings};
 pub use write::written;
 
 /// Reads a scene of at most [`MOST_MASSES`] masses from a text.

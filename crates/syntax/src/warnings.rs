@@ -2,6 +2,7 @@
 
 use frictiongen_model::modal::Modal;
 use frictiongen_model::scene::Damping;
+use frictiongen_model::stribeck::SmoothLaw;
 use frictiongen_model::validate::{MOST_MASSES, Path};
 
 use crate::diagnostics::{Diagnostics, Problems};
@@ -36,6 +37,25 @@ pub fn warnings(text: &str) -> Option<Diagnostics> {
     let mut warnings = Problems::default();
     overdamped(&located, &mut warnings);
     (!warnings.is_empty()).then(|| warnings.into_diagnostics())
+}
+
+/// Returns the smooth friction law of a description with its straight lines, or `None` if the description has no such law
+/// or an error.
+///
+/// ```
+/// let text = "struct Block {
+///     masses: { block: 1 }, springs: { base - block: 1 },
+///     contact: block - wall, excitation: block, stribeck: exp(1.3, 0.05),
+/// }";
+/// let law = frictiongen_syntax::smooth_law(text).ok_or("no law")?;
+/// assert_eq!(law.points.len(), 12);
+/// # Ok::<(), &str>(())
+/// ```
+#[must_use]
+pub fn smooth_law(text: &str) -> Option<SmoothLaw> {
+    let mut problems = Problems::default();
+    let syntax = parse_text(text, &mut problems)?;
+    syntax.lower(MOST_MASSES, false, &mut problems)?.law
 }
 
 /// Reports every mode whose damping ratio is 1 or more.

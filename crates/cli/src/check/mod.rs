@@ -5,9 +5,10 @@ mod numbers;
 
 use crate::args::CheckArguments;
 use crate::failure::Failure;
+use crate::number::computed;
 use crate::progress;
 use annotate_snippets::{AnnotationKind, Level, Renderer, Snippet};
-use frictiongen_codegen::{Diagnostic, SizeLimits, parse_text, warnings};
+use frictiongen_codegen::{Diagnostic, SizeLimits, parse_text, smooth_law, warnings};
 use serde_json::{Value as Json, json};
 use std::io::Write;
 use std::ops::Range;
@@ -51,6 +52,10 @@ pub fn run(arguments: &CheckArguments, out: &mut dyn Write) -> Result<(), Failur
         {
             fields.extend(numbers);
         }
+        if let (Some(fields), Some(law)) = (answer.as_object_mut(), smooth_law(&text)) {
+            let lines = json!({ "lines": law.points.len(), "largest_error": law.error });
+            fields.insert("stribeck".to_owned(), lines);
+        }
         writeln!(out, "{answer:#}")?;
         return Ok(out.flush()?);
     }
@@ -80,6 +85,15 @@ pub fn run(arguments: &CheckArguments, out: &mut dyn Write) -> Result<(), Failur
         writeln!(out, "{acts_on}")?;
     }
     numbers::write(scene, out)?;
+    if let Some(law) = smooth_law(&text) {
+        writeln!(
+            out,
+            "stribeck: {} straight lines from {:?} F to F, with errors of at most {} F",
+            law.points.len(),
+            law.rest,
+            computed(law.error)
+        )?;
+    }
     for reason in not_emitted {
         writeln!(out, "the macro emits no code for this scene: {reason}")?;
     }

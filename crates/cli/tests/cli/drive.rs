@@ -1,5 +1,9 @@
 //! Tests `frictiongen drive`.
-#![allow(clippy::unwrap_used, reason = "a test fails by it")]
+#![allow(
+    clippy::unwrap_used,
+    clippy::indexing_slicing,
+    reason = "a test may fail"
+)]
 
 use crate::common::{FRAME, column, failure, file, output};
 use std::fs;

@@ -235,6 +235,20 @@ impl Scene {
         }
     }
 
+    /// Multiplies the kinetic friction of every rigid contact by `rest`, the friction at rest over F. The ratio of the static
+    /// friction to F does not change, unless it is below `rest`.
+    pub fn raise_rigid(&mut self, rest: f64) {
+        if self.joints.contacts.is_empty() && self.stiffness.is_none() {
+            self.joints.contacts = self.named_contacts();
+            self.stiction = 1.0;
+        }
+        let contacts = self.joints.contacts.iter_mut();
+        for contact in contacts.filter(|contact| contact.law.stiffness.is_none()) {
+            contact.law.share *= rest;
+            contact.law.stiction = (contact.law.stiction / rest).max(1.0);
+        }
+    }
+
     /// Returns every contact with its name.
     #[must_use]
     #[doc(hidden)]

@@ -10,6 +10,7 @@ mod stepping;
 mod tests;
 
 use frictiongen_model::scene::Scene;
+use frictiongen_model::stribeck::SmoothLaw;
 use frictiongen_model::validate::{Checks, Path};
 
 use self::places::Places;
@@ -22,6 +23,8 @@ pub use readable::Readable;
 pub struct Located<'s> {
     /// The scene that the description defines. It is valid if no error was reported.
     pub scene: Scene,
+    /// The smooth friction law that the lines of the scene replace, if the description has one.
+    pub law: Option<SmoothLaw>,
     places: Places<'s>,
 }
 

@@ -132,6 +132,7 @@ impl Places<'_> {
         let number = index.and_then(|index| match &friction.law {
             LawEntry::Coulomb => None,
             LawEntry::Stribeck(points) => points.as_flattened().get(index),
+            LawEntry::Decaying(numbers) => numbers.get(index),
         });
         Some(number.map_or(friction.place, |number| number.place))
     }

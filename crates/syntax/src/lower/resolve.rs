@@ -45,7 +45,7 @@ pub(super) fn resolve<'s>(
     let stiffness = stiffness.map(|number| lowering.number(number, Path::Stiffness));
     let (provide, provide_entries) = lowering.provide(fields);
     let declared = lowering.declared(fields);
-    let friction = lowering.friction(fields);
+    let (friction, law) = lowering.friction(fields, &joints.contacts);
     let (stepping, force_entries) = lowering.stepping(fields);
     let mut scene = Scene {
         name: syntax
@@ -69,6 +69,11 @@ pub(super) fn resolve<'s>(
         stepping,
         joints: joints.joints,
     };
+    if let Some(law) = &law
+        && (fields.contact.given().is_some() || fields.contacts.given().is_some())
+    {
+        scene.raise_rigid(law.rest);
+    }
     // The code cannot decide whether springs hold a mass if it could not read them all.
     let checks = &lowering.checks;
     if checks.masses && checks.springs && checks.excitation && checks.joints {
@@ -100,7 +105,7 @@ pub(super) fn resolve<'s>(
             }
         }
     }
-    Located { scene, places }
+    Located { scene, places, law }
 }
 
 fn report_missing(syntax: &Syntax, problems: &mut Problems) {

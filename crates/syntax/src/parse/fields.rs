@@ -39,13 +39,14 @@ enum Field {
     Beyond,
     Proof,
     Friction,
+    Stribeck,
     Step,
     Input,
     Force,
     Crate,
 }
 
-const FIELDS: [(&str, Field); 25] = [
+const FIELDS: [(&str, Field); 26] = [
     ("masses", Field::Masses),
     ("springs", Field::Springs),
     ("contact", Field::Contact),
@@ -67,6 +68,7 @@ const FIELDS: [(&str, Field); 25] = [
     ("beyond", Field::Beyond),
     ("proof", Field::Proof),
     ("friction", Field::Friction),
+    ("stribeck", Field::Stribeck),
     ("step", Field::Step),
     ("input", Field::Input),
     ("force", Field::Force),
@@ -217,6 +219,13 @@ fn field(
             reader,
             problems,
             stepping::friction,
+        ),
+        Field::Stribeck => store(
+            &mut fields.friction,
+            &word,
+            reader,
+            problems,
+            stepping::stribeck,
         ),
         Field::Step => store(
             &mut fields.step,

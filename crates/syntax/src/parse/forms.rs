@@ -143,7 +143,10 @@ fn rayleigh(
 
 /// Parses the numbers in parentheses. Fails if the parser could not read all numbers, because the positions of the
 /// other numbers in the list are then uncertain.
-fn arguments(mut inside: Inside<'_>, problems: &mut Problems) -> Result<Vec<Number>, Reported> {
+pub(super) fn arguments(
+    mut inside: Inside<'_>,
+    problems: &mut Problems,
+) -> Result<Vec<Number>, Reported> {
     let list = numbers(&mut inside.reader, problems);
     if list.complete {
         Ok(list.entries)

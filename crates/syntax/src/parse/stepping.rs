@@ -4,7 +4,7 @@ use frictiongen_model::scene::StepInput;
 
 use super::chain::braces;
 use super::declared::choice;
-use super::forms::mass_names;
+use super::forms::{arguments, mass_names};
 use super::number::{Number, number};
 use super::reader::{Name, Read, TokenReader};
 use super::suggest;
@@ -14,6 +14,9 @@ use crate::diagnostics::{Problems, Reported, TokenPosition};
 
 /// Advice for a user who gives a friction force in a description, which must not contain one.
 pub(crate) const HOW_MUCH: &str = "delete it here: each request takes the friction as an argument, the force F or the friction ratio β = F/P; the field `stiction` is μ, static over kinetic friction";
+
+/// Smooth laws of friction in the literature, which are not linear between two events.
+const SMOOTH: [&str; 3] = ["dahl", "lugre", "bouc_wen"];
 
 /// Parses the friction law: `coulomb` or `stribeck(v₁: f₁, …)`.
 pub(crate) fn friction(
@@ -34,6 +37,14 @@ pub(crate) fn friction(
     let law = match word.text.as_str() {
         "coulomb" => Ok(LawEntry::Coulomb),
         "stribeck" => points(reader, problems, place).map(LawEntry::Stribeck),
+        text if SMOOTH.contains(&text.to_lowercase().as_str()) => {
+            let message = format!(
+                "`{text}` is not linear between two events, so that no exact solution exists; elastic contacts answer most of it: give the contact a `stiffness`, or write several elastic contacts side by side for a smooth loop; for a friction that falls with the speed, write `stribeck: exp(1.3, 0.05)`"
+            );
+            let reported = problems.report(place, message);
+            let _ = reader.take_group(Delimiter::Parenthesis);
+            Err(reported)
+        }
         text => {
             let hint = suggest::hint(text, ["coulomb", "stribeck"], || LAWS.to_owned());
             let reported = problems.report(place, format!("there is no friction `{text}`{hint}"));
@@ -44,6 +55,34 @@ pub(crate) fn friction(
     };
     // The parser consumes the bracket even if the points in it have errors, so that the reader is at the end of the
     // entry.
+    Read {
+        value: law.ok().map(|law| FrictionEntry { place, law }),
+        clean: true,
+    }
+}
+
+/// Parses a friction that decays with the speed: `exp(fs, vs)`, or `exp(fs, vs, accuracy)`.
+pub(crate) fn stribeck(
+    reader: &mut TokenReader<'_>,
+    problems: &mut Problems,
+) -> Read<FrictionEntry> {
+    const FORM: &str = "write `stribeck: exp(fs, vs)` for a friction that falls from fs·F at rest to F as exp(−|v|/vs), for example `exp(1.3, 0.05)`; for straight lines, write `friction: stribeck(0.1: 0.8)`";
+    let place = reader.place();
+    let word = reader.take_word();
+    let inside = reader.take_group(Delimiter::Parenthesis);
+    let (Some("exp"), Some(inside)) = (word.as_ref().map(|word| word.text.as_str()), inside) else {
+        problems.report(place, FORM);
+        return Read::lost();
+    };
+    let numbers = arguments(inside, problems);
+    let numbers = numbers.and_then(|numbers| match numbers.len() {
+        2 | 3 => Ok(numbers),
+        count => {
+            let message = format!("`exp` takes two or three numbers, not {count}; {FORM}");
+            Err(problems.report(place, message))
+        }
+    });
+    let law = numbers.map(LawEntry::Decaying);
     Read {
         value: law.ok().map(|law| FrictionEntry { place, law }),
         clean: true,
@@ -64,6 +103,10 @@ fn points(
         let _ = reader.take_group(Delimiter::Brace);
         return Err(reported);
     };
+    if inside.reader.is_word(0) {
+        let message = "`stribeck(…)` takes points, each a speed and a kinetic level over F, as in `stribeck(0.1: 0.8)`; for an exponential decay, write the field `stribeck: exp(1.3, 0.05)` in place of `friction`";
+        return Err(problems.report(place, message));
+    }
     let list = inside.reader.list(
         problems,
         |_| false,

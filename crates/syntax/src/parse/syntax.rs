@@ -185,6 +185,8 @@ pub(crate) enum LawEntry {
     Coulomb,
     /// The points of the friction law. Each has a speed and a level of the kinetic friction.
     Stribeck(Vec<[Number; 2]>),
+    /// An exponential decay: the friction at rest over F, the speed of the decay, and the accuracy if it is given.
+    Decaying(Vec<Number>),
 }
 
 /// One of the words that a field allows, as the description chooses it, with its position.
