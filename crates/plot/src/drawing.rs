@@ -6,7 +6,7 @@ use crate::layer::Anchor;
 use crate::palette::{INK, Rgb};
 use crate::pen::{Pen, TEXT};
 use crate::plan::{Above, Element, HATCH, HEIGHT, PAD, Plan, WIDTH};
-use crate::sketch::{End, Excitation, Sketch, SketchContact};
+use crate::sketch::{End, Excitation, Sketch, SketchContact, SliderType};
 use crate::svg::Canvas;
 
 /// Horizontal distance in a sketch between the middle of a mass and the vertical end of a spring above the row, in
@@ -19,6 +19,10 @@ const FRICTION: Rgb = Rgb(0xb3, 0x3a, 0x1e);
 /// Colour of the excitation in a sketch.
 const FORCE: Rgb = Rgb(0x00, 0x5f, 0xad);
 
+/// Half the length of the arrow of a moving surface, and its distance below its contact, in pixels.
+const BELT: f64 = 10.0;
+/// Half the length of the arrow of a constant force, in pixels.
+const ARROW: f64 = 15.0;
 /// Margin in pixels around a sketch that is a separate SVG document.
 const MARGIN: f64 = 8.0;
 /// Width in pixels that is available to a sketch in a separate SVG document.
@@ -84,6 +88,7 @@ impl Plan<'_> {
                 None => pen.text(mass, (x, middle), Anchor::Middle, INK),
             }
         }
+        self.constant_arrows(&mut pen, row);
         self.excitation(&mut pen, row);
     }
 
@@ -141,14 +146,20 @@ impl Plan<'_> {
         match above.element {
             Element::Spring => pen.spring(from, to, y),
             Element::Dashpot => pen.dashpot(from, to, y),
-            Element::Slider { is_elastic: false } => pen.slider(from, to, y, FRICTION),
-            Element::Slider { is_elastic: true } => {
+            Element::Slider(SliderType::Stop, _) => pen.stop(from, to, y),
+            Element::Slider(SliderType::PullingStop, _) => pen.pulling_stop(from, to, y),
+            Element::Slider(SliderType::Rigid, _) => pen.slider(from, to, y, FRICTION),
+            Element::Slider(SliderType::Elastic, _) => {
                 pen.spring(from, middle, y);
                 pen.slider(middle, to, y, FRICTION);
             }
         }
+        if let Element::Slider(_, direction @ (1 | -1)) = above.element {
+            let (at, half) = (to - BELT, f64::from(direction) * BELT);
+            pen.arrow((at - half, y + BELT), (at + half, y + BELT), FORCE);
+        }
         let colour = match above.element {
-            Element::Slider { .. } => FRICTION,
+            Element::Slider(SliderType::Rigid | SliderType::Elastic, _) => FRICTION,
             _ => INK,
         };
         pen.text(above.label, (middle, y - 11.0), Anchor::Middle, colour);
@@ -193,6 +204,19 @@ impl Plan<'_> {
             Anchor::Middle,
             FRICTION,
         );
+    }
+
+    /// Draws the arrows of constant forces below their masses.
+    fn constant_arrows(&self, pen: &mut Pen<'_>, row: f64) {
+        let y = row + HEIGHT + PAD + 2.0;
+        for own in self.constant() {
+            let (left, right) = self.sides(own.mass + 1);
+            let middle = 0.5 * (left + right);
+            let half = if own.is_negative { -ARROW } else { ARROW };
+            pen.arrow((middle - half, y), (middle + half, y), FORCE);
+            let label = (middle, y + TEXT + 3.0);
+            pen.text(&own.label, label, Anchor::Middle, FORCE);
+        }
     }
 
     fn excitation(&self, pen: &mut Pen<'_>, row: f64) {

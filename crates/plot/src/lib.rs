@@ -54,5 +54,7 @@ pub use layer::{Across, Anchor, Cells, Guide, Layer, Line, Markers, Note, Raster
 pub use palette::{Colour, Fill};
 #[cfg(feature = "png")]
 pub use png::PlotError;
-pub use sketch::{End, Excitation, Sketch, SketchContact, Slider, Spring};
+pub use sketch::{
+    ConstantArrow, End, Excitation, Sketch, SketchContact, Slider, SliderType, Spring,
+};
 pub use stroke::{Marker, Stroke};

@@ -100,6 +100,35 @@ impl<'c> Pen<'c> {
         self.line(&[(right, y), (to, y)], INK, 1.2);
     }
 
+    /// Draws a stop with a gap between two positions: a rod with a plate in front of a hatched face.
+    pub(crate) fn stop(&mut self, from: f64, to: f64, y: f64) {
+        let middle = 0.5 * (from + to);
+        let (plate, face) = (middle - 5.0, middle + 4.0);
+        self.line(&[(from, y), (plate, y)], INK, 1.2);
+        self.line(&[(plate, y - 6.0), (plate, y + 6.0)], INK, 2.4);
+        self.hatched((face, y - 8.0), (face, y + 8.0), (1.0, 0.0));
+        self.line(&[(face, y), (to, y)], INK, 1.2);
+    }
+
+    /// Draws a stop with a gap that acts under a pull: the plate of a rod behind the face of a bracket.
+    pub(crate) fn pulling_stop(&mut self, from: f64, to: f64, y: f64) {
+        let middle = 0.5 * (from + to);
+        let (face, plate, back) = (middle - 5.0, middle + 4.0, middle + 11.0);
+        self.line(&[(from, y), (plate, y)], INK, 1.2);
+        self.line(&[(plate, y - 5.0), (plate, y + 5.0)], INK, 2.4);
+        for side in [-1.0, 1.0] {
+            let outer = y + 8.0 * side;
+            let bracket = [
+                (face, y + 2.5 * side),
+                (face, outer),
+                (back, outer),
+                (back, y),
+            ];
+            self.line(&bracket, INK, 1.2);
+        }
+        self.line(&[(back, y), (to, y)], INK, 1.2);
+    }
+
     /// Draws a line with short oblique strokes on one side, as for a wall. `side` is the direction towards the
     /// strokes.
     pub(crate) fn hatched(&mut self, from: Point, to: Point, side: Point) {

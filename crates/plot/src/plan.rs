@@ -3,7 +3,7 @@
 use crate::geometry::Point;
 use crate::label::Label;
 use crate::pen::TEXT;
-use crate::sketch::{End, Excitation, Sketch, SketchContact, Spring};
+use crate::sketch::{ConstantArrow, End, Excitation, Sketch, SketchContact, SliderType, Spring};
 
 /// Usual width of a mass in a sketch, in pixels.
 pub(crate) const WIDTH: f64 = 46.0;
@@ -25,10 +25,8 @@ pub(crate) const PAD: f64 = 7.0;
 pub(crate) enum Element {
     Spring,
     Dashpot,
-    /// A friction contact, with a spring in series if the contact is elastic.
-    Slider {
-        is_elastic: bool,
-    },
+    /// A friction contact or a stop.
+    Slider(SliderType, i8),
 }
 
 /// A spring, a dashpot or a contact that a sketch shows above the row of masses.
@@ -117,9 +115,10 @@ impl<'a> Plan<'a> {
         }
         let dashpots = sketch.dashpots.iter();
         let dashpots = dashpots.map(|one| (one.between, &one.label, Element::Dashpot));
-        let sliders = sketch.sliders.iter().map(|one| {
-            let is_elastic = one.is_elastic;
-            (one.between, &one.label, Element::Slider { is_elastic })
+        let sliders = sketch.sliders.iter();
+        let sliders = sliders.map(|one| {
+            let element = Element::Slider(one.slider_type, one.direction);
+            (one.between, &one.label, element)
         });
         for (between, label, element) in dashpots.chain(sliders) {
             let Some((low, high)) = stations(between) else {
@@ -193,7 +192,15 @@ impl<'a> Plan<'a> {
         }
     }
 
-    /// Returns the height needed below the masses, for the contact and for the arrow of the base's motion, in pixels.
+    /// Returns the constant forces whose masses exist.
+    pub(crate) fn constant(&self) -> impl Iterator<Item = &'a ConstantArrow> {
+        let count = self.count();
+        let constant = self.sketch.constant.iter();
+        constant.filter(move |own| own.mass < count)
+    }
+
+    /// Returns the height needed below the masses, for the contact, for constant forces and for the arrow of the base's
+    /// motion, in pixels.
     pub(crate) fn under(&self) -> f64 {
         let contact = match self.contact {
             Some(_) => PAD + HATCH + TEXT + 6.0,
@@ -203,7 +210,8 @@ impl<'a> Plan<'a> {
             Excitation::Base { .. } => PAD + HATCH + TEXT + 10.0,
             _ => 2.0,
         };
-        contact.max(base)
+        let constant = self.constant().map(|_| PAD + TEXT + 12.0);
+        constant.fold(contact.max(base), f64::max)
     }
 
     pub(crate) fn size(&self) -> Point {
@@ -249,7 +257,9 @@ fn pitch(sketch: &Sketch) -> (f64, f64) {
     let widest = |labels: &mut dyn Iterator<Item = &Label>| {
         labels.map(|label| label.width(TEXT)).fold(0.0, f64::max)
     };
-    let mass = widest(&mut sketch.masses.iter().chain(&sketch.values));
+    let constant = sketch.constant.iter().map(|own| &own.label);
+    let masses = sketch.masses.iter().chain(&sketch.values);
+    let mass = widest(&mut masses.chain(constant));
     let springs = sketch.springs.iter().map(|spring| &spring.label);
     let sliders = sketch.sliders.iter().map(|slider| &slider.label);
     let gap = widest(&mut springs.chain(sliders));

@@ -31,15 +31,41 @@ pub struct SketchContact {
     pub label: Label,
 }
 
-/// A friction contact of a system with several contacts. A sketch draws the contact above the row of masses.
+/// Type of a contact that a sketch draws above the row of masses.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum SliderType {
+    /// A rigid friction contact.
+    Rigid,
+    /// A friction contact in series with a spring.
+    Elastic,
+    /// A stop with a gap, which acts if its two sides approach each other.
+    Stop,
+    /// A stop with a gap, which acts if its two sides move apart.
+    PullingStop,
+}
+
+/// A friction contact or a stop of a system with several contacts. A sketch draws it above the row of masses.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Slider {
-    /// The two elements that rub on each other, in any order.
+    /// The two elements that touch each other, in any order.
     pub between: (End, End),
     /// Label above the contact.
     pub label: Label,
-    /// True if a spring is in series with the contact.
-    pub is_elastic: bool,
+    /// Type of the contact.
+    pub slider_type: SliderType,
+    /// Direction in which the second surface of the contact moves: 1 to the right, −1 to the left, 0 at rest.
+    pub direction: i8,
+}
+
+/// A constant force on a mass. A sketch draws it as an arrow below the mass.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct ConstantArrow {
+    /// Index of the loaded mass, from 0.
+    pub mass: usize,
+    /// Label below the arrow.
+    pub label: Label,
+    /// True if the force acts in the negative direction, to the left.
+    pub is_negative: bool,
 }
 
 /// The excitation in a sketch: none, a force on a mass, or the motion of the base.
@@ -77,6 +103,7 @@ pub enum Excitation {
 ///     ],
 ///     dashpots: Vec::new(),
 ///     sliders: Vec::new(),
+///     constant: Vec::new(),
 ///     contact: Some(SketchContact { between: (End::Mass(1), End::Wall), label: "*F*".into() }),
 ///     excitation: Excitation::Base { label: "*y*(*t*)".into() },
 /// };
@@ -93,8 +120,10 @@ pub struct Sketch {
     pub springs: Vec<Spring>,
     /// Dashpots parallel to the springs.
     pub dashpots: Vec<Spring>,
-    /// The contacts of a system with several contacts.
+    /// The contacts and stops of a system with several contacts.
     pub sliders: Vec<Slider>,
+    /// Constant forces on masses.
+    pub constant: Vec<ConstantArrow>,
     /// The friction contact of a system with a single contact, below the row of masses. `None` for a system without
     /// contact, or with several contacts.
     pub contact: Option<SketchContact>,
@@ -112,7 +141,9 @@ impl Sketch {
 
 #[cfg(test)]
 mod tests {
-    use super::{End, Excitation, Sketch, SketchContact, Slider, Spring};
+    use super::{
+        ConstantArrow, End, Excitation, Sketch, SketchContact, Slider, SliderType, Spring,
+    };
     use crate::drawing::ALONE;
 
     fn chain(count: usize) -> Sketch {
@@ -131,6 +162,7 @@ mod tests {
                 .collect(),
             dashpots: Vec::new(),
             sliders: Vec::new(),
+            constant: Vec::new(),
             contact: None,
             excitation: Excitation::None,
         }
@@ -206,11 +238,13 @@ mod tests {
     fn several_contacts_stand_above() {
         let mut sketch = chain(2);
         let (width, height) = sketch.size(ALONE).unwrap();
-        for (index, is_elastic) in [true, false].into_iter().enumerate() {
+        let types = [SliderType::Elastic, SliderType::Rigid];
+        for (index, slider_type) in types.into_iter().enumerate() {
             sketch.sliders.push(Slider {
                 between: (End::Mass(0), End::Mass(1)),
                 label: format!("slider {index}").into(),
-                is_elastic,
+                slider_type,
+                direction: 0,
             });
             let (same, higher) = sketch.size(ALONE).unwrap();
             // Two contacts between the same masses are drawn at different levels, so the sketch becomes higher but not
@@ -220,13 +254,52 @@ mod tests {
         sketch.sliders.push(Slider {
             between: (End::Mass(1), End::Wall),
             label: "pads".into(),
-            is_elastic: false,
+            slider_type: SliderType::Rigid,
+            direction: 0,
         });
         assert!(width < sketch.size(ALONE).unwrap().0);
         let svg = sketch.svg().unwrap();
         for label in ["slider 0", "slider 1", "pads"] {
             assert!(svg.contains(&format!(">{label}<")), "{label}: {svg}");
         }
+    }
+
+    /// Each of a belt, a stop and a constant force adds strokes to the sketch, and has its label in it.
+    #[test]
+    fn belts_stops_and_constant_forces_are_drawn() {
+        let strokes = |sketch: &Sketch| sketch.svg().unwrap().matches("<path").count();
+        let with = |slider_type, direction| {
+            let mut sketch = chain(2);
+            sketch.sliders.push(Slider {
+                between: (End::Mass(1), End::Wall),
+                label: "pads".into(),
+                slider_type,
+                direction,
+            });
+            assert!(sketch.svg().unwrap().contains(">pads<"));
+            strokes(&sketch)
+        };
+        for slider_type in [SliderType::Rigid, SliderType::Elastic] {
+            let [at_rest, right, left] = [0, 1, -1].map(|direction| with(slider_type, direction));
+            assert!(at_rest < right && right == left);
+        }
+        for slider_type in [SliderType::Stop, SliderType::PullingStop] {
+            assert!(strokes(&chain(2)) < with(slider_type, 0));
+        }
+        let mut sketch = chain(2);
+        let (plain, (width, height)) = (strokes(&sketch), sketch.size(ALONE).unwrap());
+        for (mass, is_negative) in [(0, false), (1, true), (2, false)] {
+            sketch.constant.push(ConstantArrow {
+                mass,
+                label: format!("{mass} N").into(),
+                is_negative,
+            });
+        }
+        let svg = sketch.svg().unwrap();
+        assert!(svg.contains(">0 N<") && svg.contains(">1 N<") && !svg.contains(">2 N<"));
+        assert_eq!(strokes(&sketch), plain + 4);
+        let (same, higher) = sketch.size(ALONE).unwrap();
+        assert!(same == width && height < higher);
     }
 
     #[test]

@@ -1,6 +1,7 @@
 //! `frictiongen check`: prints the errors and warnings of a scene description in the style of a compiler. For a valid
 //! description, prints numbers that reveal a wrong unit.
 
+mod joints;
 mod numbers;
 
 use crate::args::CheckArguments;
@@ -51,6 +52,7 @@ pub fn run(arguments: &CheckArguments, out: &mut dyn Write) -> Result<(), Failur
             (answer.as_object_mut(), numbers::json(&description.scene))
         {
             fields.extend(numbers);
+            fields.extend(joints::json(&description.scene));
         }
         if let (Some(fields), Some(law)) = (answer.as_object_mut(), smooth_law(&text)) {
             let lines = json!({ "lines": law.points.len(), "largest_error": law.error });
@@ -85,6 +87,9 @@ pub fn run(arguments: &CheckArguments, out: &mut dyn Write) -> Result<(), Failur
         writeln!(out, "{acts_on}")?;
     }
     numbers::write(scene, out)?;
+    for [what, name, numbers] in joints::lines(scene) {
+        writeln!(out, "{what:<25}  {name}: {numbers}")?;
+    }
     if let Some(law) = smooth_law(&text) {
         writeln!(
             out,

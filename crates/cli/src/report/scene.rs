@@ -29,6 +29,19 @@ pub fn drawing(scene: &Scene, measure: &Measure) -> Option<String> {
     for (drawn, damper) in sketch.dashpots.iter_mut().zip(&scene.joints.dampers) {
         drawn.label = Label::verbatim(&format!("{} N·s/m", digits(damper.coefficient)));
     }
+    let contacts = scene.named_contacts().into_iter();
+    let speeds = contacts.map(|contact| match contact.law.speed {
+        0.0 => String::new(),
+        speed => format!(", {} m/s", digits(speed)),
+    });
+    let stops = scene.joints.stops.iter();
+    let gaps = stops.map(|stop| format!(", gap {} m", digits(stop.law.gap)));
+    for (drawn, more) in sketch.sliders.iter_mut().zip(speeds.chain(gaps)) {
+        drawn.label = Label::verbatim(&(drawn.label.plain() + &more));
+    }
+    for (drawn, own) in sketch.constant.iter_mut().zip(&scene.joints.constant) {
+        drawn.label = Label::verbatim(&format!("{} N", digits(own.force.abs())));
+    }
     let size = measure.load().map(|load| match load {
         Load::Base(motion) => (format!("*Y* = {} mm", digits(1e3 * motion)), "*Y* cos *ωt*"),
         load => (

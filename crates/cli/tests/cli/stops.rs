@@ -69,3 +69,47 @@ fn what_needs_a_closed_form_is_refused() {
         "{message}"
     );
 }
+
+/// `check` lists what the numbers of contacts and springs do not tell. The report shows the same.
+#[cfg(feature = "report")]
+#[test]
+fn stops_and_belts_are_shown() {
+    let scene = GEAR.replace("excitation", "dampers: { load - motor: 2.5 }, excitation");
+    let text = output(&scene, &["check"]);
+    for line in [
+        "moving surface (m/s)       seal: 0.1",
+        "stop (m, N/m, N s/m)       bumper: load - wall, gap 0.02, stiffness 10000.0, damping 5.0",
+        "stop (m, N/m, N s/m)       tooth: load - motor, gap 0.01, restitution 0.6",
+        "dashpot (N s/m)            load - motor: 2.5",
+        "constant force (N)         load: 0.3",
+    ] {
+        assert!(
+            text.lines().any(|printed| printed == line),
+            "{line}\n{text}"
+        );
+    }
+    let checked: serde_json::Value =
+        serde_json::from_str(&output(&scene, &["check", "--json"])).expect("JSON");
+    assert_eq!(checked["stops"][1]["restitution"], 0.6);
+    assert_eq!(checked["stops"][0]["stiffness_N_m"], 1e4);
+    assert!(checked["stops"][1]["stiffness_N_m"].is_null());
+    assert_eq!(checked["moving_surfaces"][0]["speed_m_s"], 0.1);
+    assert_eq!(checked["dashpots"][0]["coefficient_N_s_m"], 2.5);
+    assert_eq!(checked["constant_forces"][0]["force_N"], 0.3);
+    // A scene without them has none of the fields.
+    let plain = output("", &["check", "--json", crate::common::FRAME]);
+    assert!(!plain.contains("\"stops\"") && !plain.contains("moving_surfaces"));
+    let tiny = "struct Tiny { masses: { m: 1 }, springs: { m - wall: 100 }, excitation: m,
+        contacts: { seal: m - wall { speed: 0.1 } }, damping: modal(0.05), constant: { m: 1 },
+        stops: { bumper: m - wall { gap: 0.2, stiffness: 1e3 } } }";
+    let page = output(tiny, &words("report - --hz 1:2 --friction 1 --force 2"));
+    for shown in [
+        "<caption>Stops</caption>",
+        "<caption>Constant forces</caption>",
+        "surface speed (m/s)",
+        "bumper, gap 0.2 m",
+        "seal, 0.1 m/s",
+    ] {
+        assert!(page.contains(shown), "{shown}");
+    }
+}

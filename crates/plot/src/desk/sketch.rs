@@ -1,6 +1,8 @@
 //! Sketches of a scene.
 
-use crate::{End, Excitation, Label, Sketch, SketchContact, Slider, Spring};
+use crate::{
+    ConstantArrow, End, Excitation, Label, Sketch, SketchContact, Slider, SliderType, Spring,
+};
 use frictiongen::study::scene::{self, Node, Scene};
 
 /// Returns the sketch of a scene whose excitation is a recording. The masses have the names of the scene. The label of
@@ -70,14 +72,44 @@ pub fn sketch(scene: &Scene, own_names: bool) -> Sketch {
     let sliders = contacts.map(|contact| Slider {
         between: (end(contact.sides.from), end(contact.sides.to)),
         label: Label::verbatim(&contact.name),
-        is_elastic: contact.law.stiffness.is_some(),
+        slider_type: match contact.law.stiffness {
+            None => SliderType::Rigid,
+            Some(_) => SliderType::Elastic,
+        },
+        direction: match contact.law.speed {
+            0.0 => 0,
+            speed if speed < 0.0 => -1,
+            _ => 1,
+        },
+    });
+    // Order of the elements in the sketch, from left to right.
+    let place = |node: Node| match node {
+        Node::Base => 0,
+        Node::Mass(index) => index + 1,
+        Node::Wall => usize::MAX,
+    };
+    let stops = scene.joints.stops.iter().map(|stop| Slider {
+        between: (end(stop.sides.from), end(stop.sides.to)),
+        label: Label::verbatim(&stop.name),
+        slider_type: if place(stop.sides.from) < place(stop.sides.to) {
+            SliderType::Stop
+        } else {
+            SliderType::PullingStop
+        },
+        direction: 0,
+    });
+    let constant = scene.joints.constant.iter().map(|own| ConstantArrow {
+        mass: own.mass,
+        label: Label::verbatim(&format!("{} N", own.force.abs())),
+        is_negative: own.force < 0.0,
     });
     Sketch {
         masses: masses.collect(),
         values: Vec::new(),
         springs: springs.collect(),
         dashpots: dashpots.collect(),
-        sliders: sliders.collect(),
+        sliders: sliders.chain(stops).collect(),
+        constant: constant.collect(),
         contact: (!is_joined).then(|| SketchContact {
             between: (end(scene.contact.from), end(scene.contact.to)),
             label: match scene.contact_name.as_str() {

@@ -115,6 +115,10 @@ fn chain(contents: &Contents<'_>) -> Markup {
     let scene = contents.question.system.scene();
     let between =
         |from: Node, to: Node| format!("{} – {}", scene.node_name(from), scene.node_name(to));
+    let has_belts = scene
+        .named_contacts()
+        .iter()
+        .any(|own| own.law.speed != 0.0);
     html! {
         section #scene {
             h2 { "The chain" }
@@ -128,6 +132,7 @@ fn chain(contents: &Contents<'_>) -> Markup {
                 thead { tr {
                     th scope="col" { "name" } th scope="col" { "between" } th scope="col" { "stiffness (N/m)" }
                     th scope="col" { "share of F" } th scope="col" { "stiction μ" }
+                    @if has_belts { th scope="col" { "surface speed (m/s)" } }
                 } }
                 tbody { @for contact in scene.named_contacts() { tr {
                     th scope="row" { (contact.name) }
@@ -135,8 +140,18 @@ fn chain(contents: &Contents<'_>) -> Markup {
                     td { @match contact.law.stiffness { Some(stiffness) => (digits(stiffness)), None => "rigid" } }
                     td { (digits(contact.law.share)) }
                     td { (digits(contact.law.stiction)) }
+                    @if has_belts { td { (digits(contact.law.speed)) } }
                 } } }
             }
+            @if !scene.joints.stops.is_empty() { (stops(scene)) }
+            @if !scene.joints.constant.is_empty() { table {
+                caption { "Constant forces" }
+                thead { tr { th scope="col" { "on" } th scope="col" { "N" } } }
+                tbody { @for own in &scene.joints.constant { tr {
+                    th scope="row" { (scene.node_name(Node::Mass(own.mass))) }
+                    td { (digits(own.force)) }
+                } } }
+            } }
             details {
                 summary { "Values: masses, springs and dashpots" }
                 div.pair {
@@ -151,6 +166,32 @@ fn chain(contents: &Contents<'_>) -> Markup {
                     } }
                 }
             }
+        }
+    }
+}
+
+/// Returns the table of the stops as HTML.
+fn stops(scene: &Scene) -> Markup {
+    html! {
+        table {
+            caption { "Stops" }
+            thead { tr {
+                th scope="col" { "name" } th scope="col" { "between" } th scope="col" { "gap (m)" }
+                th scope="col" { "stiffness (N/m)" } th scope="col" { "damping (N·s/m)" } th scope="col" { "restitution" }
+            } }
+            tbody { @for stop in &scene.joints.stops {
+                @let (stiffness, damping, restitution) = stop.law.impact.numbers();
+                tr {
+                    th scope="row" { (stop.name) }
+                    td { (scene.node_name(stop.sides.from)) " – " (scene.node_name(stop.sides.to)) }
+                    td { (digits(stop.law.gap)) }
+                    @if let Some(stiffness) = stiffness {
+                        td { (digits(stiffness)) } td { (digits(damping)) } td { "–" }
+                    } @else {
+                        td { "–" } td { "–" } td { (digits(restitution)) }
+                    }
+                }
+            } }
         }
     }
 }
