@@ -8,3 +8,4 @@ mod example_scenes;
 mod fuzz;
 mod guide_page;
 mod start_page;
+mod worked_page;
