@@ -277,7 +277,7 @@ fn smooth_laws_that_are_refused() {
             "`stiffness` and `stribeck` exclude each other",
         ),
     ] {
-        let message = failure(&scene(law), &["check"]).join("\n");
+        let message = failure(scene(law), &["check"]).join("\n");
         assert!(message.contains(says), "{law}: {message}");
         assert_eq!(message.matches("error: ").count(), 1, "{law}: {message}");
     }

@@ -33,11 +33,14 @@ fn value(sample: usize) -> f64 {
     a + (b - a) * (sample - from) as f64 / (to - from) as f64
 }
 
+/// Channels of a record, each with its name, its unit, its mean and its size.
+type Tracks<'t> = &'t [(&'t str, &'t str, [f64; 2])];
+
 type Motion = (Vec<[f64; 2]>, Vec<JoinedContactNow>);
 
 /// Follows a scene under channels with a name, a unit and a size, sampled at the given samples of the even record.
 /// Returns the motion at each of these samples, and the work of the load.
-fn motion(scene: &str, channels: &[(&str, &str, [f64; 2])], at: &[usize]) -> (Vec<Motion>, f64) {
+fn motion(scene: &str, channels: Tracks<'_>, at: &[usize]) -> (Vec<Motion>, f64) {
     let system: System = scene.parse().unwrap();
     let channels = channels.iter().map(|(name, unit, [mean, size])| Channel {
         name: (*name).to_owned(),
@@ -72,7 +75,7 @@ fn samples_on_straight_lines_change_nothing() {
         "struct B { masses: { m: 2 }, springs: { m - wall: 300 }, contact: m - wall, excitation: m,
         stiction: 1.3 }";
     let held = block.replace("excitation: m,", "excitation: m, input: hold,");
-    let cases: [(&str, &[(&str, &str, [f64; 2])]); 6] = [
+    let cases: [(&str, Tracks<'_>); 6] = [
         (frame, &[("base", "mm", [0.0, 8.0])]),
         (frame, &[("base", "m/s", [0.0, 0.2])]),
         (

@@ -33,6 +33,9 @@ fn history(
     inputs.history(&system.joined().unwrap(), None).unwrap()
 }
 
+/// Signals that act together, and the displacement in closed form.
+type Case<'c> = (&'c [&'c str], &'c dyn Fn(f64) -> f64);
+
 /// Compares the displacements of the first mass with a closed form. Returns the largest difference.
 fn largest_error(history: &JoinedHistory, exact: impl Fn(f64) -> f64) -> f64 {
     let samples = history.taus.iter().zip(&history.states);
@@ -73,7 +76,7 @@ fn sine(nu: f64, t: f64) -> f64 {
 
 #[test]
 fn a_mass_on_a_spring() {
-    let cases: [(&[&str], &dyn Fn(f64) -> f64); 8] = [
+    let cases: [Case<'_>; 8] = [
         (&["const 3 N"], &|t| 3.0 * step(t)),
         (&["step 3 N from 0.5 s"], &|t| 3.0 * step(t - 0.5)),
         (&["rectangle 3 kN from 0.5 s for 250 ms"], &|t| {

@@ -64,7 +64,7 @@ impl<S: Float, Z: Size, T: AsRef<[S]>> Stepper<S, Z, T> {
         if (span.forces.len(), span.frictions.len()) != self.motion.model().inputs() {
             return Err(OutOfDomain::Forces);
         }
-        if !self.pace.on_base && !(span.base.is_zero() && !span.jolts) {
+        if !self.pace.on_base && (span.jolts || !span.base.is_zero()) {
             return Err(OutOfDomain::BaseAtRest);
         }
         let at_end = [0, 1, 2].map(|order| span.base.value(span.length, order));
