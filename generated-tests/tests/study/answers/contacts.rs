@@ -230,7 +230,9 @@ fn check(frame: &Frame, frictions: u32, cells: u32) -> Outcome {
     let found = frame.optimum();
     let seconds = super::processor_seconds() - start;
     let mut first = found.peaks.first().map_or(1.0, |peak| peak.r);
-    let there = frame.largest(found.beta, 4 * cells, (f64::INFINITY, &mut first));
+    // At the friction from which a contact with μ > 1 sticks, rounding decides whether it does.
+    let beta = found.beta * (1.0 + 1e-9);
+    let there = frame.largest(beta, 4 * cells, (f64::INFINITY, &mut first));
     let enough = found.amplitude / (1.0 + ABOVE);
     let better = frame.frictions(frictions, cells).filter_map(|beta| {
         let largest = frame.largest(beta, cells, (enough, &mut first));
