@@ -125,6 +125,8 @@ pub struct Watch<S: Float, Z: Size> {
     drifts: Z::Masses<S>,
     /// Time since the start of the period.
     passed: S,
+    /// Phases after an event at the start of the period.
+    first: Option<Z::Contacts<i8>>,
 }
 
 impl<S: Float, Z: Size> Watch<S, Z> {
@@ -147,6 +149,7 @@ impl<S: Float, Z: Size> Watch<S, Z> {
             spans: size.masses(None),
             drifts: size.masses(zero),
             passed: zero,
+            first: None,
         }
     }
 
@@ -156,6 +159,25 @@ impl<S: Float, Z: Size> Watch<S, Z> {
         Self {
             drifts,
             ..Self::new(model)
+        }
+    }
+
+    /// Counts an event at the start of the period, which is also its end. Rounding decides whether the motion passes such
+    /// an event at its start, at its end, both times or never. `start` and `end` are the phases at both instants.
+    pub(super) fn close(&mut self, start: &Z::Contacts<i8>, end: &Z::Contacts<i8>) {
+        let first = self.first.take().unwrap_or_else(|| start.clone());
+        if first != *end {
+            self.count(end, &first);
+        }
+    }
+
+    fn count(&mut self, before: &Z::Contacts<i8>, after: &Z::Contacts<i8>) {
+        self.cycle.events += 1;
+        let phases = before.as_ref().iter().zip(after.as_ref());
+        for (contact, (&before, &after)) in self.cycle.contacts.as_mut().iter_mut().zip(phases) {
+            let stops = before != STUCK && after == STUCK;
+            contact.stops += usize::from(stops || after == IMPACT);
+            contact.reversals += usize::from(before * after == -1);
         }
     }
 
@@ -215,7 +237,9 @@ impl<S: Float, Z: Size> Watch<S, Z> {
     pub fn cycle(mut self, length: S) -> Cycle<S, Z> {
         for contact in self.cycle.contacts.as_mut() {
             contact.stuck_fraction = contact.stuck_fraction / length;
-            if !contact.has_slid() && contact.slip > S::constant(0.0) {
+            let seems_to_slide =
+                contact.slip > S::constant(0.0) || contact.stops + contact.reversals > 0;
+            if seems_to_slide && !contact.has_slid() && !contact.is_stop {
                 contact.forget_slip();
             }
         }
@@ -256,12 +280,10 @@ impl<S: Float, Z: Size> Observe<S, Z> for Watch<S, Z> {
     }
 
     fn event(&mut self, _: S, before: &Z::Contacts<i8>, after: &Z::Contacts<i8>) {
-        self.cycle.events += 1;
-        let phases = before.as_ref().iter().zip(after.as_ref());
-        for (contact, (&before, &after)) in self.cycle.contacts.as_mut().iter_mut().zip(phases) {
-            let stops = before != STUCK && after == STUCK;
-            contact.stops += usize::from(stops || after == IMPACT);
-            contact.reversals += usize::from(before * after == -1);
+        if self.passed.is_zero() {
+            self.first = Some(after.clone());
+        } else {
+            self.count(before, after);
         }
     }
 }

@@ -159,6 +159,7 @@ impl<S: Float, Z: Size> Search<S, Z> {
         let mut slips = Slips::new(start.model());
         let mut end = start.clone();
         self.pass(&mut end, span, &mut Both(&mut slips, &mut watch))?;
+        watch.close(&start.state().phases, &end.state().phases);
         let to = self.unknowns().read(&end);
         let residual = residual(&start, &end, (&from, &to));
         self.moving = slips.slides(start.model());

@@ -91,3 +91,25 @@ fn motions_that_settle_have_a_steady_state() {
         );
     }
 }
+
+/// Checks a motion whose period starts at an event: the contact of the mass with the wall stops as the base turns back.
+/// Contacts that never slide are in the middle of their intervals, and a pair of stops is counted.
+#[test]
+fn an_event_at_the_start_of_the_period_counts_once() {
+    let scene = system(
+        "struct S { masses: { m: 0.639 }, springs: { base - m: 2.296, m - wall: 0.398 }, excitation: base,
+        damping: modal(0.0077), contacts: { a: m - wall { share: 0.486, stiction: 1.856, stiffness: 7.654 },
+        b: base - m { share: 0.217 }, c: base - m { share: 0.389, stiction: 1.931, stiffness: 2.499 },
+        d: base - m { share: 0.894, stiffness: 1.326 } } }",
+    );
+    let joined = scene.joined().expect("answers");
+    let at = joined.at(0.323_693_488_555_970_6).expect("r");
+    let orbit = at.orbit(0.165_142_260_584_432_07).expect("a state");
+    assert!(orbit.is_symmetric().expect("a motion"));
+    let counts: Vec<_> = orbit
+        .contacts()
+        .map(|own| (own.stops(), own.slip() > 0.0))
+        .collect();
+    assert_eq!(counts, [(2, true), (4, true), (0, false), (0, false)]);
+    assert!((orbit.amplitudes()[0] - 0.955_692_619_116_388).abs() < 1e-12);
+}
