@@ -619,15 +619,15 @@ fn the_best_share_of_a_contact() {
     for (text, told) in [
         (
             "share k=1:2",
-            "there is no contact `k`; the contacts are brace, pads",
+            "there is no number `share k` in the description; the numbers are m block,",
         ),
         (
             "share clutch=1:2",
-            "there is no contact `clutch`; the contacts are brace, pads",
+            "there is no number `share clutch` in the description; the numbers are m block,",
         ),
         ("share pads", "an interval are needed, NAME=a:b"),
         ("share pads=2", "an interval a:b is needed"),
-        ("share pads=0:1", "must begin above 0"),
+        ("share pads=0:1", "a share must be greater than zero"),
     ] {
         let mut line = words("optimum --r 0.8:1.4 --of block --vary");
         line.push(text);
