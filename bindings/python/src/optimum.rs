@@ -82,7 +82,10 @@ pub fn optimum<'py>(
         Some(first) => first.part.clone(),
         None => quantity(system, "of", of.cast::<PyString>()?.to_str()?)?,
     };
-    let vary = vary.as_ref().map(|vary| tunings(system, vary)).transpose()?;
+    let vary = vary
+        .as_ref()
+        .map(|vary| tunings(system, vary))
+        .transpose()?;
     let vary = vary.unwrap_or_default();
     let bounds = keep.map(|keep| valued(system, &measure, (&KEEP, &keep)));
     let bounds = bounds.transpose()?.unwrap_or_default();
