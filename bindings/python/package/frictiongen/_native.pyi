@@ -9,7 +9,6 @@ _Frequency = tuple[Any | None, Any | None, Any | None]
 _Friction = tuple[Any | None, Any | None]
 _Load = tuple[Any | None, Any | None]
 _Driven = tuple[_Load, Any | None]
-_Driver = "Recording | tuple[list[str], Any | None, Any | None]"
 _Columns = dict[str, Any]
 _Beginning = tuple[Any | None, Any | None, Any | None]
 
@@ -163,10 +162,10 @@ def step(
     beginning: _Beginning,
 ) -> _Columns: ...
 def drive(
-    system: System, driver: _Driver, keywords: tuple[Any | None, Any | None, Any | None, Any | None]
+    system: System, driver: Recording | tuple[list[str], Any | None, Any | None], keywords: tuple[Any | None, Any | None, Any | None, Any | None]
 ) -> _Columns: ...
 def drive_peaks(
-    system: System, driver: _Driver, keywords: tuple[Any | None, Any | None, Any | None, Any | None]
+    system: System, driver: Recording | tuple[list[str], Any | None, Any | None], keywords: tuple[Any | None, Any | None, Any | None, Any | None]
 ) -> _Columns: ...
 def response_spectrum(system: System, recording: Recording, damping: Any) -> _Columns: ...
 def optimum(

@@ -245,8 +245,9 @@ def _driver(
         if until is not None or samples is not None:
             raise ValueError("until and samples belong to inputs in closed form; leave them out, or give after")
         return recording._native
-    texts = _texts(recording) if isinstance(recording, Iterable) and not isinstance(recording, Mapping) else [recording]
-    if not all(isinstance(text, str) for text in texts):
+    is_listed = isinstance(recording, Iterable) and not isinstance(recording, Mapping)
+    texts = _texts(recording) if is_listed else []
+    if not is_listed or not all(isinstance(text, str) for text in texts):
         raise TypeError(f"a Recording is needed, or inputs as texts, not {type(recording).__name__}")
     return texts, until, samples
 
