@@ -40,11 +40,8 @@ impl<S: Float, Z: Size> Series<S, Z> {
             *terms = load;
         }
         let mut series = Self {
-            start,
-            length,
-            x: model.size.nodes(nothing()),
-            v: model.size.nodes(nothing()),
             forces: contact_levels(model, state, (start, length)),
+            ..Self::nothing(model, (start, length))
         };
         let zero = S::constant(0.0);
         let (mut forces, mut rest) = (model.size.nodes(zero), model.size.nodes(zero));

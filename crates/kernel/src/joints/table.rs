@@ -550,8 +550,9 @@ impl<'m, S: Float, Z: Size> Builder<'m, S, Z> {
             for (sum, term) in whole.as_mut().iter_mut().zip(self.term.as_ref()) {
                 *sum = *sum + *term;
             }
-            let all = orders.as_mut().chunks_exact_mut((count * count).max(1));
-            for (entry, term) in all.skip(order).take(1).flatten().zip(self.term.as_ref()) {
+            let mut matrices = orders.as_mut().chunks_exact_mut((count * count).max(1));
+            let matrix = matrices.nth(order).unwrap_or_default();
+            for (entry, term) in matrix.iter_mut().zip(self.term.as_ref()) {
                 *entry = *term;
             }
             let rows = watched.as_mut().chunks_exact_mut(terms * count);

@@ -50,11 +50,7 @@ pub(super) fn emit(
         frictiongen_kernel::stepper::Input::Hold => code!(Hold),
         frictiongen_kernel::stepper::Input::Linear => code!(Linear),
     };
-    let layout = emission.steps?;
-    let [masses, contacts, loads] =
-        [layout.masses, layout.contacts, layout.loads].map(Literal::usize_unsuffixed);
-    let on_base = layout.on_base;
-    let properties = Literal::usize_unsuffixed(layout.properties());
+    let on_base = pace.on_base;
     let target = emission.stepper_type(&code!(&'static [#scalar; #entries]));
     let about = format!(
         " Stepper of the declared step `STEP`.  It borrows its tables, which stay constants of the program, and has the methods of [`{}`].",
@@ -74,9 +70,6 @@ pub(super) fn emit(
                 input: #facade::kernel::stepper::Input::#input,
                 on_base: #on_base,
             };
-            /// Lengths of the tables.
-            const STEP_LAYOUT: #engine::Layout =
-                #engine::Layout::of_properties((#masses, #contacts, #loads), #properties);
             /// Tables of a part, for each set of contacts that stick.
             const STEP_TABLES: [#scalar; #entries] = [#(#tables),*];
 
@@ -89,7 +82,7 @@ pub(super) fn emit(
                 #declared {
                     0: #engine::Stepper::declared(
                         Self::STEP_CHAIN,
-                        (Self::STEP_PACE, Self::STEP_LAYOUT),
+                        Self::STEP_PACE,
                         &Self::STEP_TABLES,
                         #zero,
                     ),

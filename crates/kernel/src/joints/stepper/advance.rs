@@ -108,13 +108,7 @@ impl<S: Float, Z: Size, T: AsRef<[S]>> Stepper<S, Z, T> {
         watch: &mut W,
     ) -> Result<Stepped, OutOfDomain> {
         self.check(&sample)?;
-        let mut noted = Noted {
-            events: 0,
-            last: None,
-            work: self.status.work,
-            watch,
-        };
-        let exceeded = self.attempt(|stepper| {
+        self.take_step(watch, |stepper, noted| {
             match stepper.pace.input {
                 Input::Hold => stepper.hold(&sample)?,
                 Input::Linear => stepper.lead(&sample)?,
@@ -122,10 +116,29 @@ impl<S: Float, Z: Size, T: AsRef<[S]>> Stepper<S, Z, T> {
             let mut exceeded = false;
             for part in 0..stepper.pace.parts {
                 if W::NEEDS_SERIES || !stepper.leap(part) {
-                    exceeded |= stepper.follow(part, &mut noted)?;
+                    exceeded |= stepper.follow(part, noted)?;
                 }
             }
             stepper.keep(&sample);
+            Ok(exceeded)
+        })
+    }
+
+    /// Takes a step and counts it. `advance` advances the motion, and returns true if the stepper has reached its bound on
+    /// events.
+    fn take_step<W: Observe<S, Z>>(
+        &mut self,
+        watch: &mut W,
+        advance: impl FnOnce(&mut Self, &mut Noted<'_, S, W>) -> Result<bool, Halt>,
+    ) -> Result<Stepped, OutOfDomain> {
+        let mut noted = Noted {
+            events: 0,
+            last: None,
+            work: self.status.work,
+            watch,
+        };
+        let exceeded = self.attempt(|stepper| {
+            let exceeded = advance(stepper, &mut noted)?;
             stepper.recentre();
             Ok(exceeded)
         })?;

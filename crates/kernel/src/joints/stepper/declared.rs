@@ -24,11 +24,11 @@ impl<
 > Stepper<S, Fixed<N, NODES, M, L, U, SQUARE, LAW, ROW, 0, STEP>, &'static [S; ENTRIES]>
 {
     /// Creates a stepper at rest. `model` has no loads, friction forces of 0, and its longest stretch. `tables` are
-    /// those of the model, the pace and the layout. `zero` is the number 0.
+    /// those of the model and the pace. `zero` is the number 0.
     #[must_use]
     pub const fn declared(
         model: Model<S, Fixed<N, NODES, M, L, U, SQUARE, LAW, ROW, 0, STEP>>,
-        (pace, layout): (Pace<S>, Layout),
+        pace: Pace<S>,
         tables: &'static [S; ENTRIES],
         zero: S,
     ) -> Self {
@@ -44,7 +44,7 @@ impl<
         Self {
             motion: Motion::at_start(model, state, tree, NoTables(Room::EMPTY), zero),
             pace,
-            layout,
+            layout: Layout::of_properties((N, M, L), STEP),
             tables,
             ends: [[zero; ROW]; 2],
             status: Status::at_rest([zero; L], [zero; M], zero),

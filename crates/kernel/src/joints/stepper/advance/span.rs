@@ -1,6 +1,6 @@
 //! Advances a stepper by a step of its own length, under loads that are lines and harmonics.
 
-use super::{Noted, Stepped};
+use super::Stepped;
 use crate::errors::{Given, Halt, OutOfDomain};
 use crate::joints::base::Curve;
 use crate::joints::run::Observe;
@@ -54,7 +54,15 @@ impl<S: Float, Z: Size, T: AsRef<[S]>> Stepper<S, Z, T> {
         let shorter = Scalar::min(stretch, span.longest_stretch());
         self.pace = Pace::new((span.length, shorter), pace.input, pace.on_base)?;
         self.motion.model.stretch = shorter;
-        let taken = self.take_span(&span, watch);
+        let taken = self.take_step(watch, |stepper, noted| {
+            stepper.enter(&span)?;
+            let mut exceeded = false;
+            for part in 0..stepper.pace.parts {
+                exceeded |= stepper.follow(part, noted)?;
+            }
+            stepper.leave(&span);
+            Ok(exceeded)
+        });
         (self.pace, self.motion.model.stretch) = (pace, stretch);
         taken
     }
@@ -81,38 +89,6 @@ impl<S: Float, Z: Size, T: AsRef<[S]>> Stepper<S, Z, T> {
             Some(level) => Err(OutOfDomain::Friction(Given::of(level))),
             None => Ok(()),
         }
-    }
-
-    /// Advances by one step whose length is that of the pace.
-    fn take_span<W: Observe<S, Z>>(
-        &mut self,
-        span: &Span<'_, S>,
-        watch: &mut W,
-    ) -> Result<Stepped, OutOfDomain> {
-        let mut noted = Noted {
-            events: 0,
-            last: None,
-            work: self.status.work,
-            watch,
-        };
-        let exceeded = self.attempt(|stepper| {
-            stepper.enter(span)?;
-            let mut exceeded = false;
-            for part in 0..stepper.pace.parts {
-                exceeded |= stepper.follow(part, &mut noted)?;
-            }
-            stepper.leave(span);
-            stepper.recentre();
-            Ok(exceeded)
-        })?;
-        let status = &mut self.status;
-        status.last_event = noted.last;
-        status.steps = status.steps.wrapping_add(1);
-        status.exceeded += u64::from(exceeded);
-        Ok(Stepped {
-            events: noted.events,
-            exceeded,
-        })
     }
 
     /// Sets the inputs of a step.
