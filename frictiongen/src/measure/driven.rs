@@ -6,7 +6,7 @@ mod tests;
 use super::Inputs;
 use super::columns::{DrivenSample, DrivenTable};
 use crate::study::joined::{Joined, JoinedError, JoinedInput, JoinedStepper};
-use crate::study::scene::Excitation;
+use crate::study::scene::{Excitation, NamedContact};
 use frictiongen_kernel::stepper::Work;
 use std::fmt;
 
@@ -108,6 +108,14 @@ impl Inputs<'_> {
     }
 }
 
+/// Returns the friction force of each contact, with its name, for a common friction.
+pub(super) fn shared(contacts: &[NamedContact], friction: f64) -> Vec<(&str, f64)> {
+    let frictions = contacts.iter();
+    frictions
+        .map(|contact| (contact.name.as_str(), contact.law.share * friction))
+        .collect()
+}
+
 impl Drive for Inputs<'_> {
     fn samples(&self) -> usize {
         self.len()
@@ -130,11 +138,7 @@ impl Drive for Inputs<'_> {
             let input = self.sample(sample);
             let mut forces = input.others;
             forces.extend(excited.map(|mass| (mass, input.force)));
-            let frictions = contacts.iter().map(|contact| {
-                let friction = contact.law.share * input.friction;
-                (contact.name.as_str(), friction)
-            });
-            let frictions: Vec<(&str, f64)> = frictions.collect();
+            let frictions = shared(&contacts, input.friction);
             let now = JoinedInput {
                 base: input.base,
                 start_velocity: input.start_velocity,

@@ -1,7 +1,7 @@
 //! Follows the motion of a scene under signals.
 
 use super::{Piece, SAME, Signal, Target};
-use crate::measure::driven::{Drive, DriveError, GivenState, Visit};
+use crate::measure::driven::{Drive, DriveError, GivenState, Visit, shared};
 use crate::measure::error::MeasureError;
 use crate::study::joined::{
     Joined, JoinedError, JoinedHistory, JoinedInput, JoinedSpan, JoinedStepper,
@@ -141,10 +141,7 @@ impl Drive for SignalInputs<'_> {
         visit: Visit<'_>,
     ) -> Result<(), DriveError> {
         let contacts = joined.scene().named_contacts();
-        let frictions = contacts.iter();
-        let frictions: Vec<(&str, f64)> = frictions
-            .map(|contact| (contact.name.as_str(), contact.law.share * self.friction))
-            .collect();
+        let frictions = shared(&contacts, self.friction);
         let begun = step.begin(JoinedInput {
             frictions: &frictions,
             ..JoinedInput::default()

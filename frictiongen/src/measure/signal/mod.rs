@@ -9,7 +9,7 @@ pub use follow::SignalInputs;
 
 use crate::study::joints::Wave;
 use frictiongen_kernel::joints::Curve;
-use std::f64::consts::{FRAC_PI_2, PI};
+use std::f64::consts::FRAC_PI_2;
 
 /// Largest difference between a chirp and its pieces of constant frequency, divided by the amplitude of the chirp.
 const CHIRP_ERROR: f64 = 1e-6;
@@ -68,7 +68,7 @@ pub struct Signal {
     length: f64,
 }
 
-/// What a signal moves or loads.
+/// Force on a mass, or kinematic quantity of the base, whose course over time a signal gives.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 enum Target {
     /// Force on the mass with this index.
@@ -202,9 +202,4 @@ impl Signal {
             Shape::Chirp { ends, .. } => ends[0].max(ends[1]),
         }
     }
-}
-
-/// Returns the shape of a half wave of this length in s.
-fn half_sine(length: f64) -> Shape {
-    Shape::Sine(PI / length)
 }

@@ -1,11 +1,11 @@
 //! Parses the text of a signal.
 
-use super::{CHIRP_ERROR, MOST_PIECES, Shape, Signal, Target, half_sine};
+use super::{CHIRP_ERROR, MOST_PIECES, Shape, Signal, Target};
 use crate::measure::error::MeasureError;
 use crate::measure::recording::{Dimension, Unit};
 use crate::study::System;
 use crate::study::scene::Excitation;
-use std::f64::consts::TAU;
+use std::f64::consts::{PI, TAU};
 
 /// All shapes, each with an example.
 const SHAPES: &str = "`const 5 N`, `step 5 N from 1 s`, `ramp 5 N for 2 s`, `sine 5 N at 2 Hz`, `half-sine 5 N for 20 ms`, \
@@ -36,7 +36,7 @@ impl Signal {
 
 fn read(text: &str, system: &System) -> Result<Signal, String> {
     let text = text.replace(',', " ");
-    let mut words = text.split_whitespace().peekable();
+    let mut words = text.split_whitespace();
     let shape = words.next().unwrap_or_default();
     if shape == "pulse" {
         return Err("a pulse is `half-sine` or `rectangle`; write one of them".to_owned());
@@ -64,7 +64,7 @@ fn read(text: &str, system: &System) -> Result<Signal, String> {
     let shape = match shape {
         "ramp" => Shape::Ramp,
         "sine" => Shape::Sine(omega),
-        "half-sine" => half_sine(length),
+        "half-sine" => Shape::Sine(PI / length),
         "chirp" if target == Target::Displacement => {
             return Err(
                 "a chirp of the base is a velocity or an acceleration; give its amplitude in such a unit"
@@ -149,12 +149,10 @@ fn loaded_mass(on: Option<&str>, system: &System) -> Result<usize, String> {
 }
 
 /// Reads the words behind the amplitude, with their numbers.
-fn clauses<'t>(
-    words: &mut std::iter::Peekable<impl Iterator<Item = &'t str>>,
-) -> Result<Words, String> {
+fn clauses<'t>(words: &mut impl Iterator<Item = &'t str>) -> Result<Words, String> {
     let mut said = Words::default();
     while let Some(word) = words.next() {
-        let slot = match word {
+        let (slot, given) = match word {
             "on" => {
                 let name = words.next().ok_or("`on` needs the name of a mass")?;
                 if said.on.replace(name.to_owned()).is_some() {
@@ -162,24 +160,10 @@ fn clauses<'t>(
                 }
                 continue;
             }
-            "at" | "to" => {
-                let given = frequency(words, word)?;
-                let slot = if word == "at" {
-                    &mut said.at
-                } else {
-                    &mut said.to
-                };
-                slot.replace(given)
-            }
-            "from" | "for" => {
-                let given = time(words, word)?;
-                let slot = if word == "from" {
-                    &mut said.from
-                } else {
-                    &mut said.lasts
-                };
-                slot.replace(given)
-            }
+            "at" => (&mut said.at, frequency(words, word)?),
+            "to" => (&mut said.to, frequency(words, word)?),
+            "from" => (&mut said.from, time(words, word)?),
+            "for" => (&mut said.lasts, time(words, word)?),
             _ => {
                 return Err(format!(
                     "`{word}` is not understood; behind the amplitude stand `on NAME`, `at … Hz`, `to … Hz`, `from … s` and \
@@ -187,7 +171,7 @@ fn clauses<'t>(
                 ));
             }
         };
-        if slot.is_some() {
+        if slot.replace(given).is_some() {
             return Err(format!("`{word}` stands twice"));
         }
     }
@@ -216,10 +200,7 @@ impl Words {
 }
 
 /// Reads a frequency in Hz above 0.
-fn frequency<'t>(
-    words: &mut std::iter::Peekable<impl Iterator<Item = &'t str>>,
-    word: &str,
-) -> Result<f64, String> {
+fn frequency<'t>(words: &mut impl Iterator<Item = &'t str>, word: &str) -> Result<f64, String> {
     let (number, unit) = number(words, &format!("`{word}` needs a frequency such as `2 Hz`"))?;
     if unit != "Hz" {
         let hint = if seconds(unit).is_some() {
@@ -240,10 +221,7 @@ fn frequency<'t>(
 }
 
 /// Reads a time: a start from 0 s on, or a length above 0 s.
-fn time<'t>(
-    words: &mut std::iter::Peekable<impl Iterator<Item = &'t str>>,
-    word: &str,
-) -> Result<f64, String> {
+fn time<'t>(words: &mut impl Iterator<Item = &'t str>, word: &str) -> Result<f64, String> {
     let (number, unit) = number(words, &format!("`{word}` needs a time such as `0.5 s`"))?;
     let scale = seconds(unit)
         .ok_or_else(|| format!("`{word}` gives a time in s, ms or us, not in `{unit}`"))?;
@@ -261,7 +239,7 @@ fn time<'t>(
 
 /// Reads a number and its unit.
 fn quantity<'t>(
-    words: &mut std::iter::Peekable<impl Iterator<Item = &'t str>>,
+    words: &mut impl Iterator<Item = &'t str>,
     needed: &str,
 ) -> Result<(f64, Unit), String> {
     let (number, unit) = number(words, needed)?;
@@ -271,7 +249,7 @@ fn quantity<'t>(
 
 /// Reads a number and the word of its unit, which may follow the number without a blank.
 fn number<'t>(
-    words: &mut std::iter::Peekable<impl Iterator<Item = &'t str>>,
+    words: &mut impl Iterator<Item = &'t str>,
     needed: &str,
 ) -> Result<(f64, &'t str), String> {
     let word = words.next().ok_or_else(|| format!("it lacks {needed}"))?;
