@@ -8,8 +8,15 @@ use crate::study::scene::Excitation;
 use std::f64::consts::{PI, TAU};
 
 /// All shapes, each with an example.
-const SHAPES: &str = "`const 5 N`, `step 5 N from 1 s`, `ramp 5 N for 2 s`, `sine 5 N at 2 Hz`, `half-sine 5 N for 20 ms`, \
-                      `rectangle 5 N for 20 ms`, `chirp 5 N at 1 Hz to 9 Hz for 20 s`";
+const SHAPES: [(&str, &str); 7] = [
+    ("const", "`const 5 N`"),
+    ("step", "`step 5 N from 1 s`"),
+    ("ramp", "`ramp 5 N for 2 s`"),
+    ("sine", "`sine 5 N at 2 Hz`"),
+    ("half-sine", "`half-sine 5 N for 20 ms`"),
+    ("rectangle", "`rectangle 5 N for 20 ms`"),
+    ("chirp", "`chirp 5 N at 1 Hz to 9 Hz for 20 s`"),
+];
 
 /// Numbers behind the words of a signal.
 #[derive(Debug, Default)]
@@ -41,23 +48,16 @@ fn read(text: &str, system: &System) -> Result<Signal, String> {
     if shape == "pulse" {
         return Err("a pulse is `half-sine` or `rectangle`; write one of them".to_owned());
     }
-    let known = [
-        "const",
-        "step",
-        "ramp",
-        "sine",
-        "half-sine",
-        "rectangle",
-        "chirp",
-    ];
-    if !known.contains(&shape) {
+    let known = SHAPES.iter().find(|(name, _)| *name == shape);
+    let Some((_, example)) = known else {
+        let examples = SHAPES.map(|(_, example)| example).join(", ");
         return Err(format!(
-            "`{shape}` is no shape; write, for example, {SHAPES}"
+            "`{shape}` is no shape; write, for example, {examples}"
         ));
-    }
+    };
     let (amplitude, unit) = quantity(&mut words, "an amplitude such as `5 N` or `0.2 g`")?;
     let said = clauses(&mut words)?;
-    said.check(shape)?;
+    said.check(shape, example)?;
     let (target, scale) = target(unit, said.on.as_deref(), system)?;
     let length = said.lasts.unwrap_or(f64::INFINITY);
     let omega = TAU * said.at.unwrap_or(0.0);
@@ -142,7 +142,7 @@ fn loaded_mass(on: Option<&str>, system: &System) -> Result<usize, String> {
     match scene.excitation {
         Excitation::Force(mass) if system.loaded().is_ok() => Ok(mass),
         _ => Err(format!(
-            "no mass has the force of `excitation`; name a mass as in `on {}`",
+            "`excitation` names no mass; name a mass as in `on {}`",
             names.first().copied().unwrap_or_default()
         )),
     }
@@ -179,11 +179,11 @@ fn clauses<'t>(words: &mut impl Iterator<Item = &'t str>) -> Result<Words, Strin
 }
 
 impl Words {
-    /// Fails for a missing or superfluous word.
-    fn check(&self, shape: &str) -> Result<(), String> {
+    /// Fails for a missing or superfluous word. `example` is a signal of this shape.
+    fn check(&self, shape: &str, example: &str) -> Result<(), String> {
         let (needs_at, needs_to) = (matches!(shape, "sine" | "chirp"), shape == "chirp");
         let needs_length = matches!(shape, "ramp" | "half-sine" | "rectangle" | "chirp");
-        let missing = |word: &str| Err(format!("`{shape}` needs `{word}`, as in {SHAPES}"));
+        let missing = |word: &str| Err(format!("`{shape}` needs `{word}`, as in {example}"));
         let surplus = |word: &str| Err(format!("`{shape}` has no `{word}`; leave it out"));
         match () {
             () if needs_at && self.at.is_none() => missing("at … Hz"),
