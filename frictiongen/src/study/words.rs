@@ -278,7 +278,9 @@ pub fn certainty(certainty: Certainty) -> &'static str {
 
 /// Returns the word for the stability of a steady state of several contacts.
 pub fn joined_state(orbit: &JoinedOrbit<'_>) -> &'static str {
-    if orbit.is_unstable() {
+    if !orbit.is_settled() {
+        reason(NoOrbit::Unsettled)
+    } else if orbit.is_unstable() {
         "unstable"
     } else if orbit.is_marginal() || !orbit.is_stable() {
         "marginal"

@@ -144,11 +144,11 @@ States:
   unsettled  motion from rest does not repeat after any number of cycles up to 64. The values belong to
              its last 64 cycles, and the amplitude is the largest of these cycles
   crowded    between two events the contact slides or sticks, and a cycle has more than 4096 such segments
-  With a stiction above 1, motion from rest may take long to settle, or wander for ever. After 1024 cycles
-  the search follows it further, for up to 4096 cycles. Newton's method then starts from the states that
-  the motion visits. If the motion still has not settled, the answer is the stable state that Newton's
-  method found, otherwise the stuck state, if the contact can stick. In CSV and JSON, from_rest is then
-  false, and cycles_followed is the number of followed cycles. A note below a printed table has this number.
+  With a stiction above 1, motion from rest may take long to settle, or wander for ever. The search follows
+  it for some 4000 cycles, and starts Newton's method from the states that the motion visits. If the motion
+  still has not settled, the answer is the stable state that Newton's method found, otherwise the stuck
+  state, if the contacts can stick. In CSV and JSON, from_rest is then false, and cycles_followed is the
+  number of followed cycles. A note below a printed table has this number.
 
 Quantities:
   period      number of cycles of the excitation after which the motion repeats: 1, or more for a

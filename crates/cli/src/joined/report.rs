@@ -3,6 +3,7 @@
 use super::Question;
 use crate::failure::Failure;
 use crate::layout::Layout;
+use crate::orbit::{at_point, does_not_settle, other_state};
 use crate::output::{ResultTable, Visitor};
 use frictiongen::study::columns::{Column, JoinedRow};
 
@@ -50,5 +51,13 @@ impl ResultTable for JoinedReport<'_> {
 
     fn has_motions(&self, row: &JoinedRow) -> bool {
         row.is_known()
+    }
+
+    fn note(&self, row: &JoinedRow) -> Option<String> {
+        let mut said = vec![does_not_settle(row.cycles_followed()?)];
+        if row.kind().is_some() {
+            said.push(other_state(row.regime).to_owned());
+        }
+        Some(at_point((row.frequency.r, row.friction.beta), &said))
     }
 }

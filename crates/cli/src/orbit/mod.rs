@@ -21,6 +21,7 @@ use crate::time;
 use frictiongen::System;
 use frictiongen_codegen::SizeLimits;
 use report::OrbitReport;
+pub use report::{at_point, does_not_settle, other_state};
 use std::io::Write;
 
 /// Runs `frictiongen orbit`.

@@ -71,21 +71,13 @@ impl ResultTable for OrbitReport {
     }
 
     fn note(&self, row: &OrbitRow) -> Option<String> {
-        let followed = row.cycles_followed();
         let mut said = Vec::new();
-        if let Some(cycles) = followed {
-            said.push(format!(
-                "Motion from rest does not settle in {cycles} cycles."
-            ));
+        if let Some(cycles) = row.cycles_followed() {
+            said.push(does_not_settle(cycles));
         }
         if row.is_settled() {
-            followed?;
-            let state = if row.regime == "stuck" {
-                COULD_STICK
-            } else {
-                VISITED
-            };
-            said.push(state.to_owned());
+            row.cycles_followed()?;
+            said.push(other_state(row.regime).to_owned());
         } else if self.states {
             let starts = if self.grids.system.scene().stiction > 1.0 {
                 "from rest, from the stuck contact, from the closed form and from motions at neighbouring frictions"
@@ -94,8 +86,26 @@ impl ResultTable for OrbitReport {
             };
             said.push(format!("The search finds no stable state {starts}."));
         }
-        let at = |value| computed(value).trim().to_owned();
-        let (r, beta) = (at(row.frequency.r), at(row.friction.beta));
-        (!said.is_empty()).then(|| format!("r {r}, beta {beta}: {}", said.join(" ")))
+        (!said.is_empty()).then(|| at_point((row.frequency.r, row.friction.beta), &said))
     }
+}
+
+/// Returns the note that a motion does not settle.
+pub fn does_not_settle(cycles: usize) -> String {
+    format!("Motion from rest does not settle in {cycles} cycles.")
+}
+
+/// Returns the note that says which steady state stands in the row of a motion that does not settle.
+pub fn other_state(regime: &str) -> &'static str {
+    if regime == "stuck" {
+        COULD_STICK
+    } else {
+        VISITED
+    }
+}
+
+/// Returns the note on a row, which begins with its frequency and friction ratio.
+pub fn at_point((r, beta): (f64, f64), said: &[String]) -> String {
+    let [r, beta] = [r, beta].map(|value| computed(value).trim().to_owned());
+    format!("r {r}, beta {beta}: {}", said.join(" "))
 }

@@ -92,7 +92,7 @@ impl<S: Float, Z: Size> Search<S, Z> {
     }
 
     /// Returns the steady state in which no contact slides, if the friction forces permit it.
-    fn stuck(&mut self, motion: &Motion<S, Z>) -> Result<Option<Steady<S, Z>>, Halt> {
+    pub(super) fn stuck(&mut self, motion: &Motion<S, Z>) -> Result<Option<Steady<S, Z>>, Halt> {
         let model = motion.model();
         let Some(response) = model.stuck(self.omega) else {
             return Ok(None);

@@ -158,29 +158,18 @@ impl<S: Float> Tables<S, Heap> for KeptTables<S> {
     }
 }
 
-/// Searches for a steady state by [`Motion::settle`].
+/// Searches for a steady state by [`Motion::settle_or_other`].
 ///
 /// # Errors
 ///
 /// [`Halt`] if the motion exceeds a bound.
-pub fn settle(
+pub fn settle_or_other(
     motion: &Motion<f64, Heap>,
     omega: f64,
+    place: Place,
     near: Option<&Steady<f64, Heap>>,
-) -> Result<Option<Steady<f64, Heap>>, Halt> {
-    motion.settle(omega, near)
-}
-
-/// Searches for a steady state by [`Motion::settle_from`].
-///
-/// # Errors
-///
-/// [`Halt`] if the motion exceeds a bound.
-pub fn settle_from(
-    motion: &Motion<f64, Heap>,
-    omega: f64,
-) -> Result<Option<Steady<f64, Heap>>, Halt> {
-    motion.settle_from(omega)
+) -> Result<Steady<f64, Heap>, Halt> {
+    motion.settle_or_other(omega, place, near)
 }
 
 /// Searches for a steady state by [`Motion::settle_soon`].

@@ -59,6 +59,8 @@ mod tangent;
 mod tolerances;
 mod tree;
 mod unknowns;
+#[cfg(any(test, feature = "std"))]
+mod wander;
 mod wave;
 
 #[cfg(test)]
@@ -72,8 +74,7 @@ pub use cycle::{ContactCycle, Cycle, Watch};
 pub use decide::{Decision, MAX_PATTERNS};
 #[cfg(any(test, feature = "std"))]
 pub use heap::{
-    Heap, KeptTables, SharedTables, Short, refine, refine_symmetric, settle, settle_from,
-    settle_soon,
+    Heap, KeptTables, SharedTables, Short, refine, refine_symmetric, settle_or_other, settle_soon,
 };
 pub use model::{Contact, Link, Model, Stop};
 pub use now::{ContactState, MassState};
@@ -87,7 +88,7 @@ pub use series::Series;
 pub use simulation::{MAX_EVENTS, MAX_STRETCHES, Reference, Simulation};
 pub use size::{Array, Fixed, Size, Value, add, at, set};
 pub use state::{FREE, IMPACT, STUCK, State};
-pub use steady::{MAX_PERIOD, Place, Soon, Steady};
+pub use steady::{Approach, MAX_PERIOD, Place, Soon, Steady};
 pub use stepper::{
     Layout, MAX_STEP, MAX_STEP_EVENTS, MAX_TABLE_CONTACTS, MAX_TABLE_ENTRIES, Pace, Sample, Saved,
     Span, Stepped, Stepper, fill, image_bytes, image_step,

@@ -8,7 +8,7 @@ use super::run::Motion;
 use super::size::{Size, set};
 use super::slid::Slips;
 use super::state::FREE;
-use super::steady::{Search, Steady, from_one, modulus};
+use super::steady::{Approach, Search, Steady, from_one, modulus};
 use super::tangent::{Both, ShotSpan};
 use super::unknowns::Unknowns;
 use crate::errors::Halt;
@@ -209,6 +209,7 @@ impl<S: Float, Z: Size> Search<S, Z> {
                 ShotSpan::Cycles(_) => watch.cycle(self.length(period)),
             },
             residual,
+            approach: Approach::Reached,
         })
     }
 

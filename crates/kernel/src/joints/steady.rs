@@ -23,7 +23,7 @@ use crate::{Float, Scalar};
 const WARM: usize = 30;
 /// Largest number of attempts to find a steady state. Before each further attempt the motion runs for twice as many
 /// cycles as before the previous attempt.
-const ATTEMPTS: usize = 6;
+pub(super) const ATTEMPTS: usize = 6;
 /// Largest period of a steady state, in cycles of the load.
 pub const MAX_PERIOD: usize = 64;
 /// Number of cycles without sliding after which the search assumes that all contacts stick for ever. Without this
@@ -33,6 +33,8 @@ const QUIET: usize = 128;
 /// Distance from a periodic motion at which the test of this motion ends, divided by the distance at the start of the
 /// test. The code predicts this ratio from the Floquet multipliers.
 const DECAY: f64 = 1e-3;
+/// Factor by which a deviation in the second half of the test may exceed the prediction from the Floquet multipliers.
+const TRANSIENT: f64 = 5.0;
 /// Largest number of cycles for which the test of a periodic motion follows the motion.
 const MAX_CONFIRM: usize = 256;
 
@@ -76,6 +78,20 @@ pub struct Steady<S: Float, Z: Size> {
     pub cycle: Cycle<S, Z>,
     /// Largest difference between the states at the start and at the end of a period, divided by the size of the state.
     pub residual: S,
+    /// Relation of the steady state to the motion from which the search started.
+    pub approach: Approach,
+}
+
+/// Relation of a steady state to the motion from which the search for it started.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Approach {
+    /// The motion settles in the steady state, or the search needed no motion.
+    Reached,
+    /// The motion does not settle within this number of cycles. The steady state is another stable one.
+    Apart(usize),
+    /// The motion does not settle within this number of cycles, and the search knows no steady state. The result contains
+    /// the cycles that follow.
+    Unsettled(usize),
 }
 
 impl<S: Float, Z: Size> Steady<S, Z> {
@@ -92,6 +108,7 @@ impl<S: Float, Z: Size> Steady<S, Z> {
             marginal: size.contacts(false),
             cycle,
             residual: zero,
+            approach: Approach::Reached,
         }
     }
 
@@ -110,10 +127,19 @@ impl<S: Float, Z: Size> Steady<S, Z> {
     }
 
     /// Returns true if no small deviation from the steady state grows. `noise` is the error of a multiplier.
-    fn is_bounded(&self, noise: S) -> bool {
+    pub(super) fn is_bounded(&self, noise: S) -> bool {
         let most = S::constant(1.0) + noise;
         self.multipliers().iter().all(|m| modulus(m) < most)
     }
+}
+
+/// Returns the largest distance from a periodic motion after a number of periods, divided by the distance before, of a
+/// motion that approaches it. `rate` is the modulus of the largest multiplier.
+fn furthest<S: Float>(rate: S, periods: usize) -> S {
+    let expected = (0..periods).fold(S::constant(1.0), |expected, _| expected * rate);
+    let expected = Scalar::max(expected, S::constant(DECAY));
+    let half = S::constant(0.5) * (S::constant(1.0) + expected);
+    Scalar::min(half, S::constant(TRANSIENT) * expected)
 }
 
 pub(super) fn modulus<S: Float>(number: &Complex<S>) -> S {
@@ -143,7 +169,8 @@ impl<S: Float, Z: Size> Motion<S, Z> {
         near: Option<&Steady<S, Z>>,
     ) -> Result<Option<Steady<S, Z>>, Halt> {
         let mut motion = self.clone().with_tables();
-        motion.reach(omega, (ATTEMPTS, Place::Centred), near)
+        let found = motion.reach(omega, (ATTEMPTS, Place::Centred), near, &mut |_, _| {})?;
+        Ok(found.ok())
     }
 
     /// Searches for the steady state that the motion reaches, under loads of the angular frequency ω. A contact that
@@ -158,7 +185,8 @@ impl<S: Float, Z: Size> Motion<S, Z> {
     /// [`Halt`] if the motion exceeds a bound.
     pub fn settle_from(&self, omega: S) -> Result<Option<Steady<S, Z>>, Halt> {
         let mut motion = self.clone().with_tables();
-        motion.reach(omega, (ATTEMPTS, Place::Reached), None)
+        let found = motion.reach(omega, (ATTEMPTS, Place::Reached), None, &mut |_, _| {})?;
+        Ok(found.ok())
     }
 
     /// Searches as [`settle`](Self::settle) does, or as [`settle_from`](Self::settle_from) if `place` is
@@ -171,38 +199,41 @@ impl<S: Float, Z: Size> Motion<S, Z> {
     /// [`Halt`] if the motion exceeds a bound.
     pub fn settle_soon(&self, omega: S, attempts: usize, place: Place) -> Result<Soon<S, Z>, Halt> {
         let mut motion = self.clone().with_tables();
-        if let Some(steady) = motion.reach(omega, (attempts, place), None)? {
-            return Ok(Ok(steady));
-        }
-        let search = Search::new(&motion, omega, S::constant(1.0));
+        let search = match motion.reach(omega, (attempts, place), None, &mut |_, _| {})? {
+            Ok(steady) => return Ok(Ok(steady)),
+            Err(search) => search,
+        };
         let mut watch = Watch::new(motion.model());
         search.advance(&mut motion, MAX_PERIOD, &mut watch)?;
         Ok(Err(watch.cycle(search.length(MAX_PERIOD))))
     }
 
     /// Searches for a steady state, by Newton's method from `near` if the steady state is the only one. Afterwards the
-    /// motion is at the end of the last cycle that the search has followed.
-    fn reach(
+    /// motion is at the end of the last cycle that the search has followed. If the motion does not settle, the function
+    /// returns the search. `others` is that of [`Search::followed`].
+    pub(super) fn reach(
         &mut self,
         omega: S,
         (attempts, place): (usize, Place),
         near: Option<&Steady<S, Z>>,
-    ) -> Result<Option<Steady<S, Z>>, Halt> {
+        others: &mut impl FnMut(Steady<S, Z>, S),
+    ) -> Result<Result<Steady<S, Z>, Search<S, Z>>, Halt> {
         let mut search = Search::new(self, omega, S::constant(1.0));
-        if place == Place::Reached {
-            return search.followed(self, attempts);
-        }
-        let start = self.clone();
+        let start = (place == Place::Centred).then(|| self.clone());
         // If this search exceeds a bound, the code ignores the error, because the search below may still find a steady
         // state.
-        if let Ok(Some(steady)) = search.only(&start, near) {
-            return Ok(Some(steady));
+        if let Some(start) = &start {
+            if let Ok(Some(steady)) = search.only(start, near) {
+                return Ok(Ok(steady));
+            }
+            search = Search::new(self, omega, S::constant(1.0));
         }
-        let mut search = Search::new(self, omega, S::constant(1.0));
-        let Some(steady) = search.followed(self, attempts)? else {
-            return Ok(None);
-        };
-        search.centred(&start, steady).map(Some)
+        let found = search.followed(self, attempts, others)?;
+        Ok(match (found, &start) {
+            (None, _) => Err(search),
+            (Some(steady), None) => Ok(steady),
+            (Some(steady), Some(start)) => Ok(search.centred(start, steady)?),
+        })
     }
 }
 
@@ -282,6 +313,8 @@ pub(super) struct Search<S: Float, Z: Size> {
     pub(super) moving: Z::Contacts<bool>,
     /// Number of cycles since a contact last slid.
     quiet: usize,
+    /// Number of cycles for which the search has followed the motion.
+    pub(super) cycles: usize,
     pub(super) tolerances: Tolerances<S>,
 }
 
@@ -293,13 +326,19 @@ impl<S: Float, Z: Size> Search<S, Z> {
             place,
             moving: motion.model().size.contacts(false),
             quiet: 0,
+            cycles: 0,
             tolerances: Tolerances::new(),
         }
     }
 
     /// Advances the motion by a number of cycles. Returns the shortest period, in cycles, after which the last states
     /// approximately repeat, or `None` if they do not repeat.
-    fn warm(&mut self, motion: &mut Motion<S, Z>, cycles: usize) -> Result<Option<usize>, Halt> {
+    pub(super) fn warm(
+        &mut self,
+        motion: &mut Motion<S, Z>,
+        cycles: usize,
+    ) -> Result<Option<usize>, Halt> {
+        self.cycles += cycles;
         let window = MAX_PERIOD.min(cycles / 2);
         let skipped = cycles.saturating_sub(window);
         let mut slid = Slid::new(motion.model());
@@ -336,11 +375,14 @@ impl<S: Float, Z: Size> Search<S, Z> {
         Ok(aways.position(|away| *away <= near).map(|place| place + 1))
     }
 
-    /// Follows a motion until it settles. Returns `None` if it does not settle within a number of attempts.
+    /// Follows a motion until it settles. Returns `None` if it does not settle within a number of attempts. `others`
+    /// receives the periodic motions that Newton's method finds and the motion does not approach, each with its distance
+    /// from the motion.
     fn followed(
         &mut self,
         motion: &mut Motion<S, Z>,
         attempts: usize,
+        others: &mut impl FnMut(Steady<S, Z>, S),
     ) -> Result<Option<Steady<S, Z>>, Halt> {
         let mut cycles = WARM;
         for _ in 0..attempts {
@@ -349,11 +391,17 @@ impl<S: Float, Z: Size> Search<S, Z> {
                 .into_iter()
                 .flatten()
             {
-                if let Some(steady) = self.newton(motion, ShotSpan::Cycles(period))?
-                    && self.accepts(motion, &steady)?
-                {
+                let Some(steady) = self.newton(motion, ShotSpan::Cycles(period))? else {
+                    continue;
+                };
+                if steady.period > 1 && self.repeats_earlier(motion, &steady)? {
+                    continue;
+                }
+                let far = self.away(motion.state(), &steady);
+                if self.accepts(motion, &steady)? && self.leads_to(motion, &steady)? {
                     return self.about_its_mean(motion, steady).map(Some);
                 }
+                others(steady, far);
             }
             cycles *= 2;
         }
@@ -368,10 +416,11 @@ impl<S: Float, Z: Size> Search<S, Z> {
     /// Returns true if the motion settles on a periodic motion. The result is also true if all contacts stick and the
     /// motion vibrates about the periodic motion for ever, and if the motion has come to a periodic motion about which an
     /// undamped part of the chain could vibrate.
-    fn accepts(&self, motion: &mut Motion<S, Z>, steady: &Steady<S, Z>) -> Result<bool, Halt> {
-        if steady.period > 1 && self.repeats_earlier(motion, steady)? {
-            return Ok(false);
-        }
+    pub(super) fn accepts(
+        &mut self,
+        motion: &mut Motion<S, Z>,
+        steady: &Steady<S, Z>,
+    ) -> Result<bool, Halt> {
         let slides = self.moving.as_ref().contains(&true);
         if self.quiet >= QUIET && !slides && steady.is_bounded(self.tolerances.noise) {
             return Ok(true);
@@ -381,9 +430,25 @@ impl<S: Float, Z: Size> Search<S, Z> {
         Ok((steady.is_stable() || is_there) && self.confirm(motion, steady)?)
     }
 
+    /// Returns true if Newton's method finds the same periodic motion from the present state of a motion that approaches
+    /// it. Another periodic motion may be so close that the motion comes near this one on its way there.
+    pub(super) fn leads_to(
+        &mut self,
+        motion: &Motion<S, Z>,
+        steady: &Steady<S, Z>,
+    ) -> Result<bool, Halt> {
+        let is_close = self.away(motion.state(), steady) <= self.tolerances.close;
+        if is_close || motion.model().is_contraction() {
+            return Ok(true);
+        }
+        let found = self.newton(motion, ShotSpan::Cycles(steady.period))?;
+        let apart = |found: Steady<S, Z>| self.away(&found.state, steady);
+        Ok(found.is_some_and(|found| apart(found) <= self.tolerances.close))
+    }
+
     /// Returns a steady state in which each contact that never slides is in the middle of the interval in which it can
     /// stick. If moving the contacts there would lead to another motion, the function returns the steady state itself.
-    fn centred(
+    pub(super) fn centred(
         &mut self,
         motion: &Motion<S, Z>,
         steady: Steady<S, Z>,
@@ -410,7 +475,11 @@ impl<S: Float, Z: Size> Search<S, Z> {
     }
 
     /// Returns true if a periodic motion already repeats after fewer cycles than its period.
-    fn repeats_earlier(&self, motion: &Motion<S, Z>, steady: &Steady<S, Z>) -> Result<bool, Halt> {
+    pub(super) fn repeats_earlier(
+        &self,
+        motion: &Motion<S, Z>,
+        steady: &Steady<S, Z>,
+    ) -> Result<bool, Halt> {
         let mut motion = motion.clone();
         motion.restart(steady.state.clone());
         for _ in 1..steady.period {
@@ -479,35 +548,42 @@ impl<S: Float, Z: Size> Search<S, Z> {
 
     /// Returns true if the motion approaches a periodic motion as fast as its Floquet multipliers predict. Returns
     /// false if a contact slides during this test, but not in the periodic motion.
-    fn confirm(&self, motion: &mut Motion<S, Z>, steady: &Steady<S, Z>) -> Result<bool, Halt> {
-        let one = S::constant(1.0);
-        let floor = S::constant(DECAY);
+    ///
+    /// With μ > 1 a motion that approaches another periodic motion, or wanders, may at first come closer to this one. In the
+    /// second half of the test the distance therefore has to fall about as far as predicted.
+    fn confirm(&mut self, motion: &mut Motion<S, Z>, steady: &Steady<S, Z>) -> Result<bool, Halt> {
+        let (one, half) = (S::constant(1.0), S::constant(0.5));
         let rate = steady.multipliers().first();
         let rate = rate.map_or(S::constant(0.0), modulus);
         let most = MAX_CONFIRM.checked_div(steady.period);
         let most = most.unwrap_or(1).max(1);
         let (mut periods, mut expected) = (1, rate);
-        while expected > floor && periods < most {
+        while expected > S::constant(DECAY) && periods < most {
             expected = expected * rate;
             periods += 1;
         }
-        let expected = Scalar::max(expected, floor);
-        let before = self.away(motion.state(), steady);
         let mut slips = Slips::new(motion.model());
-        self.advance(motion, periods * steady.period, &mut slips)?;
+        let before = self.away(motion.state(), steady);
+        self.advance(motion, periods / 2 * steady.period, &mut slips)?;
+        let middle = self.away(motion.state(), steady);
+        let rest = periods.div_ceil(2);
+        self.advance(motion, rest * steady.period, &mut slips)?;
+        let after = self.away(motion.state(), steady);
+        self.cycles += periods * steady.period;
         let slides = slips.slides_in(motion.model(), periods);
         let mut slides = slides.as_ref().iter().zip(steady.marginal.as_ref());
         if slides.any(|(slides, marginal)| *slides && *marginal) {
             return Ok(false);
         }
-        let after = self.away(motion.state(), steady);
-        let falls = after <= S::constant(0.5) * (one + expected) * before;
-        Ok(after <= self.tolerances.close || falls)
+        let falls = after <= half * (one + expected) * before;
+        let is_near = middle <= before && after <= furthest(rate, rest) * middle;
+        let is_near = is_near || motion.model().is_contraction();
+        Ok(after <= self.tolerances.close || (falls && is_near))
     }
 
     /// Returns the largest difference between a state and the initial state of a periodic motion, divided by the sizes
     /// of the unknowns. If a part of the chain can move without a force, the code compares only the velocities.
-    fn away(&self, state: &State<S, Z>, steady: &Steady<S, Z>) -> S {
+    pub(super) fn away(&self, state: &State<S, Z>, steady: &Steady<S, Z>) -> S {
         let rate = S::constant(core::f64::consts::TAU) / self.cycle;
         let away = if steady.neutral > 0 {
             apart(state.v.as_ref(), steady.state.v.as_ref()) / rate

@@ -47,10 +47,16 @@ pub struct JoinedRow {
 #[derive(Clone, Debug)]
 struct SteadyNumbers {
     regime: Regime,
-    period: usize,
+    /// Cycles of the load in a period. `None` if the motion does not settle, and the numbers are those of its last
+    /// cycles.
+    period: Option<usize>,
+    /// True if the motion repeats with the opposite sign after half a period. `None` in a table without phases.
+    symmetric: Option<bool>,
     multiplier: Option<f64>,
     marginal: String,
     found: FoundBy,
+    from_rest: bool,
+    cycles_followed: Option<usize>,
     parts: Vec<ContactNumbers>,
 }
 
@@ -94,7 +100,15 @@ impl JoinedRow {
     /// *stick-slip*. Returns `None` without a steady state.
     #[must_use]
     pub fn kind(&self) -> Option<Regime> {
-        Some(self.steady.as_ref()?.regime)
+        let steady = self.steady.as_ref()?;
+        steady.period.map(|_| steady.regime)
+    }
+
+    /// Returns the number of cycles over which the search followed the motion from rest without seeing it settle.
+    /// Returns `None` if this motion settles.
+    #[must_use]
+    pub fn cycles_followed(&self) -> Option<usize> {
+        self.steady.as_ref()?.cycles_followed
     }
 
     /// Returns the names of the contacts that never slide, separated by blanks.
@@ -192,11 +206,7 @@ impl<'a> JoinedTable<'a> {
         near: Option<&JoinedOrbit<'_>>,
     ) -> Result<(JoinedRow, Option<JoinedOrbit<'s>>), JoinedError> {
         let friction = friction.at(&self.setting.measure, frequency);
-        let found = match near {
-            Some(near) => at.orbit_near(friction.beta, near),
-            None => at.orbit(friction.beta),
-        };
-        match found {
+        match at.orbit_or_last_cycles(friction.beta, near) {
             Ok(orbit) => {
                 let row = self.found(at, (frequency, friction), &orbit)?;
                 Ok((row, Some(orbit)))
@@ -371,12 +381,17 @@ impl<'a> JoinedTable<'a> {
             });
         }
         let multipliers = orbit.multipliers().iter().map(|value| value.norm());
+        let is_settled = orbit.is_settled();
+        let symmetric = (is_settled && self.orders.is_some()).then(|| orbit.is_symmetric());
         Ok(SteadyNumbers {
             regime: orbit.regime(),
-            period: orbit.period(),
+            period: is_settled.then(|| orbit.period()),
+            symmetric: symmetric.transpose()?,
             multiplier: multipliers.reduce(f64::max),
             marginal: orbit.marginal_contacts().join(" "),
             found: orbit.found_by(),
+            from_rest: orbit.is_from_rest(),
+            cycles_followed: orbit.cycles_followed(),
             parts,
         })
     }
@@ -430,6 +445,11 @@ impl<'a> JoinedTable<'a> {
         self.setting.friction(&mut columns);
         columns.word("regime", "continuous", |row: &JoinedRow| Some(row.regime));
         columns.word("state", "unsettled", |row| Some(row.state));
+        if self.orders.is_some() {
+            columns.word("symmetry", "asymmetric", |row| {
+                Some(words::symmetry(row.steady.as_ref()?.symmetric?))
+            });
+        }
         self.state_columns(&mut columns);
         columns.number(Head::of("stuck_from", PhysicalQuantity::Force), |row| {
             Some(row.stuck.as_ref()?.0)
@@ -444,6 +464,8 @@ impl<'a> JoinedTable<'a> {
         columns.word("marginal", "marginal", |row| {
             Some(row.steady.as_ref()?.marginal.as_str())
         });
+        columns.flag("from_rest", |row| Some(row.steady.as_ref()?.from_rest));
+        columns.count("cycles_followed", JoinedRow::cycles_followed);
         columns.show(Shown::Everywhere);
         self.part_columns(&mut columns);
         columns.done()
@@ -452,7 +474,7 @@ impl<'a> JoinedTable<'a> {
     /// Adds the columns of the period and of the largest multiplier.
     pub(super) fn state_columns(&self, columns: &mut Columns<'a, JoinedRow>) {
         let head = Head::new("period").titled(&["period", "(cycles)"]);
-        columns.count(head, |row: &JoinedRow| Some(row.steady.as_ref()?.period));
+        columns.count(head, |row: &JoinedRow| row.steady.as_ref()?.period);
         let head = Head::new("largest_multiplier").titled(&["multiplier", "(largest)"]);
         columns.number(head, |row| row.steady.as_ref()?.multiplier);
     }
@@ -511,8 +533,10 @@ impl<'a> JoinedTable<'a> {
         columns.word("regime", "continuous", move |row: &JoinedRow| {
             Some(row.contact(index)?.regime)
         });
-        columns.count("stops", move |row| Some(row.contact(index)?.stops));
-        columns.count("reversals", move |row| Some(row.contact(index)?.reversals));
+        // The last cycles of a motion that does not settle have no numbers per period.
+        let periodic = move |row: &JoinedRow| row.contact(index).filter(|_| row.kind().is_some());
+        columns.count("stops", move |row| Some(periodic(row)?.stops));
+        columns.count("reversals", move |row| Some(periodic(row)?.reversals));
         let head = Head::new("stuck_fraction").titled(&["stuck", "(of period)"]);
         columns.number(head, move |row| Some(row.contact(index)?.stuck_fraction));
         columns.number(Head::of("slip", PhysicalQuantity::Length), move |row| {

@@ -7,8 +7,8 @@ use super::scene::Joined;
 use super::simulation::JoinedSimulation;
 use super::units::AnswerUnits;
 use crate::study::joints::{
-    Chain, JointError, Motion, Place, Steady, Wave, limit_cycle, steady_state, steady_state_from,
-    steady_state_soon, stuck_response,
+    Chain, JointError, Motion, Place, Steady, Wave, limit_cycle, steady_state, steady_state_soon,
+    stuck_response,
 };
 use crate::{Given, OutOfDomain};
 use frictiongen_kernel::joints::SharedTables;
@@ -223,14 +223,14 @@ impl<'a> JoinedAt<'a> {
     /// friction, as β = F/P or as F in N. The friction force of a contact is its share of the common friction. The
     /// period is at most 64 cycles of the load.
     ///
+    /// A motion with μ > 1 may wander for ever. The method then returns the stable steady state to which the motion has
+    /// come closest, and [`JoinedOrbit::is_from_rest`] is false.
+    ///
     /// # Errors
     /// [`OutOfDomain`] for a friction that is negative or not finite. [`JoinedError::Engine`] if the motion does not
     /// settle, or if it has too many events.
     pub fn orbit(&self, friction: f64) -> Result<JoinedOrbit<'a>, JoinedError> {
-        if let Some((x, v)) = &self.start {
-            return self.orbit_from(friction, (x, v));
-        }
-        self.centred(friction, None)
+        settled(self.orbit_or_last_cycles(friction, None)?)
     }
 
     /// Returns the steady state of [`orbit`](Self::orbit), the same to within rounding. `near` is the steady state at a
@@ -243,20 +243,29 @@ impl<'a> JoinedAt<'a> {
         friction: f64,
         near: &JoinedOrbit<'_>,
     ) -> Result<JoinedOrbit<'a>, JoinedError> {
-        if self.start.is_some() {
-            return self.orbit(friction);
-        }
-        self.centred(friction, Some(near.steady()))
+        settled(self.orbit_or_last_cycles(friction, Some(near))?)
     }
 
-    fn centred(
+    /// Returns the steady state of [`orbit`](Self::orbit). If the motion does not settle and the search finds no other
+    /// steady state, returns the last 64 cycles of the motion, and [`JoinedOrbit::is_settled`] is false. `near` is that
+    /// of [`orbit_near`](Self::orbit_near), if it is known.
+    ///
+    /// # Errors
+    /// [`OutOfDomain`] for a friction that is negative or not finite. [`JoinedError::Engine`] if the motion has too many
+    /// events.
+    pub fn orbit_or_last_cycles(
         &self,
         friction: f64,
-        near: Option<&Steady>,
+        near: Option<&JoinedOrbit<'_>>,
     ) -> Result<JoinedOrbit<'a>, JoinedError> {
-        let chain = self.chain(friction)?;
-        let steady = steady_state(self.started(&chain, None)?, self.omega, near)?;
-        Ok(self.settled(steady, chain))
+        match &self.start {
+            Some((x, v)) => self.found(friction, Some((x, v)), (Place::Reached, None)),
+            None => self.found(
+                friction,
+                None,
+                (Place::Centred, near.map(JoinedOrbit::steady)),
+            ),
+        }
     }
 
     /// Returns the steady state that the motion from a given state reaches. `state` has the displacement and the
@@ -270,9 +279,17 @@ impl<'a> JoinedAt<'a> {
         friction: f64,
         state: GivenState<'_>,
     ) -> Result<JoinedOrbit<'a>, JoinedError> {
+        settled(self.found(friction, Some(state), (Place::Reached, None))?)
+    }
+
+    fn found(
+        &self,
+        friction: f64,
+        state: Option<GivenState<'_>>,
+        place: (Place, Option<&Steady>),
+    ) -> Result<JoinedOrbit<'a>, JoinedError> {
         let chain = self.chain(friction)?;
-        let motion = self.started(&chain, Some(state))?;
-        let steady = steady_state_from(motion, self.omega)?;
+        let steady = steady_state(self.started(&chain, state)?, self.omega, place)?;
         Ok(self.settled(steady, chain))
     }
 
@@ -384,6 +401,14 @@ impl<'a> JoinedAt<'a> {
             response.displacements,
             self.units,
         ))
+    }
+}
+
+/// Returns the reason why there is no steady state if an orbit contains the last cycles of a motion.
+fn settled(orbit: JoinedOrbit<'_>) -> Result<JoinedOrbit<'_>, JoinedError> {
+    match orbit.is_settled() {
+        true => Ok(orbit),
+        false => Err(JointError::NotSteady.into()),
     }
 }
 

@@ -5,7 +5,7 @@ use super::scene::Joined;
 use super::units::AnswerUnits;
 use super::waveform::{Course, Waveform};
 use crate::study::error::UnknownMass;
-use crate::study::joints::{Chain, ContactCycle, Motion, Steady};
+use crate::study::joints::{Approach, Chain, ContactCycle, Motion, Steady};
 use crate::study::response::MotionQuantity;
 use crate::study::words;
 use crate::{Complex, Of, Regime};
@@ -154,6 +154,29 @@ impl<'a> JoinedOrbit<'a> {
     #[must_use]
     pub fn found_by(&self) -> FoundBy {
         self.found
+    }
+
+    /// Returns true if the motion from rest, or from the initial state, ends in this state. If the result is false, that
+    /// motion does not settle, and this state is another steady state or contains the last cycles of the motion.
+    #[must_use]
+    pub fn is_from_rest(&self) -> bool {
+        self.steady.approach == Approach::Reached
+    }
+
+    /// Returns false if this state contains the last 64 cycles of a motion that does not settle.
+    #[must_use]
+    pub fn is_settled(&self) -> bool {
+        !matches!(self.steady.approach, Approach::Unsettled(_))
+    }
+
+    /// Returns the number of cycles over which the search followed the motion without seeing it settle. Returns `None` if
+    /// the motion settles.
+    #[must_use]
+    pub fn cycles_followed(&self) -> Option<usize> {
+        match self.steady.approach {
+            Approach::Reached => None,
+            Approach::Apart(cycles) | Approach::Unsettled(cycles) => Some(cycles),
+        }
     }
 
     /// Returns the angular frequency of the load in rad/s. Without a load, it is that of the limit cycle.

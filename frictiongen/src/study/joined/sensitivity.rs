@@ -11,7 +11,9 @@ use super::error::JoinedError;
 use super::parameter::{JoinedParameter, JoinedPoint};
 use super::scene::Joined;
 use super::units::AnswerUnits;
-use crate::study::joints::{Chain, JointError, Motion, Steady, steady_state, steady_state_near};
+use crate::study::joints::{
+    Chain, JointError, Motion, Place, Steady, steady_state, steady_state_near,
+};
 use crate::study::parameter::Slope;
 use crate::study::sensitivity::{NoDerivative, OperatingPoint};
 use crate::study::system::System;
@@ -108,7 +110,7 @@ impl Joined<'_> {
         let setting = JoinedPoint::new(self.scene(), point);
         let prepared = prepare(&setting)?;
         let motion = Motion::from_rest(&prepared.chain)?;
-        let steady = steady_state(motion, prepared.omega, None)?;
+        let steady = steady_state(motion, prepared.omega, (Place::Centred, None))?.settled()?;
         if !steady.marginal.is_empty() || steady.neutral > 0 {
             return Err(NoDerivative::Marginal.into());
         }

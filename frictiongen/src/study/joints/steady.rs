@@ -5,7 +5,7 @@ use super::{Chain, Cycle, Heap, JointError, State};
 use frictiongen_kernel::joints;
 use nalgebra::Complex;
 
-pub use frictiongen_kernel::joints::{MAX_PERIOD, Place};
+pub use frictiongen_kernel::joints::{Approach, MAX_PERIOD, Place};
 
 /// A steady state of a chain with several contacts: a motion that repeats after some cycles of the load.
 #[derive(Clone, Debug)]
@@ -28,6 +28,8 @@ pub struct Steady {
     pub cycle: Cycle,
     /// Largest difference between the states at the start and at the end of a period, divided by the size of the state.
     pub residual: f64,
+    /// Relation of the steady state to the motion from which the search started.
+    pub approach: Approach,
     /// The steady state as the type of the crate `frictiongen_kernel`.
     found: joints::Steady<f64, Heap>,
 }
@@ -44,6 +46,7 @@ impl Steady {
             marginal: marginal.map(|(j, _)| j).collect(),
             cycle: found.cycle.clone(),
             residual: found.residual,
+            approach: found.approach,
             found,
         }
     }
@@ -51,6 +54,18 @@ impl Steady {
     /// Returns the cycle of a motion without a load.
     pub(super) fn of_cycle(state: State, cycle: Cycle, size: &Heap) -> Self {
         Self::new(joints::Steady::of_cycle(state, cycle, size))
+    }
+
+    /// Returns this steady state, unless it contains the last cycles of a motion that does not settle.
+    ///
+    /// # Errors
+    ///
+    /// [`JointError::NotSteady`] for such cycles.
+    pub fn settled(self) -> Result<Self, JointError> {
+        match self.approach {
+            Approach::Unsettled(_) => Err(JointError::NotSteady),
+            Approach::Reached | Approach::Apart(_) => Ok(self),
+        }
     }
 
     /// Returns true if every small deviation decays. The method ignores deviations of contacts that never slide
@@ -70,32 +85,21 @@ impl Steady {
     }
 }
 
-/// Returns the steady state that a motion reaches, under loads of one frequency, except that a contact that never slides
-/// is in the middle of the interval in which it can stick. If the steady state is the only one, Newton's method starts
-/// from `near`, the steady state of a similar chain.
+/// Returns the steady state that a motion reaches, under loads of one frequency. If the motion does not settle, returns
+/// another stable steady state or the last cycles of the motion. [`Steady::approach`] says which of these it is. If the
+/// steady state is the only one, Newton's method starts from `near`, the steady state of a similar chain.
 ///
 /// # Errors
 ///
-/// [`JointError::NotSteady`] if the motion does not settle on a period of at most [`MAX_PERIOD`] cycles within some
-/// thousand cycles. Other [`JointError`]s if the motion itself fails.
+/// [`JointError`] if the motion itself fails.
 pub fn steady_state(
     motion: Motion,
     omega: f64,
-    near: Option<&Steady>,
+    (place, near): (Place, Option<&Steady>),
 ) -> Result<Steady, JointError> {
     let near = near.map(|near| &near.found);
-    let found = joints::settle(&motion.into_engine(), omega, near)?;
-    found.map(Steady::new).ok_or(JointError::NotSteady)
-}
-
-/// Returns the steady state that a motion reaches. A contact that never slides stays where the motion has left it.
-///
-/// # Errors
-///
-/// Same errors as [`steady_state`].
-pub fn steady_state_from(motion: Motion, omega: f64) -> Result<Steady, JointError> {
-    let found = joints::settle_from(&motion.into_engine(), omega)?;
-    found.map(Steady::new).ok_or(JointError::NotSteady)
+    let found = joints::settle_or_other(&motion.into_engine(), omega, place, near)?;
+    Ok(Steady::new(found))
 }
 
 /// Returns the steady state that a motion reaches after few cycles, or the largest displacements of the masses in later

@@ -12,12 +12,29 @@ mod steady;
 mod stops;
 mod stribeck;
 
-use super::{Chain, Joint, JointError, Motion, Steady, Wave, steady_state};
+use super::{Approach, Chain, Joint, JointError, Motion, Place, Steady, Wave, steady_state};
 use frictiongen_model::scene::Node;
 
 /// Returns the steady state that the motion from rest reaches.
 fn steady_from_rest(chain: &Chain, omega: f64) -> Result<Steady, JointError> {
-    steady_state(Motion::from_rest(chain)?, omega, None)
+    reached(steady_state(
+        Motion::from_rest(chain)?,
+        omega,
+        (Place::Centred, None),
+    )?)
+}
+
+/// Returns the steady state that a motion reaches. A contact that never slides stays where the motion has left it.
+fn steady_state_from(motion: Motion, omega: f64) -> Result<Steady, JointError> {
+    reached(steady_state(motion, omega, (Place::Reached, None))?)
+}
+
+/// Returns the steady state if the motion ends in it.
+fn reached(steady: Steady) -> Result<Steady, JointError> {
+    match steady.approach {
+        Approach::Reached => Ok(steady),
+        _ => Err(JointError::NotSteady),
+    }
 }
 
 /// Returns eigenvalues in ascending order and orthonormal eigenvectors (columns) of a symmetric matrix, by Jacobi

@@ -92,6 +92,118 @@ fn motions_that_settle_have_a_steady_state() {
     }
 }
 
+/// Scenes of one contact with r, β, period and stops, and the largest displacement in the contact. Another program has
+/// followed the motion from rest for hundreds of cycles. On its way the motion passes a stable state of period one.
+const PASSING: [(&str, f64, f64, usize, usize, f64); 5] = [
+    (
+        "struct S { masses: { m1: 1.0, m2: 0.04833 }, springs: { base - m1: 1.0, m1 - m2: 0.1056 }, contact: m1 - m2,
+        excitation: base, damping: modal[0.0226, 0.001027], stiction: 3.0 }",
+        0.3224,
+        0.0008548,
+        9,
+        26,
+        0.066_024_041_387_894_53,
+    ),
+    (
+        "struct S { masses: { m1: 1.0, m2: 1.449 }, springs: { base - m1: 1.0, m1 - m2: 1.385 }, contact: m1 - wall,
+        excitation: m1, stiction: 1.2 }",
+        0.05155,
+        0.1325,
+        11,
+        50,
+        0.908_065_395_229_539_7,
+    ),
+    (
+        "struct S { masses: { m1: 1.0, m2: 1.174 }, springs: { base - m1: 1.0, m1 - m2: 0.7833 }, contact: m1 - base,
+        excitation: base, stiction: 1.2 }",
+        0.1578,
+        0.02786,
+        15,
+        40,
+        0.040_604_315_548_365_02,
+    ),
+    (
+        "struct S { masses: { m1: 1.0, m2: 0.0347 }, springs: { base - m1: 1.0, m1 - m2: 0.8789 }, contact: m2 - base,
+        excitation: base, stiction: 1.2 }",
+        0.1523,
+        0.0005175,
+        14,
+        63,
+        0.025_485_090_642_927_7,
+    ),
+    (
+        "struct S { masses: { m1: 1.0, m2: 0.153811 }, springs: { base - m1: 1.0, m1 - m2: 2.92858 },
+        contact: m1 - m2, excitation: m1, damping: modal[0.001131, 0.04421], stiction: 2.0 }",
+        0.22565,
+        0.00208766,
+        1,
+        6,
+        0.002_525_629_989_206_718,
+    ),
+];
+
+#[test]
+fn a_motion_that_passes_a_stable_state_goes_on_to_its_own() {
+    for (text, r, beta, period, stops, displacement) in PASSING {
+        let scene = system(text);
+        let at = scene.joined().expect("answers").at(r).expect("r");
+        let orbit = at.orbit(beta).expect("a state");
+        let contact = orbit.contacts().next().expect("a contact");
+        assert_eq!((orbit.period(), contact.stops()), (period, stops), "r {r}");
+        let error = (contact.displacement() - displacement).abs() / displacement;
+        assert!(error < 1e-9, "r {r}: {error:e}");
+        assert!(orbit.is_from_rest() && orbit.cycles_followed().is_none());
+    }
+}
+
+/// Checks motions that wander for ever. The answer is a stable state that they have come close to, the state in which the
+/// contact sticks, or the last 64 cycles.
+#[test]
+fn a_motion_that_wanders_has_another_answer() {
+    let beside = system(
+        "struct S { masses: { m1: 1.1224, m2: 0.5747, m3: 0.3675 },
+        springs: { base - m1: 0.6325, m1 - m2: 0.4211, m2 - m3: 0.9743 }, contact: m2 - base, excitation: base,
+        damping: modal[0.01507, 0.03030, 0.00682], stiction: 2.4722 }",
+    );
+    let held = system(
+        "struct S { masses: { m1: 0.5038, m2: 0.3744 }, springs: { base - m1: 1.9422, m1 - m2: 0.5469 },
+        contact: m2 - m1, excitation: m2, damping: rayleigh(0.0097, 0.0042), stiction: 2.6695 }",
+    );
+    let block = system(
+        "struct S { masses: { block: 1 }, springs: { base - block: 1 }, contact: block - base, excitation: base,
+        stiction: 3 }",
+    );
+    // The amplitudes of the first two are those of the program for a single contact.
+    let asked = [
+        (
+            &beside,
+            1.640_406_166_765_868,
+            0.428_810_363_435_653_65,
+            Some(0.686_795_557_251_6),
+        ),
+        (
+            &held,
+            0.212_731_920_642_770_4,
+            0.494_356_720_780_849_1,
+            Some(0.0),
+        ),
+        (&block, 1.0 / 3.0, 0.01395, None),
+    ];
+    for (scene, r, beta, displacement) in asked {
+        let at = scene.joined().expect("answers").at(r).expect("r");
+        let orbit = at.orbit_or_last_cycles(beta, None).expect("cycles");
+        assert!(!orbit.is_from_rest() && orbit.cycles_followed() > Some(4000));
+        assert!(orbit.period() == 1 || !orbit.is_settled(), "r {r}");
+        assert_eq!(orbit.is_settled(), displacement.is_some(), "r {r}");
+        assert_eq!(at.orbit(beta).is_ok(), displacement.is_some(), "r {r}");
+        let contact = orbit.contacts().next().expect("a contact");
+        match displacement {
+            Some(expected) => assert!((contact.displacement() - expected).abs() < 1e-9, "r {r}"),
+            None => assert!(orbit.period() == 64 && orbit.amplitudes()[0] > 1.0),
+        }
+    }
+}
+
 /// Checks a motion whose period starts at an event: the contact of the mass with the wall stops as the base turns back.
 /// Contacts that never slide are in the middle of their intervals, and a pair of stops is counted.
 #[test]

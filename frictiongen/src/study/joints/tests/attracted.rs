@@ -1,8 +1,9 @@
 //! Compares steady states with the motion from rest, cycle after cycle. All contacts of the chains are elastic with μ
 //! = 1. For such chains, the search may return a steady state before the motion has settled.
 
-use super::super::{Motion, State, steady_state_from};
+use super::super::{Motion, State};
 use super::steady_from_rest;
+use super::steady_state_from;
 use super::{Chain, Random, random_chain};
 use std::f64::consts::TAU;
 

@@ -1,6 +1,7 @@
 //! Tests of steady states of random scenes, with periods of any length. A third of the scenes have no support.
 
-use super::super::{Joint, JointError, Motion, State, Wave, steady_state_from};
+use super::super::{Joint, JointError, Motion, State, Wave};
+use super::steady_state_from;
 use super::{Chain, Random, random_chain};
 use std::f64::consts::TAU;
 

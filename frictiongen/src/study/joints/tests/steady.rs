@@ -1,10 +1,11 @@
 //! Compares steady states with the reference file, with formulas and with motions in time. Further tests check the
 //! response of the chain while no contact slides, and damping matrices.
 
+use super::super::Steady;
 use super::super::{Motion, stuck_response};
-use super::super::{Steady, steady_state_from};
 use super::reference::{chain, list, number, numbers, read};
 use super::steady_from_rest;
+use super::steady_state_from;
 use super::{Chain, Random, Wave, random_chain, rigid};
 use frictiongen_kernel::joints;
 use frictiongen_model::scene::Node::{Base, Mass, Wall};
