@@ -15,8 +15,12 @@ use frictiongen_kernel::table::{SteadyContact, TabledMotion};
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub enum Of {
-    /// The relative motion of the two sides of the contact.
+    /// The relative motion of the two sides of the contact. With several contacts it has no meaning of its own, but the
+    /// equivalent damping ratio of `Contact` counts the energies of all contacts.
     Contact,
+    /// The relative motion in one of several contacts. The number is the index of the contact in the scene description.
+    /// Stops follow the contacts.
+    ContactAt(usize),
     /// The displacement of a mass. The number is its index in the scene description.
     Mass(usize),
     /// The displacement of one mass minus that of another. The numbers are the indices of the first and the second

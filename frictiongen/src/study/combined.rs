@@ -128,6 +128,9 @@ impl<S: Float> System<S> {
         let mass = |index: usize| index < self.scene.masses.len();
         match of {
             Of::Contact | Of::Shear => true,
+            Of::ContactAt(index) => {
+                self.scene.is_joined() && index < self.scene.names_of_contacts().len()
+            }
             Of::Mass(index) | Of::FromBase(index) => mass(index),
             Of::Relative(of, to) => mass(of) && mass(to) && of != to,
             Of::Spring(index) => index < self.scene.springs.len(),
@@ -188,7 +191,8 @@ impl<S: Float> System<S> {
         let one = Dd::constant(1.0);
         let mut terms = WeightedSum::none();
         match of {
-            Of::Contact => {}
+            // A scene of several contacts has no modal sums.
+            Of::Contact | Of::ContactAt(_) => {}
             Of::Mass(index) => terms.add(Node::Mass(index), one),
             Of::FromBase(index) => {
                 terms.add(Node::Mass(index), one);

@@ -49,8 +49,8 @@ pub enum UnknownMotion {
     /// name of the force.
     Rate(String),
     /// The brackets of `slip(…)`, `force(…)` or `energy(…)` do not contain the name of the contact. The first field is
-    /// the name of the function, the second field is the text in its brackets, and the third is the name of the contact.
-    Slip(String, String, String),
+    /// the name of the function, the second field is the text in its brackets, and the third has the names of the contacts.
+    Slip(String, String, Vec<String>),
     /// The closing bracket is missing, or text follows it. The field is the whole expression.
     Brackets(String),
 }
@@ -83,8 +83,12 @@ impl std::fmt::Display for UnknownMotion {
                 f,
                 "`{name}` is a force, which has neither a velocity nor an acceleration"
             ),
-            Self::Slip(function, name, contact) => {
-                write!(f, "`{name}` is no contact; write `{function}({contact})`")
+            Self::Slip(function, name, contacts) => {
+                let forms = contacts
+                    .iter()
+                    .map(|contact| format!("`{function}({contact})`"));
+                let forms: Vec<String> = forms.collect();
+                write!(f, "`{name}` is no contact; write {}", forms.join(" or "))
             }
             Self::Brackets(text) => {
                 write!(f, "`{text}`: write one closing bracket, at the end")
@@ -226,6 +230,7 @@ pub(crate) fn no_such_motion(f: &mut std::fmt::Formatter<'_>, of: Of) -> std::fm
             "the scene has no two masses with the indices {a} and {b}"
         ),
         Of::Spring(index) => write!(f, "the scene has no spring with the index {index}"),
+        Of::ContactAt(index) => write!(f, "the scene has no contact with the index {index}"),
         Of::Contact | Of::Shear => write!(f, "the scene has no such motion"),
     }
 }

@@ -50,8 +50,8 @@ impl<S: Float> System<S> {
         if let Ok(index) = self.mass_index(name) {
             return Ok(Of::Mass(index));
         }
-        if name == self.scene.contact_name {
-            return Ok(Of::Contact);
+        if let Some(of) = self.contact_of_name(name) {
+            return Ok(of);
         }
         if name == "shear" {
             return self.shear();
@@ -151,13 +151,12 @@ impl<S: Float> System<S> {
                 size,
                 MotionQuantity::Displacement | MotionQuantity::Force | MotionQuantity::Energy
             );
-            if of_contact && of != Of::Contact {
+            if of_contact && !matches!(of, Of::Contact | Of::ContactAt(_)) {
                 let function = function.trim_end_matches('(').to_owned();
-                let contact = self.scene.contact_name.clone();
                 return Err(UnknownMotion::Slip(
                     function,
                     inside.trim().to_owned(),
-                    contact,
+                    self.scene.names_of_contacts(),
                 ));
             }
             return Ok((of, size));
@@ -172,6 +171,10 @@ impl<S: Float> System<S> {
         let mass = |index: usize| self.scene.node_name(Node::Mass(index));
         match of {
             Of::Contact => self.scene.contact_name.clone(),
+            Of::ContactAt(index) => {
+                let names = self.scene.names_of_contacts();
+                names.into_iter().nth(index).unwrap_or("?".to_owned())
+            }
             Of::Mass(index) => mass(index).to_owned(),
             Of::Relative(of, to) => format!("{}-{}", mass(of), mass(to)),
             Of::FromBase(index) => format!("{}-base", mass(index)),
@@ -201,10 +204,21 @@ impl<S: Float> System<S> {
         };
         let spring = inside.strip_suffix(')').map(str::trim);
         let spring = spring.ok_or_else(|| UnknownMotion::Brackets(name.to_owned()))?;
-        if spring == self.scene.contact_name {
-            return Ok(Some(Of::Contact));
+        if let Some(of) = self.contact_of_name(spring) {
+            return Ok(Some(of));
         }
         self.spring_named(spring).map(Some)
+    }
+
+    /// Returns the contact or stop with this name, if there is one.
+    fn contact_of_name(&self, name: &str) -> Option<Of> {
+        let mut names = self.scene.names_of_contacts().into_iter();
+        let index = names.position(|known| known == name)?;
+        Some(if self.scene.is_joined() {
+            Of::ContactAt(index)
+        } else {
+            Of::Contact
+        })
     }
 
     fn shear(&self) -> Result<Of, UnknownMotion> {

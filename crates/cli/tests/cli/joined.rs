@@ -264,11 +264,9 @@ fn the_rest_is_refused_by_name() {
     }
 }
 
-/// An unknown mass is named, and a quantity of a contact that every line has anyway.
+/// An unknown mass is named, and a quantity that a motion does not have.
 #[test]
-fn unknown_masses_and_quantities_of_contacts() {
-    let contact =
-        "the answer has displacement, slip, force and energy of every contact; leave it out";
+fn unknown_masses_and_quantities() {
     for (name, told) in [
         (
             "roof-lower",
@@ -278,8 +276,10 @@ fn unknown_masses_and_quantities_of_contacts() {
             "roof",
             ": there is no mass `roof`; the masses are lower, upper".to_owned(),
         ),
-        ("pads", format!(" `pads`: {contact}")),
-        ("energy(brace)", format!(" `energy(brace)`: {contact}")),
+        (
+            "energy(lower)",
+            ": `lower` is no contact; write `energy(brace)` or `energy(pads)`".to_owned(),
+        ),
     ] {
         let line = format!("orbit --r 0.5 --beta 0.3 --of {name}");
         let expected = format!("frictiongen: --of{told}");
@@ -288,6 +288,53 @@ fn unknown_masses_and_quantities_of_contacts() {
     let told = failure(FRAME, &words("time --r 0.5 --beta 0.3 --of accel(lower)"));
     let expected = "frictiongen: --of `accel(lower)`: a motion in time of several contacts has masses and differences of two masses, such as f2-f1";
     assert_eq!(told, expected);
+}
+
+/// A quantity of a contact stands in its own columns, too.
+#[test]
+fn quantities_are_those_of_contacts() {
+    let csv = output(
+        FRAME,
+        &words(
+            "response --r 0.5:0.3:1.4 --beta 0.3 --of slip(pads) --of force(brace) --of energy(pads) --of zeta_eq --csv",
+        ),
+    );
+    for (quantity, own) in [
+        ("slip(pads).amplitude", "pads.amplitude"),
+        ("force(brace).amplitude", "brace.force"),
+        ("energy(pads).amplitude", "pads.energy"),
+    ] {
+        assert_eq!(column(&csv, quantity), column(&csv, own));
+    }
+    let ratios = column(&csv, "zeta_eq.amplitude");
+    assert!(
+        ratios.iter().all(|ratio| 0.0 < *ratio && *ratio < 1.0),
+        "{ratios:?}"
+    );
+}
+
+/// The best friction keeps a bound on the force of one of several contacts.
+#[test]
+fn the_best_friction_bounds_the_force_of_a_contact() {
+    let band = "optimum --r 0.4:1.2 --of upper";
+    let free = output(FRAME, &words(&format!("{band} --json")));
+    let free: serde_json::Value = serde_json::from_str(&free).expect("JSON");
+    let force = |friction: f64| {
+        let line = format!("curve --r 0.4:0.01:1.2 --beta {friction} --of force(brace) --csv");
+        let forces = column(&output(FRAME, &words(&line)), "force(brace).amplitude");
+        forces.into_iter().fold(0.0, f64::max)
+    };
+    let bound = 0.7 * force(value(&free, "beta"));
+    let keep = format!("force(brace) <= {bound}");
+    let mut line = words(&format!("{band} --json --keep"));
+    line.push(&keep);
+    let kept: serde_json::Value = serde_json::from_str(&output(FRAME, &line)).expect("JSON");
+    assert!(value(&free, "amplitude") < value(&kept, "amplitude"));
+    let reached = force(value(&kept, "beta"));
+    assert!(
+        0.95 * bound < reached && reached <= 1.001 * bound,
+        "{reached} {bound}"
+    );
 }
 
 /// A relative motion is the displacement of the contact between its two masses, and the best friction lowers its peak.

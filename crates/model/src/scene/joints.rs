@@ -249,6 +249,25 @@ impl Scene {
         }
     }
 
+    /// Returns the names of the contacts, and then of the stops, in the order of the scene description.
+    #[must_use]
+    pub fn names_of_contacts(&self) -> Vec<String> {
+        let contacts = self.named_contacts().into_iter();
+        let stops = self.joints.stops.iter().map(|stop| stop.name.clone());
+        contacts.map(|contact| contact.name).chain(stops).collect()
+    }
+
+    /// Returns the two nodes of the contact or stop with this index. Stops follow the contacts.
+    #[must_use]
+    pub fn sides_of_contact(&self, index: usize) -> Option<ContactSides> {
+        let contacts = self.named_contacts().into_iter();
+        let stops = self.joints.stops.iter().map(|stop| stop.sides);
+        contacts
+            .map(|contact| contact.sides)
+            .chain(stops)
+            .nth(index)
+    }
+
     /// Returns every contact with its name.
     #[must_use]
     #[doc(hidden)]

@@ -36,7 +36,7 @@ impl MovingPart {
     }
 
     /// Returns the motions with these names, each once, for a scene with several contacts. Without names, returns all
-    /// masses. The tables of such a scene have every contact, so that no name may be that of a contact.
+    /// masses. The tables of such a scene have every contact in any case.
     ///
     /// # Errors
     /// A message, which begins with the name of the `argument` that contains the names.
@@ -55,35 +55,15 @@ impl MovingPart {
             });
             return Ok(masses.collect());
         }
-        let contacts = scene.named_contacts();
         let mut parts: Vec<Self> = Vec::new();
         for name in names {
             if parts.iter().any(|part| part.name == name.trim()) {
                 return Err(format!("{argument} `{name}`: it is given twice"));
             }
-            let (_, inside) = name.split_once('(').unwrap_or(("", name));
-            let inside = inside.trim_end_matches(')').trim();
-            let is_contact = contacts.iter().any(|contact| contact.name == inside);
-            let part = match is_contact {
-                true => None,
-                false => {
-                    let part = Self::named(system, name);
-                    Some(part.map_err(|error| format!("{argument}: {error}"))?)
-                }
-            };
-            parts.push(part.filter(|part| !part.is_of_contact()).ok_or_else(|| {
-                format!(
-                    "{argument} `{name}`: the answer has displacement, slip, force and energy of every contact; leave it out"
-                )
-            })?);
+            let part = Self::named(system, name);
+            parts.push(part.map_err(|error| format!("{argument}: {error}"))?);
         }
         Ok(parts)
-    }
-
-    /// Returns true for a quantity of the contact.
-    fn is_of_contact(&self) -> bool {
-        use MotionQuantity::{Damping, Energy, Force};
-        self.of == Of::Contact || matches!(self.size, Force | Energy | Damping)
     }
 
     /// Returns the motion of a mass relative to the base if the base moves. Returns any other motion unchanged.

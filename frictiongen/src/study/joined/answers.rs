@@ -47,10 +47,13 @@ impl<'a> LinearResponse<'a> {
         found.unwrap_or_default() / self.units.length
     }
 
-    /// Returns the amplitude of a motion, of its derivative with respect to τ, or of the force of a spring. Returns `None`
-    /// for a quantity that only a single contact has.
+    /// Returns the amplitude of a motion, of its derivative with respect to τ, or of the force of a spring. Contacts have no
+    /// force and dissipate no energy. Returns `None` for a quantity that the motion does not have.
     #[must_use]
     pub fn amplitude(&self, of: Of, size: MotionQuantity) -> Option<f64> {
+        if of_contact_alone(of, size) {
+            return Some(0.0);
+        }
         let combination = Combination::of(self.joined.scene(), of, size)?;
         Some(combination.of_linear(|mass| self.displacement(mass), self.units))
     }
@@ -112,16 +115,14 @@ impl<'a> StuckState<'a> {
         self.linear.mass(name)
     }
 
-    /// Returns the complex amplitude of the displacement of the mass with this index, while no contact slides.
-    pub(in crate::study) fn displacement(&self, mass: usize) -> Complex<f64> {
-        self.linear.displacement(mass)
-    }
-
-    /// Returns the amplitude of a motion, of its derivative with respect to τ, or of the force of a spring, while no contact
-    /// slides. Returns `None` for a quantity that only a single contact has.
+    /// Returns the amplitude of a motion, of its derivative with respect to τ, or of the force of a spring or of a contact,
+    /// while no contact slides. Contacts dissipate no energy. Returns `None` for a quantity that the motion does not have.
     #[must_use]
     pub fn amplitude(&self, of: Of, size: MotionQuantity) -> Option<f64> {
-        self.linear.amplitude(of, size)
+        match (of, size) {
+            (Of::ContactAt(index), MotionQuantity::Force) => self.forces.get(index).copied(),
+            _ => self.linear.amplitude(of, size),
+        }
     }
 
     /// Returns the amplitude of the force in the contact called `name`, while no contact slides.
@@ -137,5 +138,14 @@ impl<'a> StuckState<'a> {
     /// the angular frequency of the load.
     pub(super) fn state(&self, omega: f64) -> (Vec<f64>, Vec<f64>) {
         self.linear.state(omega)
+    }
+}
+
+/// Returns true for a quantity that a contact has and other motions do not have, or a damping ratio.
+fn of_contact_alone(of: Of, size: MotionQuantity) -> bool {
+    match size {
+        MotionQuantity::Damping => true,
+        MotionQuantity::Force | MotionQuantity::Energy => matches!(of, Of::ContactAt(_)),
+        _ => false,
     }
 }

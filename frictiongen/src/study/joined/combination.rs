@@ -4,6 +4,7 @@
 use super::error::JoinedError;
 use super::orbit::JoinedOrbit;
 use super::units::AnswerUnits;
+use super::waveform::Course;
 use crate::study::joints::Series;
 use crate::study::response::MotionQuantity;
 use crate::{Complex, Of};
@@ -32,7 +33,7 @@ pub(in crate::study) struct Combination {
 }
 
 impl Combination {
-    /// Returns the quantity of a motion. Returns `None` for a quantity that only a single contact has.
+    /// Returns the quantity of a motion. Returns `None` for a force in a contact, an energy or a damping ratio.
     pub fn of(scene: &Scene, of: Of, size: MotionQuantity) -> Option<Self> {
         let masses = scene.masses.len();
         let (wall, base) = (masses, masses + 1);
@@ -42,6 +43,12 @@ impl Combination {
         };
         let terms = match of {
             Of::Contact => return None,
+            Of::ContactAt(index) => {
+                let sides = scene.sides_of_contact(index)?;
+                let (plus, minus) = numbered(masses, sides.from, sides.to)?;
+                let sign = if sides.is_reversed() { -1.0 } else { 1.0 };
+                vec![(sign, plus, minus)]
+            }
             Of::Mass(mass) => vec![(1.0, mass, wall)],
             Of::Relative(mass, other) => vec![(1.0, mass, other)],
             Of::FromBase(mass) => vec![(1.0, mass, base)],
@@ -198,17 +205,34 @@ impl JoinedOrbit<'_> {
     }
 
     /// Returns the largest absolute value of each quantity in a period: of a displacement, of its derivative with respect
-    /// to τ, or of the force in a spring. For the displacement of a mass this is its [`amplitude`](Self::amplitude). For the
-    /// others the method follows the motion over one period.
+    /// to τ, of the force in a spring, or of the force in a contact. For the displacement of a mass this is its
+    /// [`amplitude`](Self::amplitude). An energy is that which a contact dissipates in a cycle of the load, and a damping
+    /// ratio is that of [`MotionQuantity::Damping`].
     ///
     /// # Errors
-    /// [`JoinedError::Quantity`] for a quantity that only a single contact has, and [`JoinedError::Engine`] if the solver
+    /// [`JoinedError::Quantity`] for a quantity that the motion does not have, and [`JoinedError::Engine`] if the solver
     /// does not support the chain.
     pub fn largest_of(&self, quantities: &[(Of, MotionQuantity)]) -> Result<Vec<f64>, JoinedError> {
         let (joined, omega, units) = self.setting();
         let amplitudes = self.amplitudes();
-        let known = |quantity: &(Of, MotionQuantity)| match quantity {
-            (Of::Mass(mass), MotionQuantity::Displacement) => amplitudes.get(*mass).copied(),
+        let damping = quantities
+            .iter()
+            .filter(|(_, size)| *size == MotionQuantity::Damping)
+            .map(|(of, _)| Ok((*of, self.damping(*of)?)))
+            .collect::<Result<Vec<_>, JoinedError>>()?;
+        let known = |&(of, size): &(Of, MotionQuantity)| match (of, size) {
+            (Of::Mass(mass), MotionQuantity::Displacement) => amplitudes.get(mass).copied(),
+            (Of::ContactAt(index), MotionQuantity::Displacement) => {
+                Some(self.contacts().nth(index)?.displacement())
+            }
+            (Of::ContactAt(index), MotionQuantity::Force) => {
+                Some(self.contacts().nth(index)?.force())
+            }
+            (Of::ContactAt(index), MotionQuantity::Energy) => self.energy_of_cycle(index),
+            (of, MotionQuantity::Damping) => damping
+                .iter()
+                .find(|found| found.0 == of)
+                .map(|found| found.1),
             _ => None,
         };
         let mut followed = Vec::new();
@@ -236,5 +260,43 @@ impl JoinedOrbit<'_> {
             })
         });
         values.collect::<Option<_>>().ok_or(JoinedError::Quantity)
+    }
+
+    /// Returns the energy that a contact dissipates in a cycle of the load.
+    fn energy_of_cycle(&self, contact: usize) -> Option<f64> {
+        Some(self.contacts().nth(contact)?.energy() / self.period() as f64)
+    }
+
+    /// Returns the equivalent viscous damping ratio of all contacts, or of one contact if `of` is this contact. The strain
+    /// energy is that of all springs, or of one spring if `of` is this spring. The ratio is 0 if no spring is deformed.
+    fn damping(&self, of: Of) -> Result<f64, JoinedError> {
+        let (joined, _, units) = self.setting();
+        let scene = joined.scene();
+        let energies = (0..self.contacts().count()).filter(|index| match of {
+            Of::ContactAt(own) => own == *index,
+            _ => true,
+        });
+        let energies = energies.filter_map(|index| self.energy_of_cycle(index));
+        let springs: Vec<usize> = match of {
+            Of::Spring(index) => vec![index],
+            Of::Contact | Of::ContactAt(_) => (0..scene.springs.len()).collect(),
+            _ => return Err(JoinedError::Quantity),
+        };
+        let courses = springs
+            .iter()
+            .map(|index| Course::of(joined, Of::Spring(*index), MotionQuantity::Displacement));
+        let courses = courses.collect::<Option<Vec<_>>>();
+        let forces = self.waveforms(&courses.ok_or(JoinedError::Quantity)?)?;
+        let strains = springs.iter().zip(&forces).filter_map(|(index, force)| {
+            let stiffness = scene.springs.get(*index)?.stiffness * units.length / units.force;
+            let force = force.centred_amplitude();
+            Some(0.5 * force * force / stiffness)
+        });
+        let (energy, strain): (f64, f64) = (energies.sum(), strains.sum());
+        Ok(if strain > 0.0 {
+            energy / (2.0 * TAU * strain)
+        } else {
+            0.0
+        })
     }
 }

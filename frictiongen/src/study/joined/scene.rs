@@ -158,10 +158,7 @@ impl<'a> Joined<'a> {
     /// Returns the names of the contacts, and then of the stops, in the order of the scene description.
     #[must_use]
     pub fn contact_names(&self) -> Vec<String> {
-        let contacts = self.scene.named_contacts().into_iter();
-        let stops = self.scene.joints.stops.iter();
-        let stops = stops.map(|stop| stop.name.clone());
-        contacts.map(|contact| contact.name).chain(stops).collect()
+        self.scene.names_of_contacts()
     }
 
     /// Returns the factor that converts the sign of the solver for a contact to the sign of the scene description.
@@ -170,10 +167,7 @@ impl<'a> Joined<'a> {
     /// scene with a single contact have the same sign.
     #[must_use]
     pub fn sign(&self, contact: usize) -> f64 {
-        let contacts = self.scene.named_contacts().into_iter();
-        let stops = self.scene.joints.stops.iter().map(|stop| stop.sides);
-        let mut sides = contacts.map(|contact| contact.sides).chain(stops);
-        match sides.nth(contact) {
+        match self.scene.sides_of_contact(contact) {
             Some(sides) if sides.is_reversed() => -1.0,
             _ => 1.0,
         }

@@ -4,11 +4,11 @@
 use super::objective::Objective;
 use crate::study::joined::{Combination, Joined, JoinedError};
 use crate::study::joints::JointError;
-use crate::study::response::SystemResponse;
+use crate::study::response::{MotionQuantity, SystemResponse};
 use crate::study::system::System;
 use crate::study::units::LoadScale;
 use crate::study::work::{of_contacts, work};
-use crate::{Complex, Error, NoOrbit, NotContinuous, Regime};
+use crate::{Error, NoOrbit, NotContinuous, Of, Regime};
 
 /// Smallest relative distance from a pole at which the code evaluates a function to detect the pole. At a pole, the
 /// value at this distance is ten times the value at ten times the distance.
@@ -350,15 +350,11 @@ impl<'s> SeveralContacts<'s> {
         let at = joined.at_any(r)?;
         let (scene, units) = (self.system.scene(), at.units());
         let (is_linear, is_free) = (scene.has_linear_states(), self.system.start.is_none());
-        let combination = |of: &Objective| Combination::of(scene, of.of, of.size);
-        let linear = |masses: &dyn Fn(usize) -> Complex<f64>, regime: Regime| {
-            let value = |of: &Objective| Some(combination(of)?.of_linear(masses, units));
-            self.goal.answer(r, value, (regime, true))
-        };
         let beta = match friction {
             FrictionAmount::Ratio(0.0) if is_linear => {
                 let state = at.linear()?;
-                return Ok(linear(&|mass| state.displacement(mass), Regime::Continuous));
+                let value = |of: &Objective| state.amplitude(of.of, of.size);
+                return Ok(self.goal.answer(r, value, (Regime::Continuous, true)));
             }
             FrictionAmount::Ratio(friction) => friction * r.powi(self.goal.fall()),
             FrictionAmount::Locked if self.system.start.is_some() || !is_linear => LOCKED,
@@ -366,7 +362,8 @@ impl<'s> SeveralContacts<'s> {
         };
         // The answer of contacts that never slide is the state without constant forces in the contacts.
         let stuck = |state: &crate::study::joined::StuckState<'_>| {
-            linear(&|mass| state.displacement(mass), Regime::Stuck)
+            let value = |of: &Objective| state.amplitude(of.of, of.size);
+            self.goal.answer(r, value, (Regime::Stuck, true))
         };
         if beta.is_infinite() {
             return Ok(stuck(&at.stuck()?));
@@ -394,13 +391,34 @@ impl<'s> SeveralContacts<'s> {
             // The common friction may be just below the limit of the stuck state. The contacts then move less and less
             // in each cycle, but never come to rest.
             Err(largest) => {
-                let value = |of: &Objective| Some(combination(of)?.at_most(&largest, units));
+                let value = |of: &Objective| {
+                    let moved = |size| Combination::of(scene, of.of, size);
+                    let moved = |size| Some(moved(size)?.at_most(&largest, units));
+                    let force = || Some(beta * most_force(joined, of.of)?);
+                    match of.size {
+                        MotionQuantity::Force => force(),
+                        // A contact slides over at most four amplitudes in a cycle that it does not leave twice.
+                        MotionQuantity::Energy => {
+                            Some(4.0 * force()? * moved(MotionQuantity::Displacement)?)
+                        }
+                        size => moved(size),
+                    }
+                };
                 let answer = self.goal.answer(r, value, (Regime::StickSlip, false));
                 let work = of_contacts(scene.masses.len(), None);
                 Ok(Answer { work, ..answer })
             }
         }
     }
+}
+
+/// Returns the largest force of a contact, divided by the common friction. A stop has no such bound.
+fn most_force(joined: &Joined<'_>, of: Of) -> Option<f64> {
+    let Of::ContactAt(index) = of else {
+        return None;
+    };
+    let contact = joined.chain().contacts.get(index)?;
+    Some(contact.level.constant * contact.stiction)
 }
 
 impl Evaluator for SeveralContacts<'_> {

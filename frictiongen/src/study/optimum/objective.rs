@@ -40,7 +40,9 @@ impl Objective {
         match self.size {
             MotionQuantity::Displacement => true,
             MotionQuantity::Velocity | MotionQuantity::Acceleration => !self.of.is_force(),
-            MotionQuantity::Force | MotionQuantity::Energy => self.of == Of::Contact,
+            MotionQuantity::Force | MotionQuantity::Energy => {
+                matches!(self.of, Of::Contact | Of::ContactAt(_))
+            }
             // The best damping ratio is the largest. This search, however, seeks the smallest value of a quantity.
             MotionQuantity::Damping => false,
         }

@@ -7,7 +7,7 @@ use super::objective::Objective;
 use super::request::{FrequencyBand, OptimumError, OptimumOptions, OptimumRequest, QuantityValue};
 use super::search::{Least, NEARLY_EQUAL, Range, SearchEnd, insert};
 use crate::Regime;
-use crate::study::joined::{Combination, Joined};
+use crate::study::joined::Joined;
 use crate::study::parameter::{OperatingPoint, Parameter};
 use crate::study::physical::ResponseSensitivities;
 use crate::study::response::MotionQuantity;
@@ -597,12 +597,11 @@ fn check(system: &System, objective: &Objective) -> Result<(), OptimumError> {
     if !system.has_motion(objective.of) {
         return Err(OptimumError::NoSuchMotion(objective.of));
     }
-    if scene.has_joined_states() {
-        let combination = Combination::of(scene, objective.of, objective.size);
-        return combination.map_or(Err(OptimumError::OnlyMotions), |_| Ok(()));
-    }
     if !objective.is_sound() {
         return Err(OptimumError::Size);
+    }
+    if scene.has_joined_states() {
+        return Ok(());
     }
     let modal = system.modal();
     let constants = modal.damping_ratios.iter().zip(&modal.loads);

@@ -141,8 +141,6 @@ pub enum OptimumError {
     SingleQuantity,
     /// The request varies several numbers that are not all shares of contacts, or the same number twice.
     Several,
-    /// The scene has several contacts or dashpots, and the quantity is not the displacement of a mass.
-    OnlyMotions,
     /// The solver for several contacts does not support the scene or the request.
     Joined(JoinedError),
     /// No friction satisfies this bound together with all earlier bounds in the request. If the request varies a number
@@ -185,7 +183,6 @@ impl std::fmt::Display for OptimumError {
             Self::Stopped => "the search was stopped before it found a valid friction",
             Self::Interval => "both bounds of an interval must be finite, the second above the first",
             Self::Scene(error) => return error.fmt(f),
-            Self::OnlyMotions => "with `contacts` or `dampers`, the search minimises motions and forces of springs, and no quantity of a contact",
             Self::Joined(error) => return error.fmt(f),
             Self::Weight => "each of several quantities needs a value above 0 to divide it by",
             Self::SingleQuantity => "bounds and varied numbers need a single minimised quantity",
