@@ -384,12 +384,14 @@ pub(super) fn integral<S: Float>(terms: &[S], end: S) -> S {
 
 /// Returns the work of a force from the start of a time interval to the fraction `end`. `length` is the duration of
 /// the interval.
-pub(super) fn work<S: Float>(force: &Poly<S>, speed: &Poly<S>, length: S, end: S) -> S {
-    length * integral(&product(force, speed), end)
+pub(super) fn work<S: Float>(force: &[S], speed: &[S], length: S, end: S) -> S {
+    let product = product(force, speed);
+    let count = force.len() + speed.len();
+    length * integral(product.get(..count).unwrap_or(&product), end)
 }
 
 /// Returns the coefficients of the product of the polynomials `a` and `b`.
-fn product<S: Float>(a: &Poly<S>, b: &Poly<S>) -> [S; 2 * TERMS] {
+fn product<S: Float>(a: &[S], b: &[S]) -> [S; 2 * TERMS] {
     let mut product = [S::constant(0.0); 2 * TERMS];
     // A load or a friction force on a straight line has only two coefficients.
     let a = a.iter().enumerate().filter(|(_, a)| !a.is_zero());

@@ -23,6 +23,12 @@ use crate::errors::Halt;
 /// is 1 for all contacts, sixteen contacts need only a few dozen patterns.
 pub const MAX_PATTERNS: usize = 100_000;
 
+/// Returns the number of patterns of `contacts` contacts that act on each other.
+pub(super) fn all_patterns(contacts: usize) -> usize {
+    let contacts = u32::try_from(contacts).unwrap_or(u32::MAX);
+    3_usize.saturating_pow(contacts)
+}
+
 /// Returns the rounding error of a force, divided by the sum of the absolute values of all forces.
 fn rounding<S: Float>() -> S {
     S::constant(if S::EPSILON < 1e-10 { 1e-13 } else { 2e-5 })
@@ -111,15 +117,20 @@ impl<S: Float, Z: Size> Decision<'_, S, Z> {
     /// [`Halt::Patterns`] after [`MAX_PATTERNS`] patterns. [`Halt::Stalled`] if no pattern fits, even within the
     /// tolerance for rounding errors.
     pub fn decide(&self) -> Result<Z::Contacts<i8>, Halt> {
+        self.decide_within(MAX_PATTERNS)
+    }
+
+    /// Decides as [`decide`](Self::decide) does, with at most `patterns` patterns.
+    pub(super) fn decide_within(&self, patterns: usize) -> Result<Z::Contacts<i8>, Halt> {
         let labels = self.labels();
-        let mut tried = 0;
+        let mut left = patterns;
         for goes in [true, false] {
             let mut pattern = self.model.size.contacts(0);
             let mut fits = true;
             for label in 0..self.model.contacts().len() {
                 if fits && labels.as_ref().get(label) == Some(&label) {
                     let group = self.group(&labels, label, goes);
-                    fits = self.decide_group(&group, &mut pattern, &mut tried)?;
+                    fits = self.decide_group(&group, &mut pattern, &mut left)?;
                 }
             }
             if fits {
@@ -183,19 +194,19 @@ impl<S: Float, Z: Size> Decision<'_, S, Z> {
         &self,
         group: &Group<Z>,
         pattern: &mut Z::Contacts<i8>,
-        tried: &mut usize,
+        left: &mut usize,
     ) -> Result<bool, Halt> {
         let contacts = 0..self.model.contacts().len();
         let members = || contacts.clone().filter(|&j| group.has(j));
         for j in members() {
             set(pattern.as_mut(), j, phase::<Z>(&group.fixed, j));
         }
-        if self.try_pattern(group, pattern).fits {
+        if self.try_pattern(group, pattern, left)?.fits {
             return Ok(true);
         }
         let mut laws = members().filter_map(|j| self.model.contact(j));
         if laws.all(|c| c.stiction == S::constant(1.0))
-            && let Some(found) = self.pivot(group, pattern.clone())
+            && let Some(found) = self.pivot(group, pattern.clone(), left)?
         {
             let kept = |j: usize| {
                 let fixed = phase::<Z>(&group.fixed, j);
@@ -206,7 +217,7 @@ impl<S: Float, Z: Size> Decision<'_, S, Z> {
             return Ok(kept);
         }
         for going in 0..=group.open(0) {
-            if self.enumerate(group, (0, going), pattern, tried)? {
+            if self.enumerate(group, (0, going), pattern, left)? {
                 return Ok(true);
             }
         }
@@ -216,17 +227,26 @@ impl<S: Float, Z: Size> Decision<'_, S, Z> {
     /// Searches for a fitting pattern (the phase of each contact) by Murty's rule of the least index. The rule corrects
     /// the first contact that contradicts the pattern, and repeats. If static and kinetic friction are equal, the
     /// method always ends, because the fitting pattern then belongs to the minimum of a strictly convex function.
-    fn pivot(&self, group: &Group<Z>, mut pattern: Z::Contacts<i8>) -> Option<Z::Contacts<i8>> {
+    fn pivot(
+        &self,
+        group: &Group<Z>,
+        mut pattern: Z::Contacts<i8>,
+        left: &mut usize,
+    ) -> Result<Option<Z::Contacts<i8>>, Halt> {
         let members = group.members.as_ref().iter();
-        for _ in 0..64 * members.filter(|member| **member).count() {
-            let outcome = self.try_pattern(group, &pattern);
+        let members = members.filter(|member| **member).count();
+        // Without rounding errors no pattern returns.
+        for _ in 0..all_patterns(members).min(64 * members) {
+            let outcome = self.try_pattern(group, &pattern, left)?;
             if outcome.fits {
-                return Some(pattern);
+                return Ok(Some(pattern));
             }
-            let (contact, phase) = outcome.first_wrong?;
+            let Some((contact, phase)) = outcome.first_wrong else {
+                break;
+            };
             set(pattern.as_mut(), contact, phase);
         }
-        None
+        Ok(None)
     }
 
     /// Tries the patterns in which exactly `going` contacts with an open phase slide. A pattern is the phase of each
@@ -237,15 +257,11 @@ impl<S: Float, Z: Size> Decision<'_, S, Z> {
         group: &Group<Z>,
         (from, going): (usize, usize),
         pattern: &mut Z::Contacts<i8>,
-        tried: &mut usize,
+        left: &mut usize,
     ) -> Result<bool, Halt> {
         let contacts = self.model.contacts().len();
         let Some(next) = (from..contacts).find(|&j| group.has(j)) else {
-            *tried += 1;
-            if *tried > MAX_PATTERNS {
-                return Err(Halt::Patterns);
-            }
-            return Ok(going == 0 && self.try_pattern(group, pattern).fits);
+            return Ok(going == 0 && self.try_pattern(group, pattern, left)?.fits);
         };
         if group.open(next) < going {
             return Ok(false);
@@ -256,8 +272,8 @@ impl<S: Float, Z: Size> Decision<'_, S, Z> {
         for &choice in group.choices(next, going, stop) {
             let goes = usize::from(is_open && choice != 0);
             set(pattern.as_mut(), next, choice);
-            let left = going.saturating_sub(goes);
-            if self.enumerate(group, (next + 1, left), pattern, tried)? {
+            let rest = going.saturating_sub(goes);
+            if self.enumerate(group, (next + 1, rest), pattern, left)? {
                 return Ok(true);
             }
         }
@@ -265,8 +281,14 @@ impl<S: Float, Z: Size> Decision<'_, S, Z> {
     }
 
     /// Tests whether a pattern (the phase of each contact) fits for a group of contacts. If not, finds the first
-    /// contact that contradicts the pattern.
-    fn try_pattern(&self, group: &Group<Z>, pattern: &Z::Contacts<i8>) -> Outcome {
+    /// contact that contradicts the pattern. Returns an error if no pattern is `left`.
+    fn try_pattern(
+        &self,
+        group: &Group<Z>,
+        pattern: &Z::Contacts<i8>,
+        left: &mut usize,
+    ) -> Result<Outcome, Halt> {
+        *left = left.checked_sub(1).ok_or(Halt::Patterns)?;
         let (accelerations, forces) = self.accelerations(&group.members, pattern);
         let mut outcome = Outcome {
             fits: true,
@@ -298,7 +320,7 @@ impl<S: Float, Z: Size> Decision<'_, S, Z> {
                 outcome.first_wrong = outcome.first_wrong.or(Some((j, phase)));
             }
         }
-        outcome
+        Ok(outcome)
     }
 
     /// Returns the rounding error of a force in this decision.

@@ -1,6 +1,6 @@
 //! Decides the phase of each contact (sticking or sliding) after an event.
 
-use super::decide::{Decision, add_contact, holds};
+use super::decide::{Decision, MAX_PATTERNS, add_contact, holds};
 use super::model::Contact;
 use super::run::Motion;
 use super::size::{Size, at, set, sign};
@@ -108,7 +108,13 @@ impl<S: Float, Z: Size> Motion<S, Z> {
             return Ok(());
         }
         let decision = self.decision(asked, broke.clone());
-        let pattern = decision.decide()?;
+        let pattern = match decision.decide_within(self.limits.patterns) {
+            // Within a limit, all these contacts stick if no pattern is found. A contact that sticks does no work.
+            Err(Halt::Patterns) if self.limits.patterns < MAX_PATTERNS => {
+                self.model.size.contacts(STUCK)
+            }
+            pattern => pattern?,
+        };
         let (accelerations, held) = decision.accelerations(&decision.asked, &pattern);
         let (_, v) = self.nodes();
         let mut zeros = self.model.size.contacts((0, 0));

@@ -6,12 +6,13 @@
 
 use super::model::{Contact, Model};
 use super::poly::{Poly, angle_of};
-use super::roots::first_negative;
+use super::roots::first_negative_within;
 use super::run::Motion;
 use super::series::Series;
 use super::size::{Size, add, at, sign};
 use super::state::{FREE, STUCK, State};
 use super::wave::Wave;
+use crate::errors::Halt;
 use crate::motion::{KineticLine, line, line_at};
 use crate::{Float, Scalar};
 
@@ -115,31 +116,39 @@ impl<S: Float, Z: Size> Motion<S, Z> {
 
     /// Returns the fraction of the time interval after which a contact first leaves its line of the friction law, or
     /// `None` if no contact does.
-    pub(super) fn line_end(&self, series: &Series<S, Z>) -> Option<S> {
-        let ends = self.sliding().filter_map(|(contact, side)| {
+    ///
+    /// # Errors
+    ///
+    /// [`Halt::Stretches`] if a search reaches its limit.
+    pub(super) fn line_end(
+        &self,
+        series: &Series<S, Z>,
+        divisions: &mut u32,
+    ) -> Result<Option<S>, Halt> {
+        let mut first = None;
+        for (contact, side) in self.sliding() {
             let ends = (contact.plus, contact.minus);
             let speed = series.slip_terms(contact.sides());
             let speed = speed.map(|term| sign::<S>(side) * term);
             let line = self.model.line(contact, at(&speed, 0));
             let sizes = series.speed_at_start(ends.0).abs() + series.speed_at_start(ends.1).abs();
             let beyond = |end: S| S::constant(BEYOND * S::EPSILON) * (end + sizes);
-            let rises = line.high.and_then(|high| {
+            let rises = line.high.map(|high| {
                 let mut left = speed.map(|term| -term);
                 add(&mut left, 0, high + beyond(high));
-                first_negative(&left, 0)
+                left
             });
             let falls = (!line.low.is_zero()).then(|| {
                 let mut left = speed;
                 add(&mut left, 0, beyond(line.low) - line.low);
-                first_negative(&left, 0)
+                left
             });
-            let falls = falls.flatten();
-            match (rises, falls) {
-                (Some(a), Some(b)) => Some(Scalar::min(a, b)),
-                (a, b) => a.or(b),
+            for left in rises.into_iter().chain(falls) {
+                let end = first_negative_within(&left, 0, divisions)?;
+                first = first.into_iter().chain(end).reduce(Scalar::min);
             }
-        });
-        ends.reduce(Scalar::min)
+        }
+        Ok(first)
     }
 
     /// Returns the sliding contacts whose friction depends on the speed, each with its direction.

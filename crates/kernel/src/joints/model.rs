@@ -2,7 +2,7 @@
 //! base. They are numbered in this order.
 
 use super::base::Curve;
-use super::poly::{Poly, angle_of};
+use super::poly::{Poly, angle_of, terms_of, terms_within};
 use super::size::{Size, add, at};
 use super::wave::Wave;
 use crate::Float;
@@ -376,6 +376,17 @@ impl<S: Float, Z: Size> Model<S, Z> {
             .fold(S::constant(0.0), crate::Scalar::max);
         let motion = slow + (slow * slow + stiff).sqrt();
         self.stretch = S::constant(angle_of::<S>()) / crate::Scalar::max(motion, waves);
+    }
+
+    /// Returns the number of coefficients that power series over a time interval of the duration `length` need, under
+    /// inputs of the degree `degree`.
+    pub(super) fn terms_within(&self, length: S, degree: usize) -> usize {
+        if !self.law.as_ref().is_empty() {
+            // The slopes of the friction law are no part of the longest stretch.
+            return terms_of::<S>();
+        }
+        let angle = S::constant(angle_of::<S>()) * length / self.stretch;
+        terms_within(angle, degree)
     }
 
     /// Returns the dashpots of the stops.

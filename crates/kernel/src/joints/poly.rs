@@ -12,6 +12,25 @@ pub(super) fn terms_of<S: Float>() -> usize {
     if S::EPSILON < 1e-10 { TERMS } else { 12 }
 }
 
+/// Returns the number of coefficients that a power series needs in a time interval of `angle` rad of the fastest
+/// oscillation, so that the first neglected term is below a quarter of the rounding unit of an increment. An increment of a
+/// mass is at least of the order 2 in time, or of the order `degree` of an input.
+pub(super) fn terms_within<S: Float>(angle: S, degree: usize) -> usize {
+    let longest = terms_of::<S>();
+    let least = S::constant(0.125 * S::EPSILON);
+    let mut rest = S::constant(1.0);
+    for count in degree + 1..longest {
+        rest = rest * angle / S::whole(count);
+        if count >= LEAST_TERMS && rest <= least {
+            return count;
+        }
+    }
+    longest
+}
+
+/// Smallest number of coefficients of a power series. A mass under a load that changes linearly needs four.
+const LEAST_TERMS: usize = 5;
+
 /// Returns the largest product, in rad, of the time interval of one power series and an upper bound on the fastest
 /// angular frequency.
 pub(super) fn angle_of<S: Float>() -> f64 {

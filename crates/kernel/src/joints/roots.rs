@@ -1,7 +1,8 @@
 //! Finds the first instant at which a polynomial on the interval [0, 1] becomes negative.
 
-use super::poly::{Poly, TERMS, terms_of, value, value_and_slope};
+use super::poly::{TERMS, value, value_and_slope};
 use crate::Float;
+use crate::errors::Halt;
 
 /// Number of bisections after which the two ends of the interval are equal apart from rounding.
 pub(super) fn halvings<S: Float>() -> u32 {
@@ -11,27 +12,46 @@ pub(super) fn halvings<S: Float>() -> u32 {
 /// Returns the first point τ in [0, 1] after which the polynomial is negative. The first `zeros` coefficients are
 /// exactly 0, because an event occurs at the point 0. The function ignores their computed values, which are only
 /// rounding errors.
-pub fn first_negative<S: Float>(terms: &Poly<S>, zeros: usize) -> Option<S> {
+pub fn first_negative<S: Float>(terms: &[S], zeros: usize) -> Option<S> {
+    // Without a limit the search has no error.
+    let mut left = u32::MAX;
+    first_negative_within(terms, zeros, &mut left).unwrap_or_default()
+}
+
+/// Returns the point of [`first_negative`]. The search divides intervals at most `left` times, and subtracts the number of
+/// its divisions from `left`.
+///
+/// # Errors
+///
+/// [`Halt::Stretches`] if it needs more divisions.
+pub(super) fn first_negative_within<S: Float>(
+    terms: &[S],
+    zeros: usize,
+    left: &mut u32,
+) -> Result<Option<S>, Halt> {
     let zero = S::constant(0.0);
-    let terms = terms.get(zeros..terms_of::<S>())?;
-    let start = terms.iter().position(|term| !term.is_zero())?;
-    let terms = terms.get(start..)?;
-    let (first, others) = terms.split_first()?;
-    if !(*first > zero) {
-        return Some(zero);
-    }
+    let terms = terms.get(zeros..).unwrap_or_default();
+    let start = terms.iter().position(|term| !term.is_zero());
+    let last = terms.iter().rposition(|term| !term.is_zero());
+    let (Some(start), Some(last)) = (start, last) else {
+        return Ok(None);
+    };
+    let terms = terms.get(start..=last).unwrap_or_default();
+    let Some((first, others)) = terms.split_first().filter(|(first, _)| **first > zero) else {
+        return Ok(Some(zero));
+    };
     let falls = others
         .iter()
         .fold(zero, |falls, term| falls + crate::Scalar::min(*term, zero));
     if *first + falls > zero || stays_positive(terms) {
-        return None;
+        return Ok(None);
     }
     if falls_steadily(terms) {
         let one = S::constant(1.0);
         let ends_positive = value(terms, one) > zero;
-        return (!ends_positive).then(|| bisect(terms, zero, one));
+        return Ok((!ends_positive).then(|| bisect(terms, zero, one)));
     }
-    search(terms)
+    search(terms, left)
 }
 
 /// Returns true if the derivative of the polynomial `terms` is negative on [0, 1] by more than rounding errors.
@@ -55,13 +75,13 @@ pub(super) const QUICK: usize = 6;
 /// omits the positive terms of higher degree.
 fn stays_positive<S: Float>(terms: &[S]) -> bool {
     let zero = S::constant(0.0);
-    let (Some(low), Some(high)) = (terms.first_chunk::<QUICK>(), terms.get(QUICK..)) else {
-        return false;
-    };
-    let falls = high
-        .iter()
-        .fold(zero, |falls, term| falls + crate::Scalar::min(*term, zero));
-    stays_above(*low, -falls)
+    let mut low = [zero; QUICK];
+    for (low, term) in low.iter_mut().zip(terms) {
+        *low = *term;
+    }
+    let high = terms.iter().skip(QUICK);
+    let falls = high.fold(zero, |falls, term| falls + crate::Scalar::min(*term, zero));
+    stays_above(low, -falls)
 }
 
 /// Returns true if the polynomial of degree 5 with the coefficients `terms` is greater than `bound` on [0, 1] by more
@@ -90,7 +110,14 @@ pub(super) fn stays_above<S: Float>(terms: [S; QUICK], bound: S) -> bool {
 ///
 /// A subinterval extends from index/2^depth to (index + 1)/2^depth. When the search returns to a subinterval, the code
 /// computes its Bernstein form again from the form on [0, 1]. The search therefore needs no stack.
-fn search<S: Float>(terms: &[S]) -> Option<S> {
+///
+/// Both halves of an interval have together at most as many sign changes as the interval. In each depth the search
+/// therefore divides fewer intervals than the polynomial has terms.
+fn search<S: Float>(terms: &[S], left: &mut u32) -> Result<Option<S>, Halt> {
+    let mut divide = |times: u32| {
+        *left = left.checked_sub(times).ok_or(Halt::Stretches)?;
+        Ok(())
+    };
     let half = S::constant(0.5);
     let whole = Form::new(terms);
     let (mut form, mut depth, mut index, mut width) = (whole, 0_u32, 0_u64, S::constant(1.0));
@@ -100,11 +127,12 @@ fn search<S: Float>(terms: &[S]) -> Option<S> {
     loop {
         if !form.is_positive() {
             if !form.starts_positive() {
-                return Some(low);
+                return Ok(Some(low));
             }
             if form.changes() == 1 || depth >= halvings::<S>() {
-                return Some(bisect(terms, low, low + width));
+                return Ok(Some(bisect(terms, low, low + width)));
             }
+            divide(1)?;
             let (left, right) = form.halves();
             (depth, index, width) = (depth + 1, 2 * index, half * width);
             if left.is_positive() {
@@ -119,9 +147,10 @@ fn search<S: Float>(terms: &[S]) -> Option<S> {
             (depth, index, width) = (depth - 1, index / 2, width + width);
         }
         if depth == 0 {
-            return None;
+            return Ok(None);
         }
         (index, low) = (index + 1, low + width);
+        divide(depth)?;
         form = whole.part(depth, index);
     }
 }
@@ -220,7 +249,7 @@ impl<S: Float> Form<S> {
 }
 
 /// Largest number of Newton steps before a bisection starts.
-const NEWTON: usize = 8;
+pub(super) const NEWTON: usize = 8;
 
 /// Finds the point between `low` and `high` at which the polynomial changes its sign from positive to negative.
 /// Newton's method first shortens the interval, and bisections then find the point.

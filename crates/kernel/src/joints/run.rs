@@ -1,8 +1,9 @@
 //! Advances the motion of a chain with several contacts from event to event.
 
+use super::decide::MAX_PATTERNS;
 use super::model::{Contact, Model};
-use super::poly::Poly;
-use super::roots::first_negative;
+use super::poly::{Poly, nothing};
+use super::roots::first_negative_within;
 use super::series::Series;
 use super::size::{Size, add, at, set, sign};
 use super::state::{FREE, STUCK, State};
@@ -55,6 +56,24 @@ pub struct Bounds {
     pub stretches: usize,
 }
 
+/// Limits on the work for one event.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) struct Limits {
+    /// Largest number of intervals that the search for one event divides.
+    pub(super) divisions: u32,
+    /// Largest number of patterns in one decision which contacts stick. If a smaller number than [`MAX_PATTERNS`] does not
+    /// suffice, these contacts stick.
+    pub(super) patterns: usize,
+}
+
+impl Limits {
+    /// Limits of a motion without a bound on the work for one event.
+    pub(super) const NONE: Self = Self {
+        divisions: u32::MAX,
+        patterns: MAX_PATTERNS,
+    };
+}
+
 /// Motion of a chain with several contacts as a function of time.
 #[derive(Clone, Debug)]
 pub struct Motion<S: Float, Z: Size> {
@@ -63,6 +82,7 @@ pub struct Motion<S: Float, Z: Size> {
     pub(super) time: S,
     pub(super) tree: Tree<S, Z>,
     pub(super) stalls: usize,
+    pub(super) limits: Limits,
     /// Tables of whole stretches, if the motion uses them.
     pub(super) tables: Z::Tables<S>,
 }
@@ -99,6 +119,7 @@ impl<S: Float, Z: Size> Motion<S, Z> {
             time: zero,
             tree,
             stalls: 0,
+            limits: Limits::NONE,
             tables,
         }
     }
@@ -362,6 +383,9 @@ impl<S: Float, Z: Size> Motion<S, Z> {
                 }
             }
         }
+        if self.time >= until {
+            return Ok(());
+        }
         Err(Halt::Stretches)
     }
 
@@ -453,13 +477,16 @@ impl<S: Float, Z: Size> Motion<S, Z> {
         let length = crate::Scalar::min(left, self.longest_stretch());
         let series = Series::new(&self.model, &self.state, &self.tree, (self.time, length));
         let mut roots = self.model.size.contacts(None);
+        let mut divisions = self.limits.divisions;
         for (j, root) in roots.as_mut().iter_mut().enumerate() {
-            *root = self.next_event_in(&series, j);
+            *root = self.next_event_in(&series, j, &mut divisions)?;
         }
         let first = earliest(roots.as_ref());
         // The stretch (time interval of one power series) ends where a contact leaves its line of the friction law. The
         // end of a line is no event.
-        let line_end = self.line_end(&series).filter(|end| *end < first);
+        let line_end = self
+            .line_end(&series, &mut divisions)?
+            .filter(|end| *end < first);
         let first = line_end.map_or(first, |_| S::constant(2.0));
         let end = line_end.unwrap_or(first);
         let fraction = crate::Scalar::min(end, one);
@@ -555,19 +582,31 @@ impl<S: Float, Z: Size> Motion<S, Z> {
 
     /// Returns the next event of the contact `j` in the time interval of a power series, as
     /// [`next_event`] does.
-    fn next_event_in(&self, series: &Series<S, Z>, j: usize) -> Option<(S, i8)> {
-        let contact = self.model.contact(j)?;
+    ///
+    /// # Errors
+    ///
+    /// [`Halt::Stretches`] if the search reaches its limit.
+    fn next_event_in(
+        &self,
+        series: &Series<S, Z>,
+        j: usize,
+        divisions: &mut u32,
+    ) -> Result<Option<(S, i8)>, Halt> {
+        let Some(contact) = self.model.contact(j) else {
+            return Ok(None);
+        };
         if let Some(stop) = self.model.stop(j) {
             let zeros = self.state.zeros.as_ref().get(j).map_or(0, |zeros| zeros.0);
-            return self.stop_event_in(series, (j, &stop), zeros);
+            return self.stop_event_in(series, (j, &stop), zeros, divisions);
         }
         let watched = match self.state.phase(j) {
-            FREE => return None,
+            FREE => return Ok(None),
             STUCK => series.force_terms(j),
             _ => series.slip_terms(contact.sides()),
         };
         let time = (series.start, series.length);
-        next_event(&self.model, &self.state, (j, &watched), time)
+        let watched = (j, series.used_of(&watched));
+        event_within(&self.model, &self.state, watched, time, divisions)
     }
 
     /// Builds the trees of the masses that sticking rigid contacts connect.
@@ -592,30 +631,52 @@ impl<S: Float, Z: Size> Motion<S, Z> {
 pub(super) fn next_event<S: Float, Z: Size>(
     model: &Model<S, Z>,
     state: &State<S, Z>,
-    (j, watched): (usize, &Poly<S>),
+    watched: (usize, &[S]),
     time: (S, S),
 ) -> Option<(S, i8)> {
-    let contact = model.contact(j)?;
+    // Without a limit the search has no error.
+    let mut divisions = u32::MAX;
+    event_within(model, state, watched, time, &mut divisions).unwrap_or_default()
+}
+
+/// Returns the next event of a contact as [`next_event`] does, or an error if the search reaches its limit.
+fn event_within<S: Float, Z: Size>(
+    model: &Model<S, Z>,
+    state: &State<S, Z>,
+    (j, watched): (usize, &[S]),
+    time: (S, S),
+    divisions: &mut u32,
+) -> Result<Option<(S, i8)>, Halt> {
+    let Some(contact) = model.contact(j) else {
+        return Ok(None);
+    };
     let zeros = state.zeros.as_ref().get(j).copied();
     let (zeros, zero_side) = zeros.unwrap_or_default();
     match state.phase(j) {
-        FREE => None,
+        FREE => Ok(None),
         STUCK => {
             let level = contact.level.terms(time.0, time.1, 0);
-            let next = |side: i8| {
+            let mut next = |side: i8| {
                 let margin = margin(contact.stiction, &level, sign(side), watched);
+                let margin = margin.get(..watched.len()).unwrap_or(&margin);
                 let zeros = if side == zero_side { zeros } else { 0 };
-                first_negative(&margin, zeros).map(|at| (at, side))
+                let first = first_negative_within(margin, zeros, divisions)?;
+                Ok(first.map(|at| (at, side)))
             };
-            match (next(1), next(-1)) {
+            Ok(match (next(1)?, next(-1)?) {
                 (Some(up), Some(down)) => Some(if down.0 < up.0 { down } else { up }),
                 (up, down) => up.or(down),
-            }
+            })
         }
         side => {
-            let mut speed = watched.map(|term| sign::<S>(side) * term);
+            let mut speed = nothing();
+            for (speed, term) in speed.iter_mut().zip(watched) {
+                *speed = sign::<S>(side) * *term;
+            }
             add(&mut speed, 0, -contact.creep());
-            first_negative(&speed, zeros).map(|at| (at, side))
+            let speed = speed.get(..watched.len()).unwrap_or(&speed);
+            let first = first_negative_within(speed, zeros, divisions)?;
+            Ok(first.map(|at| (at, side)))
         }
     }
 }
@@ -628,10 +689,10 @@ fn earliest<S: Float>(roots: &[Option<(S, i8)>]) -> S {
 
 /// Returns the power series of μF − `side`·f for a sticking contact. μF is its static friction force, and f its force.
 /// `side` is the sign of the force at which the contact would slide.
-fn margin<S: Float>(stiction: S, level: &Poly<S>, side: S, force: &Poly<S>) -> Poly<S> {
-    let mut margin = level.map(|term| stiction * term);
-    for (margin, force) in margin.iter_mut().zip(force) {
-        *margin = *margin - side * *force;
+fn margin<S: Float>(stiction: S, level: &Poly<S>, side: S, force: &[S]) -> Poly<S> {
+    let mut margin = nothing();
+    for ((margin, level), force) in margin.iter_mut().zip(level).zip(force) {
+        *margin = stiction * *level - side * *force;
     }
     margin
 }

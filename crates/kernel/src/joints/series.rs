@@ -2,7 +2,7 @@
 
 use super::model::{Contact, Model, Sides, Stop};
 use super::poly::{Poly, nothing, terms_of, value};
-use super::size::{Size, add, at, set, sign};
+use super::size::{Size, add, at, set};
 use super::state::{FREE, STUCK, State};
 use super::tree::Tree;
 use crate::Float;
@@ -14,6 +14,8 @@ pub struct Series<S: Float, Z: Size> {
     pub start: S,
     /// Duration of the time interval.
     pub length: S,
+    /// Number of coefficients. All further coefficients are 0.
+    pub(super) count: usize,
     x: Z::Nodes<Poly<S>>,
     v: Z::Nodes<Poly<S>>,
     forces: Z::Contacts<Poly<S>>,
@@ -39,14 +41,16 @@ impl<S: Float, Z: Size> Series<S, Z> {
         {
             *terms = load;
         }
+        let count = model.terms_within(length, if model.base.bends() { 3 } else { 2 });
         let mut series = Self {
+            count,
             forces: contact_levels(model, state, (start, length)),
             ..Self::nothing(model, (start, length))
         };
         let zero = S::constant(0.0);
         let (mut forces, mut rest) = (model.size.nodes(zero), model.size.nodes(zero));
         let (mut a, mut holds) = (model.size.nodes(zero), model.size.contacts(zero));
-        for order in 0..terms_of::<S>() {
+        for order in 0..count {
             keep(series.x.as_mut(), order, x.as_ref());
             keep(series.v.as_mut(), order, v.as_ref());
             let load = |index| term(loads.as_ref(), index, order);
@@ -75,7 +79,9 @@ impl<S: Float, Z: Size> Series<S, Z> {
                             contact.across(v.as_ref())
                         };
                         let rate = stiffness * next * speed;
-                        set(terms, order + 1, rate);
+                        if order + 1 < count {
+                            set(terms, order + 1, rate);
+                        }
                     }
                 }
             }
@@ -92,6 +98,7 @@ impl<S: Float, Z: Size> Series<S, Z> {
         Self {
             start,
             length,
+            count: terms_of::<S>(),
             x: model.size.nodes(nothing()),
             v: model.size.nodes(nothing()),
             forces: model.size.contacts(nothing()),
@@ -136,10 +143,10 @@ impl<S: Float, Z: Size> Series<S, Z> {
 
     /// Returns the displacements and the velocities of the masses after the given fraction of the time interval.
     pub fn motion(&self, model: &Model<S, Z>, fraction: S) -> (Z::Masses<S>, Z::Masses<S>) {
-        let values = |terms: &[Poly<S>]| {
+        let values = |series: &[Poly<S>]| {
             let mut values = model.size.masses(S::constant(0.0));
-            for (of_mass, terms) in values.as_mut().iter_mut().zip(terms) {
-                *of_mass = value(terms, fraction);
+            for (mass, of_mass) in values.as_mut().iter_mut().enumerate() {
+                *of_mass = value(self.used(series, mass), fraction);
             }
             values
         };
@@ -157,7 +164,18 @@ impl<S: Float, Z: Size> Series<S, Z> {
 
     /// Returns the force of a contact after the given fraction of the time interval.
     pub fn force(&self, contact: usize, fraction: S) -> S {
-        value(&self.force_terms(contact), fraction)
+        value(self.used(self.forces.as_ref(), contact), fraction)
+    }
+
+    /// Returns the used coefficients of one power series.
+    fn used<'s>(&self, series: &'s [Poly<S>], index: usize) -> &'s [S] {
+        let terms = series.get(index);
+        terms.map_or(&[], |terms| self.used_of(terms))
+    }
+
+    /// Returns the used coefficients of a power series over the same time interval.
+    pub(super) fn used_of<'s>(&self, terms: &'s Poly<S>) -> &'s [S] {
+        terms.get(..self.count).unwrap_or(terms)
     }
 
     /// Returns the power series of the force of a contact over the time interval.
@@ -167,7 +185,7 @@ impl<S: Float, Z: Size> Series<S, Z> {
 
     /// Returns the power series of the velocity of the node `plus` minus that of the node `minus`.
     pub fn speed_terms(&self, plus: usize, minus: usize) -> Poly<S> {
-        difference(self.v.as_ref(), plus, minus)
+        self.difference(self.v.as_ref(), plus, minus)
     }
 
     /// Returns the power series of the relative velocity of a contact over the time interval.
@@ -199,12 +217,21 @@ impl<S: Float, Z: Size> Series<S, Z> {
 
     /// Returns the power series of the displacement of the node `plus` minus that of the node `minus`.
     pub fn place_terms(&self, plus: usize, minus: usize) -> Poly<S> {
-        difference(self.x.as_ref(), plus, minus)
+        self.difference(self.x.as_ref(), plus, minus)
     }
 
     /// Returns the power series of the displacements and velocities of all nodes.
     pub(super) fn nodes(&self) -> (&[Poly<S>], &[Poly<S>]) {
         (self.x.as_ref(), self.v.as_ref())
+    }
+
+    /// Returns the coefficients of the node `plus` minus those of the node `minus`.
+    fn difference(&self, nodes: &[Poly<S>], plus: usize, minus: usize) -> Poly<S> {
+        let mut difference = terms(nodes, plus);
+        for (term, other) in difference.iter_mut().zip(self.used(nodes, minus)) {
+            *term = *term - *other;
+        }
+        difference
     }
 
     /// Returns the displacement of a node at the start of the time interval.
@@ -220,7 +247,8 @@ impl<S: Float, Z: Size> Series<S, Z> {
     /// Returns the displacement of the node `plus` minus that of the node `minus`, after the given fraction of the time
     /// interval.
     pub fn place(&self, (plus, minus): (usize, usize), fraction: S) -> S {
-        value(&self.place_terms(plus, minus), fraction)
+        let terms = self.place_terms(plus, minus);
+        value(self.used_of(&terms), fraction)
     }
 }
 
@@ -233,15 +261,6 @@ fn terms<S: Float>(series: &[Poly<S>], index: usize) -> Poly<S> {
 fn term<S: Float>(series: &[Poly<S>], index: usize, order: usize) -> S {
     let terms = series.get(index);
     terms.map_or(S::constant(0.0), |terms| at(terms, order))
-}
-
-/// Returns the coefficients of the node `plus` minus those of the node `minus`.
-fn difference<S: Float>(nodes: &[Poly<S>], plus: usize, minus: usize) -> Poly<S> {
-    let mut difference = terms(nodes, plus);
-    for (order, term) in nodes.get(minus).into_iter().flatten().enumerate() {
-        add(&mut difference, order, -*term);
-    }
-    difference
 }
 
 /// Stores the coefficient of the given order in the power series of each node.
@@ -267,8 +286,10 @@ fn contact_levels<S: Float, Z: Size>(
             STUCK if contact.is_rigid() => {}
             STUCK => set(terms, 0, at(state.forces.as_ref(), j)),
             side => {
-                let level = contact.level.terms(start, length, 0);
-                *terms = level.map(|term| sign::<S>(side) * term);
+                *terms = contact.level.terms(start, length, 0);
+                for term in terms.iter_mut().filter(|_| side < 0) {
+                    *term = -*term;
+                }
             }
         }
     }

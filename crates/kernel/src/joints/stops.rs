@@ -10,12 +10,13 @@
 //! in the order of the description.
 
 use super::model::{Contact, Model, Stop};
-use super::roots::first_negative;
+use super::roots::first_negative_within;
 use super::run::Motion;
 use super::series::Series;
 use super::size::{Size, at, set, sign};
 use super::state::{FREE, IMPACT, STUCK, State};
 use crate::Float;
+use crate::errors::Halt;
 
 /// Relative velocity, divided by the velocities of the two nodes, that counts as 0 when a stop shuts or opens.
 const GRAZE: f64 = 64.0;
@@ -58,19 +59,27 @@ fn spring_force<S: Float>(stop: &Stop<S>, stiffness: S, place: S) -> S {
 impl<S: Float, Z: Size> Motion<S, Z> {
     /// Returns the fraction of the time interval of a power series after which a stop shuts or opens, or `None` if it
     /// does neither. The first `zeros` coefficients of the watched quantity are 0.
+    ///
+    /// # Errors
+    ///
+    /// [`Halt::Stretches`] if the search reaches its limit.
     pub(super) fn stop_event_in(
         &self,
         series: &Series<S, Z>,
         (j, stop): (usize, &Stop<S>),
         zeros: usize,
-    ) -> Option<(S, i8)> {
-        let contact = self.model.contact(j)?;
+        divisions: &mut u32,
+    ) -> Result<Option<(S, i8)>, Halt> {
+        let Some(contact) = self.model.contact(j) else {
+            return Ok(None);
+        };
         let watched = if self.state.phase(j) == STUCK {
             series.force_terms(j).map(|term| stop.side * term)
         } else {
             series.opening_terms(contact, stop)
         };
-        first_negative(&watched, zeros).map(|at| (at, 1))
+        let first = first_negative_within(&watched, zeros, divisions)?;
+        Ok(first.map(|at| (at, 1)))
     }
 
     /// Shuts or opens each stop that has an event, or lets its nodes collide.

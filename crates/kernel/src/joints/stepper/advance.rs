@@ -4,14 +4,14 @@ mod span;
 
 pub use span::Span;
 
-use super::coast::{PIECES, PIECES_PER_EVENT};
+use super::coast::{LIMITS, pieces};
 use super::work::Sums;
 use super::{Sample, Stepper};
 use crate::Float;
 use crate::errors::{Given, Halt, OutOfDomain};
 use crate::joints::base::Curve;
 use crate::joints::model::Model;
-use crate::joints::run::{Bounds, Motion, Observe};
+use crate::joints::run::{Bounds, Limits, Motion, Observe};
 use crate::joints::series::Series;
 use crate::joints::size::{Size, add, at};
 use crate::joints::state::State;
@@ -136,6 +136,10 @@ impl<S: Float, Z: Size, T: AsRef<[S]>> Stepper<S, Z, T> {
             last: None,
             work: self.status.work,
             watch,
+        };
+        self.motion.limits = match self.status.budget {
+            0 => Limits::NONE,
+            _ => LIMITS,
         };
         let exceeded = self.attempt(|stepper| {
             let exceeded = advance(stepper, &mut noted)?;
@@ -317,7 +321,7 @@ impl<S: Float, Z: Size, T: AsRef<[S]>> Stepper<S, Z, T> {
         };
         let bounds = Bounds {
             events,
-            stretches: PIECES + PIECES_PER_EVENT * events,
+            stretches: pieces(events, !self.motion.model.law.as_ref().is_empty()),
         };
         let until = self.pace.start(part + 1);
         noted.work = self.status.work;

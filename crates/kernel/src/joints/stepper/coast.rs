@@ -2,17 +2,28 @@
 
 use crate::Float;
 use crate::errors::Halt;
-use crate::joints::run::{Motion, Observe};
+use crate::joints::run::{Limits, Motion, Observe};
 use crate::joints::series::Series;
 use crate::joints::size::{Size, set, sign};
 use crate::joints::state::{FREE, STUCK};
 
-/// Number of pieces of motion in a sub-interval, beside those of its events, before the stepper ends it by the rule of
-/// this module.
-pub(super) const PIECES: usize = 2;
 /// Number of pieces of motion for each event, before the stepper ends a sub-interval by the rule of this module. An event
 /// ends a piece even if no contact changes its phase.
-pub(super) const PIECES_PER_EVENT: usize = 4;
+const PIECES: usize = 2;
+/// The same number for a friction law, whose straight lines end pieces, too.
+const PIECES_OF_LAW: usize = 4;
+
+/// Limits on the work for one event in a step with an event budget.
+pub(super) const LIMITS: Limits = Limits {
+    divisions: 12,
+    patterns: 40,
+};
+
+/// Returns the largest number of pieces of motion in a sub-interval with at most `events` events, before the rule of this
+/// module ends it.
+pub(super) const fn pieces(events: usize, has_law: bool) -> usize {
+    1 + events * if has_law { PIECES_OF_LAW } else { PIECES }
+}
 
 impl<S: Float, Z: Size> Motion<S, Z> {
     /// Advances the motion to the instant `until`. All contacts keep their phases. A contact whose velocity then has the

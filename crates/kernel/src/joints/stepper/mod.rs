@@ -10,6 +10,8 @@
 mod advance;
 mod coast;
 mod cost;
+#[cfg(test)]
+mod counted;
 mod declared;
 mod image;
 mod leap;

@@ -12,10 +12,10 @@ use crate::stepper::Input;
 use fuzzing::Random;
 use smallvec::smallvec;
 
-type Desk<S> = Stepper<S, Heap, Vec<S>>;
+pub(super) type Desk<S> = Stepper<S, Heap, Vec<S>>;
 
 /// Returns a stepper with tables, or one that follows power series only.
-fn stepper<S: Float>(
+pub(super) fn stepper<S: Float>(
     model: &Model<S, Heap>,
     (dt, input, on_base): (f64, Input, bool),
     with_tables: bool,
@@ -40,9 +40,9 @@ fn step<S: Float>(stepper: &mut Desk<S>, force: f64, friction: f64) -> Stepped {
     taken.expect("a step")
 }
 
-impl Desk<f64> {
+impl<S: Float> Desk<S> {
     /// Returns true if tables alone can take the next step.
-    fn leaps(mut self, sample: &Sample<'_, f64>) -> bool {
+    pub(super) fn leaps(mut self, sample: &Sample<'_, S>) -> bool {
         let led = match self.pace.input {
             Input::Hold => self.hold(sample),
             Input::Linear => self.lead(sample),

@@ -57,19 +57,25 @@ impl<S: Float> Sums<S> {
         state: &State<S, Z>,
     ) {
         let (start, length) = (series.start, series.length);
-        let moved = |terms: &Poly<S>| value(terms, end) - at(terms, 0);
+        let moved = |terms: &Poly<S>| {
+            let later = series.used_of(terms).get(1..);
+            end * value(later.unwrap_or_default(), end)
+        };
         for (mass, load) in model.loads.as_ref() {
             let done = if load.slope.is_zero() && load.amplitude.is_zero() {
                 load.constant * moved(&series.displacement_terms(*mass))
             } else {
                 let force = load.terms(start, length, 0);
-                work(&force, &series.velocity_terms(*mass), length, end)
+                let speed = series.velocity_terms(*mass);
+                work(series.used_of(&force), series.used_of(&speed), length, end)
             };
             self.add_load(done);
         }
         if !model.base.is_zero() {
             let speed = model.base.terms(start, length, 1);
-            self.add_load(work(&reaction(model, state, series), &speed, length, end));
+            let force = reaction(model, state, series);
+            let (speed, force) = (series.used_of(&speed), series.used_of(&force));
+            self.add_load(work(speed, force, length, end));
         }
         for (j, contact) in model.contacts().iter().enumerate() {
             let sides = contact.sides();
@@ -114,7 +120,7 @@ pub(super) fn reaction<S: Float, Z: Size>(
     let (x, v) = series.nodes();
     let mut force = nothing();
     let mut add = |terms: &Poly<S>, factor: S| {
-        for (sum, term) in force.iter_mut().zip(terms) {
+        for (sum, term) in force.iter_mut().zip(series.used_of(terms)) {
             *sum = *sum + factor * *term;
         }
     };
