@@ -4,7 +4,8 @@
 //! the bounds with counted operations.
 
 use super::coast::{LIMITS, pieces};
-use super::{MAX_STEP_EVENTS, Stepper, table::Layout};
+use super::table::{Layout, ROWS};
+use super::{MAX_STEP_EVENTS, Stepper};
 use crate::Float;
 use crate::joints::MAX_PATTERNS;
 use crate::joints::decide::all_patterns;
@@ -58,7 +59,7 @@ impl Extent {
         let layout = &self.layout;
         let (masses, contacts, loads) = (self.masses(), self.contacts(), self.loads());
         let count = layout.coordinates() as u64;
-        let rows = layout.moments() as u64 + 5 * contacts;
+        let rows = layout.moments() as u64 + (ROWS as u64 + 1) * contacts;
         let increments = 2 * masses * layout.width() as u64;
         let shears = if layout.shears {
             masses * (3 * masses + contacts) + 5 * masses + 2 * contacts

@@ -3,7 +3,7 @@
 //! Between events the motion is linear in its *coordinates*: the displacements and velocities of the masses, the forces
 //! of the contacts, and the coefficients of the inputs, which are polynomials over a sub-interval. A *pattern* is a set
 //! of sticking contacts. The table of a pattern contains a row of coordinates for each result: the increments of
-//! displacements and velocities, for each contact five rows from which `leap` proves that it has no event, and rows for
+//! displacements and velocities, for each contact six rows from which `leap` proves that it has no event, and rows for
 //! the work. One column of the table is the power series of the motion for one coordinate equal to 1 and all others equal
 //! to 0.
 
@@ -26,9 +26,9 @@ pub const MAX_TABLE_CONTACTS: usize = 4;
 /// Largest number of entries in the tables of a stepper. With more entries the stepper uses power series only.
 pub const MAX_TABLE_ENTRIES: usize = 4096;
 
-/// Number of rows of a contact: the derivative of its watched quantity at both ends of the sub-interval, a bound, and the
-/// quantity at both ends.
-pub(super) const ROWS: usize = 5;
+/// Number of rows of a contact: a bound on the change of its watched quantity in the sub-interval, its derivative at both
+/// ends, a bound on its difference from a cubic polynomial, and the quantity at both ends.
+pub(super) const ROWS: usize = 6;
 
 /// Numbers of coordinates and rows in the tables of a stepper.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -309,21 +309,25 @@ pub(super) fn increment<S: Float>(terms: &Poly<S>) -> S {
     later.fold(S::constant(0.0), |sum, term| sum + *term)
 }
 
-/// Returns the entries of one column in the rows of a contact, from the power series of its watched quantity. The bound
-/// is that on its difference from the cubic polynomial that has its values and derivatives at both ends. The difference
+/// Returns the entries of one column in the rows of a contact, from the power series of its watched quantity. The second
+/// bound is that on its difference from the cubic polynomial that has its values and derivatives at both ends. The difference
 /// is at most the largest fourth derivative, divided by 384.
 fn watch<S: Float>(terms: &Poly<S>) -> [S; ROWS] {
     let zero = S::constant(0.0);
-    let (mut end, mut bound) = (zero, zero);
+    let (mut reach, mut end, mut bound) = (zero, zero, zero);
     for (order, term) in terms.iter().enumerate().rev() {
         end = end + S::whole(order) * *term;
+        if order > 0 {
+            reach = reach + term.abs();
+        }
         if order > 3 {
             let factor = S::whole(order * (order - 1)) * S::whole((order - 2) * (order - 3));
             bound = bound + factor / S::constant(384.0) * term.abs();
         }
     }
     let value = at(terms, 0);
-    [at(terms, 1), end, bound, value, value + increment(terms)]
+    let last = value + increment(terms);
+    [reach, at(terms, 1), end, bound, value, last]
 }
 
 /// Returns the chain and its state for one coordinate equal to 1 and all others equal to 0. All contacts that do not
