@@ -1,6 +1,6 @@
 //! Scenes with a stepper: chains of equal masses, of which the last mass rubs.
 
-pub use super::two_contacts;
+pub use super::several::{elastic_contacts, one_dashpot, three_contacts, two_contacts, two_rigid};
 use super::{Machine, Outcome};
 use frictiongen::kernel::simulation::Contact;
 use frictiongen::kernel::stepper::Cost;
@@ -291,7 +291,11 @@ pub fn visit(visitor: &mut impl Visitor) {
     visitor.visit::<one_elastic::Run>();
     visitor.visit::<two_elastic::Run>();
     visitor.visit::<five_elastic::Run>();
+    visitor.visit::<one_dashpot::Run>();
     visitor.visit::<two_contacts::Run>();
+    visitor.visit::<two_rigid::Run>();
+    visitor.visit::<elastic_contacts::Run>();
+    visitor.visit::<three_contacts::Run>();
     visitor.visit::<one_force_double::Run>();
     visitor.visit::<one_base_double::Run>();
     visitor.visit::<two_force_double::Run>();

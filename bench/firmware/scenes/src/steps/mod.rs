@@ -4,7 +4,7 @@
 pub mod images;
 pub mod machines;
 pub mod script;
-pub mod two_contacts;
+pub mod several;
 
 pub use frictiongen::kernel::stepper::Cost;
 
