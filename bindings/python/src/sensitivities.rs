@@ -9,7 +9,7 @@ use crate::errors::{domain, wrong_type};
 use crate::joined::JoinedQuestion;
 use crate::system::NativeSystem;
 use crate::work::left_at_interrupt;
-use frictiongen::study::columns::{JoinedNumber, JoinedSensitivityTable, SensitivityTable};
+use frictiongen::study::columns::{JoinedPart, JoinedSensitivityTable, SensitivityTable};
 use frictiongen::study::joined::JoinedError;
 use frictiongen::study::words;
 use pyo3::prelude::*;
@@ -56,7 +56,7 @@ pub fn sensitivities<'py>(
     Ok((regime, arrays.done()))
 }
 
-/// Returns the derivatives of the amplitude of a mass, or of the energy of a contact, for a scene with several contacts.
+/// Returns the derivatives of the motion of a mass, or of the numbers of a contact, for a scene with several contacts.
 fn joined<'py>(
     py: Python<'py>,
     question: &JoinedQuestion,
@@ -73,14 +73,14 @@ fn joined<'py>(
             "of: the name of a mass or of a contact is needed",
         ));
     };
-    let number = JoinedNumber::named(&joined, "of", &name).map_err(domain)?;
-    let (owned, own_number) = (question.clone(), number.clone());
+    let part = JoinedPart::named(&joined, "of", &name).map_err(domain)?;
+    let (owned, own_part) = (question.clone(), part.clone());
     let rows = left_at_interrupt(py, move |_| {
         let joined = owned.system.joined()?;
         let table = JoinedSensitivityTable {
             setting: owned.table(&joined).setting,
             joined: &joined,
-            of: &own_number,
+            of: &own_part,
         };
         table.rows(frequency, friction)
     })?;
@@ -94,7 +94,7 @@ fn joined<'py>(
     let table = JoinedSensitivityTable {
         setting: question.table(&joined).setting,
         joined: &joined,
-        of: &number,
+        of: &part,
     };
     let mut arrays = NamedArrays::new(py, &[rows.len()]);
     arrays.table(&table.parameter_columns(), &rows)?;

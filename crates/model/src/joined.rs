@@ -2,6 +2,7 @@
 
 use crate::modal::Modal;
 use crate::scene::{ContactSides, Damping, Node, Scene};
+use crate::sensitivity::Quantity;
 use frictiongen_kernel::Float;
 use frictiongen_kernel::joints::{Contact, Curve, Heap, Link, Model, Wave};
 use frictiongen_kernel::number::dd::Dd;
@@ -12,14 +13,14 @@ const RIGID: f64 = 1e-13;
 
 /// Returns the modal data with natural frequencies of exactly 0 for rigid-body modes, in which no spring deforms.
 #[must_use]
-pub fn at_rest(scene: &Scene, mut modal: Modal) -> Modal {
+pub fn at_rest<T: Float>(scene: &Scene, mut modal: Modal<T>) -> Modal<T> {
     let most = modal.resonances.iter().map(|root| root.to_f64());
     let most = most.fold(0.0, f64::max);
     for (root, ratio) in modal.resonances.iter_mut().zip(&mut modal.damping_ratios) {
         if root.to_f64() <= RIGID * most {
-            *root = Dd::from(0.0);
+            *root = T::constant(0.0);
             if matches!(scene.damping, Damping::Rayleigh { .. }) {
-                *ratio = Dd::from(0.0);
+                *ratio = T::constant(0.0);
             }
         }
     }
@@ -31,13 +32,28 @@ pub fn at_rest(scene: &Scene, mut modal: Modal) -> Modal {
 /// of [`at_rest`].
 #[must_use]
 pub fn damping_matrix(scene: &Scene, modal: &Modal) -> Vec<Vec<f64>> {
-    let matrix = match scene.damping {
-        Damping::None => Vec::new(),
-        Damping::Uniform(_) | Damping::Modal(_) => of_modes(scene, modal),
-        Damping::Rayleigh { mass, stiffness } => rayleigh(scene, mass, stiffness),
-    };
+    let matrix = damping_rows(scene, modal, |_, value| Dd::from(value));
     let rounded = |row: Vec<Dd>| row.into_iter().map(|entry| entry.to_f64()).collect();
     matrix.into_iter().map(rounded).collect()
+}
+
+/// Returns the rows of [`damping_matrix`] in the number type of the modal data, which may have a derivative. `number`
+/// converts the value of a mass, spring or damping number of the scene to this type.
+#[must_use]
+pub fn damping_rows<T: Float>(
+    scene: &Scene,
+    modal: &Modal<T>,
+    number: impl Fn(Quantity, f64) -> T,
+) -> Vec<Vec<T>> {
+    match scene.damping {
+        Damping::None => Vec::new(),
+        Damping::Uniform(_) | Damping::Modal(_) => of_modes(scene, modal, number),
+        Damping::Rayleigh { mass, stiffness } => {
+            let mass = number(Quantity::MassDamping, mass);
+            let stiffness = number(Quantity::StiffnessDamping, stiffness);
+            rayleigh(scene, (mass, stiffness), number)
+        }
+    }
 }
 
 /// Returns the chain of a scene without loads, friction, stops and moving surfaces. `loaded` contains the indices of the
@@ -95,21 +111,24 @@ pub fn unloaded<S: Float>(scene: &Scene, modal: &Modal, loaded: &[usize]) -> Mod
 
 /// Returns the damping matrix Σ 2ζω (Mφ)(Mφ)ᵀ/m₁ over the modes. M is the mass matrix, and the mode shapes φ are
 /// normalised to φᵀMφ = m₁.
-fn of_modes(scene: &Scene, modal: &Modal) -> Vec<Vec<Dd>> {
-    let masses: Vec<Dd> = scene
-        .masses
-        .iter()
-        .map(|mass| Dd::from(mass.value))
+fn of_modes<T: Float>(
+    scene: &Scene,
+    modal: &Modal<T>,
+    number: impl Fn(Quantity, f64) -> T,
+) -> Vec<Vec<T>> {
+    let masses = scene.masses.iter().enumerate();
+    let masses: Vec<T> = masses
+        .map(|(index, mass)| number(Quantity::Mass(index), mass.value))
         .collect();
-    let first = masses.first().copied().unwrap_or(Dd::from(1.0));
-    let zero = Dd::from(0.0);
+    let zero = T::constant(0.0);
+    let first = masses.first().copied().unwrap_or(T::constant(1.0));
     let mut matrix = vec![vec![zero; masses.len()]; masses.len()];
     let rates = modal.natural_frequencies().into_iter();
     let modes = rates.zip(&modal.damping_ratios).zip(&modal.shapes);
     for ((rate, ratio), shape) in modes {
-        let factor = Dd::from(2.0) * *ratio * rate / first;
+        let factor = T::constant(2.0) * *ratio * rate / first;
         let moments = shape.iter().zip(&masses);
-        let moments: Vec<Dd> = moments.map(|(shape, mass)| *shape * *mass).collect();
+        let moments: Vec<T> = moments.map(|(shape, mass)| *shape * *mass).collect();
         for (row, left) in matrix.iter_mut().zip(&moments) {
             for (entry, right) in row.iter_mut().zip(&moments) {
                 *entry = *entry + factor * *left * *right;
@@ -119,20 +138,28 @@ fn of_modes(scene: &Scene, modal: &Modal) -> Vec<Vec<Dd>> {
     matrix
 }
 
-/// Returns the damping matrix aM + bK of Rayleigh damping.
-fn rayleigh(scene: &Scene, mass: f64, stiffness: f64) -> Vec<Vec<Dd>> {
+/// Returns the damping matrix aM + bK of Rayleigh damping, from the factors a and b.
+fn rayleigh<T: Float>(
+    scene: &Scene,
+    (mass, stiffness): (T, T),
+    number: impl Fn(Quantity, f64) -> T,
+) -> Vec<Vec<T>> {
     let count = scene.masses.len();
-    let mut matrix = vec![vec![Dd::from(0.0); count]; count];
-    let mut add = |row: usize, column: usize, value: Dd| {
+    let mut matrix = vec![vec![T::constant(0.0); count]; count];
+    let mut add = |row: usize, column: usize, value: T| {
         if let Some(entry) = matrix.get_mut(row).and_then(|row| row.get_mut(column)) {
             *entry = *entry + value;
         }
     };
     for (index, own) in scene.masses.iter().enumerate() {
-        add(index, index, Dd::from(mass) * Dd::from(own.value));
+        add(
+            index,
+            index,
+            mass * number(Quantity::Mass(index), own.value),
+        );
     }
-    for spring in &scene.springs {
-        let value = Dd::from(stiffness) * Dd::from(spring.stiffness);
+    for (index, spring) in scene.springs.iter().enumerate() {
+        let value = stiffness * number(Quantity::Stiffness(index), spring.stiffness);
         let ends = [spring.from, spring.to].map(|node| match node {
             Node::Mass(mass) => Some(mass),
             Node::Base | Node::Wall => None,

@@ -43,6 +43,17 @@ impl<S: Copy> Load<S> {
         }
     }
 
+    /// Returns the same load with its number converted by a function.
+    pub(super) fn map<T>(self, convert: impl FnOnce(S) -> T) -> Load<T> {
+        match self {
+            Self::Force(amplitude) => Load::Force(convert(amplitude)),
+            Self::Base(amplitude) => Load::Base(convert(amplitude)),
+            Self::BaseVelocity(amplitude) => Load::BaseVelocity(convert(amplitude)),
+            Self::BaseAcceleration(amplitude) => Load::BaseAcceleration(convert(amplitude)),
+            Self::Unbalance(amplitude) => Load::Unbalance(convert(amplitude)),
+        }
+    }
+
     /// Returns a reference to the number that describes the load, so that the caller can change the number.
     pub(super) fn amplitude_mut(&mut self) -> &mut S {
         match self {

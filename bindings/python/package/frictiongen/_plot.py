@@ -226,10 +226,11 @@ def history(answer: answers.History | answers.Steps | answers.Driven | answers.C
 
 def sensitivities(answer: answers.Sensitivities, ax: Axes | None) -> Axes:
     ax = _axes(ax)
-    name = "amplitude_m" if "amplitude_m" in answer else "amplitude"
+    names = ("amplitude_m", "amplitude", "energy_J", "energy")
+    name = next(name for name in names if name in answer)
     ax.barh(answer.parameter[::-1], answer[name].relative[::-1])
     ax.axvline(0.0, color="black", linewidth=0.8)
-    ax.set_xlabel("per cent of the amplitude for one per cent of the parameter")
+    ax.set_xlabel(f"per cent of the {name.split('_')[0]} for one per cent of the parameter")
     return ax
 
 

@@ -176,7 +176,8 @@ pub struct SensitivityArguments {
     #[command(flatten)]
     pub point: PointArguments,
     /// Motion whose derivatives the command prints: a mass, `contact`, or a difference such as `roof-base` or
-    /// `roof-first`. With several contacts: a mass, or a contact for the energy that it dissipates
+    /// `roof-first`. With several contacts: a mass, or a contact for its energy, force, slip, displacement and stuck
+    /// fraction
     #[arg(long, value_name = "NAME")]
     pub of: String,
     /// Arguments for the format of the output.

@@ -416,8 +416,6 @@ Parameters:
 
 Answers:
   exact       exact derivatives of the closed form, of the steady state with stops, or of the stuck response
-  difference  differences of steady states of a scene with several contacts, dashpots, or masses without a
-              path of springs to a support; errors are about 1e-7 of the value
   These words mean that there is no derivative:
   bend        the answer has a corner here, because the friction equals a limit, or because a small change
               of a parameter adds or removes an event (a stop, a break-away or a reversal of the contact)

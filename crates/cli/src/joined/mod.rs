@@ -21,7 +21,7 @@ use crate::measure::{self, Measure};
 use crate::output;
 use crate::summary::Summary;
 use frictiongen::System;
-use frictiongen::study::columns::{JoinedNumber, JoinedTable, Setting};
+use frictiongen::study::columns::{JoinedPart, JoinedTable, Setting};
 use frictiongen::study::joined::Joined;
 use frictiongen::study::scene::Scene;
 use report::JoinedReport;
@@ -191,8 +191,8 @@ impl<'a> Asked<'a> {
         })
     }
 
-    /// Writes derivatives with respect to every number of the scene. The derivatives are those of the amplitude of a
-    /// mass, or of the energy that a contact dissipates.
+    /// Writes derivatives of the motion of a mass, or of the numbers of a contact, with respect to every number of the
+    /// scene.
     pub fn write_sensitivities(
         self,
         scene: Scene,
@@ -201,7 +201,7 @@ impl<'a> Asked<'a> {
         out: &mut dyn Write,
     ) -> Result<(), Failure> {
         self.question(scene, |question| {
-            let of = JoinedNumber::named(question.joined, "--of", of).map_err(Failure::new)?;
+            let of = JoinedPart::named(question.joined, "--of", of).map_err(Failure::new)?;
             let report = SensitivityReport {
                 question,
                 of: &of,

@@ -5,15 +5,15 @@ use crate::failure::Failure;
 use crate::output::{ResultTable, Visitor};
 use crate::sensitivity::each_row;
 use frictiongen::study::columns::{
-    Column, JoinedNumber, JoinedSensitivityRow, JoinedSensitivityTable,
+    Column, JoinedPart, JoinedSensitivityRow, JoinedSensitivityTable,
 };
 
-/// Derivatives of a number of a steady state, with the options for the output.
+/// Derivatives of a steady state, with the options for the output.
 pub struct SensitivityReport<'q> {
     /// Frequencies, frictions and units that the user has requested.
     pub(super) question: &'q Question<'q>,
-    /// The number whose derivatives the user requests.
-    pub of: &'q JoinedNumber,
+    /// The mass or contact whose derivatives the user requests.
+    pub of: &'q JoinedPart,
     /// True if the output has a line with the number itself before the lines with its derivatives.
     pub with_answers: bool,
 }

@@ -43,6 +43,8 @@ mod poly;
 mod rates;
 mod roots;
 mod run;
+#[cfg(any(test, feature = "std"))]
+mod sensitivity;
 mod series;
 mod shooting;
 mod shot;
@@ -82,8 +84,10 @@ pub use orbit::{At, ContactOrbit, MassOrbit, Orbit, StuckState};
 #[cfg(any(test, feature = "std"))]
 pub use period::{Mapped, Period};
 pub use poly::{Poly, TERMS, slope, value};
-pub use roots::first_negative;
+pub use roots::{carried, first_negative};
 pub use run::{Bounds, Motion, Observe};
+#[cfg(any(test, feature = "std"))]
+pub use sensitivity::vary;
 pub use series::Series;
 pub use simulation::{MAX_EVENTS, MAX_STRETCHES, Reference, Simulation};
 pub use size::{Array, Fixed, Size, Value, add, at, set};

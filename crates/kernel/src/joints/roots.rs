@@ -46,12 +46,29 @@ pub(super) fn first_negative_within<S: Float>(
     if *first + falls > zero || stays_positive(terms) {
         return Ok(None);
     }
-    if falls_steadily(terms) {
+    let root = if falls_steadily(terms) {
         let one = S::constant(1.0);
         let ends_positive = value(terms, one) > zero;
-        return Ok((!ends_positive).then(|| bisect(terms, zero, one)));
+        (!ends_positive).then(|| bisect(terms, zero, one))
+    } else {
+        search(terms, left)?
+    };
+    Ok(root.map(|root| carried(terms, root)))
+}
+
+/// Returns a root of the polynomial `terms` with its derivative, −(∂q/∂p)/q′ for the polynomial q. The search finds only
+/// the value of the root. Without derivatives the function returns the root itself.
+pub fn carried<S: Float>(terms: &[S], root: S) -> S {
+    if !S::CARRIES {
+        return root;
     }
-    search(terms, left)
+    let root = root.primal();
+    let (here, slope) = value_and_slope(terms, root);
+    // At a double root the derivative does not exist. The test for a graze finds such a root.
+    if slope.is_zero() {
+        return root;
+    }
+    root - (here - here.primal()) / slope
 }
 
 /// Returns true if the derivative of the polynomial `terms` is negative on [0, 1] by more than rounding errors.

@@ -1,7 +1,11 @@
 //! Checks the energy balance of the stepper. The work of the loads and of the base must equal the change of the stored
 //! energy plus the energy that friction, dashpots and damping dissipate.
 
-use super::{Contact, Curve, Fixed, Model, Observe, Sample, Series, State, Stepper, Wave, value};
+use super::{
+    Contact, Curve, Fixed, Model, Observe, Sample, Series, State, Stepper, TERMS, Wave,
+    first_negative, value,
+};
+use crate::number::dual::Dual;
 use crate::stepper::Input;
 use fuzzing::Random;
 
@@ -226,4 +230,15 @@ fn ten_thousand_random_steps_keep_their_energy() {
     assert!(account.friction > 0.3 * account.load);
     // Each step adds some rounding errors of 1e-16 of the kinetic energy. These errors add up.
     assert!(worst < 1e-12, "{worst}");
+}
+
+/// Compares the root of p − t² and its derivative with √p and 1/(2√p).
+#[test]
+fn a_root_has_the_derivative_of_its_polynomial() {
+    let mut terms = [Dual::fixed(0.0_f64); TERMS];
+    terms[0] = Dual::variable(0.25);
+    terms[2] = Dual::fixed(-1.0);
+    let root = first_negative(&terms, 0).unwrap();
+    assert!((root.value - 0.5).abs() < 1e-15, "{root:?}");
+    assert!((root.slope - 1.0).abs() < 1e-14, "{root:?}");
 }

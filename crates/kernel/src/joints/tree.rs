@@ -234,7 +234,8 @@ impl<S: Float, Z: Size> Tree<S, Z> {
         for (node, &root) in self.roots.as_ref().iter().enumerate() {
             let moment = at(model.masses(), node) * at(v, node);
             add(moments.as_mut(), root, moment);
-            if at(v, node) != at(v, root) {
+            // The difference of dual numbers of the same value may have a derivative.
+            if !(at(v, node) - at(v, root)).vanishes() {
                 set(differ.as_mut(), root, true);
             }
         }

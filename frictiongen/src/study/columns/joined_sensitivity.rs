@@ -1,26 +1,26 @@
 //! Rows and columns of the derivatives of steady states with several contacts.
 
 use super::builder::Columns;
-use super::column::{Column, Head, Shown};
+use super::column::Column;
 use super::joined::reason;
 use super::measure::PhysicalQuantity;
-use super::sensitivity::{FoundSlope, SensitivityRow, of_parameter, widest};
+use super::sensitivity::{FoundSlope, SensitivityRow, SlopedAnswer, of_parameter, widest};
 use super::setting::{Frequency, FrictionSetting, Setting};
 use crate::study::StudyError;
-use crate::study::joined::{Joined, JoinedError, JoinedSensitivity};
+use crate::study::joined::{ContactSensitivity, Joined, JoinedError, JoinedSensitivity};
 use crate::study::parameter::Slope;
 use crate::study::words;
 
-/// A row of the table: one number and its derivative with respect to one parameter at one operating point.
-pub type JoinedSensitivityRow = SensitivityRow<Slope>;
+/// A row of the table: the derivatives of a steady state with respect to one parameter at one operating point.
+pub type JoinedSensitivityRow = SensitivityRow<JoinedSensitivity>;
 
-/// The number whose derivatives the table contains.
+/// The mass or contact whose derivatives the table contains, by its index and its name.
 #[derive(Clone, Debug, PartialEq)]
-pub enum JoinedNumber {
-    /// The amplitude of a mass, given by its index and its name.
-    Amplitude(usize, String),
-    /// The energy that the contact with this index and this name dissipates in a period.
-    Energy(usize, String),
+pub enum JoinedPart {
+    /// The amplitude and the phase of a mass.
+    Mass(usize, String),
+    /// The energy, force, slip, displacement and stuck fraction of a contact or stop.
+    Contact(usize, String),
 }
 
 /// The table of derivatives of a steady state with several contacts, with respect to the parameters, at points of
@@ -31,23 +31,43 @@ pub struct JoinedSensitivityTable<'a> {
     pub setting: Setting<'a>,
     /// The scene's contacts and masses.
     pub joined: &'a Joined<'a>,
-    /// The number whose derivatives the table contains.
-    pub of: &'a JoinedNumber,
+    /// The mass or contact whose derivatives the table contains.
+    pub of: &'a JoinedPart,
 }
 
-impl JoinedNumber {
-    /// Returns the energy that the contact called `name` dissipates, or the amplitude of the mass called `name`.
+/// A number of a contact, whose derivatives the table contains.
+type OfContact = (
+    &'static str,
+    PhysicalQuantity,
+    fn(&ContactSensitivity) -> Slope,
+);
+
+/// The numbers of a contact, in the order of their columns.
+const OF_CONTACT: [OfContact; 5] = [
+    ("energy", PhysicalQuantity::Energy, |own| own.energy),
+    ("force", PhysicalQuantity::Force, |own| own.force),
+    ("slip", PhysicalQuantity::Length, |own| own.slip),
+    ("displacement", PhysicalQuantity::Length, |own| {
+        own.displacement
+    }),
+    ("stuck_fraction", PhysicalQuantity::One, |own| {
+        own.stuck_fraction
+    }),
+];
+
+impl JoinedPart {
+    /// Returns the contact or the mass called `name`.
     ///
     /// # Errors
     /// A message, which begins with the name of the `argument` that contains the name.
     pub fn named(joined: &Joined<'_>, argument: &str, name: &str) -> Result<Self, String> {
         let contacts = joined.contact_names();
         if let Some(contact) = contacts.iter().position(|known| known == name) {
-            return Ok(Self::Energy(contact, name.to_owned()));
+            return Ok(Self::Contact(contact, name.to_owned()));
         }
         let masses = || joined.scene().masses.iter();
         match masses().position(|mass| mass.name == name) {
-            Some(mass) => Ok(Self::Amplitude(mass, name.to_owned())),
+            Some(mass) => Ok(Self::Mass(mass, name.to_owned())),
             None => Err(format!(
                 "{argument} `{name}`: it is neither a mass nor a contact; give one of the masses {} or of the contacts {}",
                 masses()
@@ -56,23 +76,6 @@ impl JoinedNumber {
                     .join(", "),
                 contacts.join(", ")
             )),
-        }
-    }
-
-    /// Reads the number of the table, with its derivative, from the sensitivities.
-    fn read(&self, of: &JoinedSensitivity) -> Option<Slope> {
-        match self {
-            Self::Amplitude(mass, _) => of.amplitudes.get(*mass).copied(),
-            Self::Energy(contact, _) => of.energies.get(*contact).copied(),
-        }
-    }
-
-    /// Returns three items for the number of the table: its word, its physical quantity, and the name of the mass or
-    /// contact.
-    fn told(&self) -> (&'static str, PhysicalQuantity, &str) {
-        match self {
-            Self::Amplitude(_, name) => ("amplitude", PhysicalQuantity::Length, name),
-            Self::Energy(_, name) => ("energy", PhysicalQuantity::Energy, name),
         }
     }
 }
@@ -109,15 +112,15 @@ impl<'a> JoinedSensitivityTable<'a> {
         };
         let scene = self.joined.scene();
         let regime = words::regime(known.regime);
-        let found = known.parameters.iter().filter_map(|of| {
+        let found = known.parameters.into_iter().map(|of| {
             let found = FoundSlope {
                 symbol: of.parameter.symbol(scene, &point),
                 unit: of.parameter.unit(&point),
                 value: of.value,
-                answers: self.of.read(of)?,
+                answers: of,
                 itself: false,
             };
-            Some(row(regime, "difference", Some(found)))
+            row(regime, "exact", Some(found))
         });
         Ok(found.collect())
     }
@@ -147,25 +150,49 @@ impl<'a> JoinedSensitivityTable<'a> {
     fn add(&self, columns: &mut Columns<'a, JoinedSensitivityRow>) {
         let measure = self.setting.measure;
         of_parameter(columns, &self.widest(), "N s/m");
-        let (name, dimension, of) = self.of.told();
-        let value = |row: &JoinedSensitivityRow| Some(row.found.as_ref()?.answers.value);
-        columns.show(Shown::Files);
-        columns.converted(Head::of(name, dimension), value);
-        columns.show(Shown::Everywhere);
-        let title = format!("{name} {of}");
-        let own = measure.name(name, dimension);
-        let unit = measure.title(dimension);
-        let head = Head::new(format!("{own}.derivative"));
-        let head = head.titled(&[&title, &format!("X {unit}, d/dp")]);
-        columns.number(head, move |row| match row.parameter() {
-            Some(found) => Some(found.answers.derivative),
-            None => value(row),
-        });
-        let head = Head::new(format!("{own}.relative")).titled(&["", "(p/X) d/dp"]);
-        columns.number(head, |row| {
-            let found = row.parameter()?;
-            found.answers.relative(found.value)
-        });
+        match self.of {
+            JoinedPart::Mass(mass, name) => {
+                let mass = *mass;
+                let amplitude = SlopedAnswer {
+                    name: "amplitude",
+                    dimension: PhysicalQuantity::Length,
+                    read: move |of: &JoinedSensitivity| of.amplitudes.get(mass).copied(),
+                };
+                let title = format!("amplitude {name}");
+                amplitude.add(
+                    columns,
+                    &measure,
+                    (&title, measure.title(PhysicalQuantity::Length)),
+                );
+                let phase = SlopedAnswer {
+                    name: "phase",
+                    dimension: PhysicalQuantity::Angle,
+                    read: move |of: &JoinedSensitivity| *of.phases.get(mass)?,
+                };
+                phase.add(
+                    columns,
+                    &measure,
+                    ("phase", measure.title(PhysicalQuantity::Angle)),
+                );
+            }
+            JoinedPart::Contact(contact, of) => {
+                let contact = *contact;
+                for (place, (name, dimension, read)) in OF_CONTACT.into_iter().enumerate() {
+                    let answer = SlopedAnswer {
+                        name,
+                        dimension,
+                        read: move |of: &JoinedSensitivity| of.contacts.get(contact).map(read),
+                    };
+                    let title = name.replace('_', " ");
+                    let title = if place == 0 {
+                        format!("{title} {of}")
+                    } else {
+                        title
+                    };
+                    answer.add(columns, &measure, (&title, measure.title(dimension)));
+                }
+            }
+        }
     }
 
     /// Returns a word that is as long as the longest symbol of a parameter.

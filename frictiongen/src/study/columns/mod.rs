@@ -77,7 +77,7 @@ pub use features::{
 pub use history::{EventRow, HarmonicRow, HistoryTable, SampleRow};
 pub use joined::{JoinedRow, JoinedTable};
 pub use joined_limits::JoinedLimitsRow;
-pub use joined_sensitivity::{JoinedNumber, JoinedSensitivityRow, JoinedSensitivityTable};
+pub use joined_sensitivity::{JoinedPart, JoinedSensitivityRow, JoinedSensitivityTable};
 pub use joined_time::{JoinedEventRow, JoinedSample};
 pub use limits::{LimitsAsked, LimitsRow, LimitsTable};
 #[cfg(feature = "desk")]

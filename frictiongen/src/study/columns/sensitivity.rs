@@ -2,7 +2,7 @@
 
 use super::builder::Columns;
 use super::column::{Column, Head, Shown, TableRow};
-use super::measure::PhysicalQuantity;
+use super::measure::{Measure, PhysicalQuantity};
 use super::setting::{AtFrequency, AtFriction, Frequency, FrictionSetting, Setting};
 use crate::study::{
     StudyError,
@@ -49,38 +49,37 @@ pub struct SensitivityTable<'a> {
     pub setting: Setting<'a>,
 }
 
-/// An answer X, such as an amplitude, whose derivatives the table contains.
+/// An answer X, such as an amplitude, whose derivatives a table contains.
 #[derive(Clone, Copy)]
-struct SlopedAnswer {
-    name: &'static str,
-    title: &'static str,
-    dimension: PhysicalQuantity,
-    read: fn(&ParameterSensitivity) -> Option<Slope>,
+pub(super) struct SlopedAnswer<R> {
+    pub name: &'static str,
+    pub dimension: PhysicalQuantity,
+    /// Reads the answer with its derivative.
+    pub read: R,
 }
 
+/// Function that reads an answer of a scene with one contact.
+type Read = fn(&ParameterSensitivity) -> Option<Slope>;
+
 /// The answers of the table, in the order of their columns.
-const ANSWERS: [SlopedAnswer; 4] = [
+const ANSWERS: [SlopedAnswer<Read>; 4] = [
     SlopedAnswer {
         name: "amplitude",
-        title: "amplitude",
         dimension: PhysicalQuantity::Length,
         read: |of| Some(of.amplitude),
     },
     SlopedAnswer {
         name: "phase",
-        title: "phase",
         dimension: PhysicalQuantity::Angle,
         read: |of| of.phase,
     },
     SlopedAnswer {
         name: "continuous_limit",
-        title: "continuous limit",
         dimension: PhysicalQuantity::Force,
         read: |of| of.continuous_limit,
     },
     SlopedAnswer {
         name: "sliding_limit",
-        title: "sliding limit",
         dimension: PhysicalQuantity::Force,
         read: |of| of.sliding_limit,
     },
@@ -114,13 +113,6 @@ impl<D: Clone> SensitivityRow<D> {
     /// Returns the parameter of the row. Returns `None` for the row that contains the answers instead of derivatives.
     pub(super) fn parameter(&self) -> Option<&FoundSlope<D>> {
         self.found.as_ref().filter(|found| !found.itself)
-    }
-}
-
-impl SensitivityRow {
-    fn slope(&self, of: SlopedAnswer) -> Option<(f64, Slope)> {
-        let found = self.found.as_ref()?;
-        Some((found.value, (of.read)(&found.answers)?))
     }
 }
 
@@ -224,43 +216,58 @@ impl<'a> SensitivityTable<'a> {
         let scene = self.setting.system.scene();
         of_parameter(columns, &widest(scene, std::iter::empty()), "N/m");
         for (place, answer) in ANSWERS.into_iter().enumerate() {
+            let title = answer.name.replace('_', " ");
             let title = match self.setting.parts.first() {
-                Some(part) if place == 0 => format!("{} {}", answer.title, part.name),
-                _ => answer.title.to_owned(),
+                Some(part) if place == 0 => format!("{title} {}", part.name),
+                _ => title,
             };
-            self.answer(columns, answer, &title);
+            let measure = self.setting.measure;
+            let unit = match (answer.dimension, measure.scale()) {
+                (PhysicalQuantity::Force, None) => "(beta)",
+                (dimension, _) => measure.title(dimension),
+            };
+            answer.add(columns, &measure, (&title, unit));
         }
     }
+}
 
-    /// Adds the columns of an answer: value, derivative, and relative derivative. Under a load, lengths are already in
-    /// m and forces in N, but phases are in rad.
-    fn answer(&self, columns: &mut Columns<'a, SensitivityRow>, answer: SlopedAnswer, title: &str) {
-        let measure = self.setting.measure;
-        let is_phase = answer.dimension == PhysicalQuantity::Angle;
+impl<R> SlopedAnswer<R> {
+    /// Adds the columns of an answer: value, derivative, and relative derivative. `told` contains the heading and the unit.
+    /// Under a load, all numbers are already in SI units, but phases are in rad.
+    pub(super) fn add<'a, D: Clone + 'a>(
+        self,
+        columns: &mut Columns<'a, SensitivityRow<D>>,
+        measure: &Measure,
+        (title, unit): (&str, &str),
+    ) where
+        R: Fn(&D) -> Option<Slope> + Copy + 'a,
+    {
+        let (measure, read) = (*measure, self.read);
+        let is_phase = self.dimension == PhysicalQuantity::Angle;
         let counted = move |value: f64| match is_phase {
             true => measure.angle(value),
             false => value,
         };
-        let unit = match (answer.dimension, measure.scale()) {
-            (PhysicalQuantity::Force, None) => "(beta)",
-            (dimension, _) => measure.title(dimension),
+        let slope = move |row: &SensitivityRow<D>| {
+            let found = row.found.as_ref()?;
+            Some((found.value, read(&found.answers)?))
         };
-        let name = measure.name(answer.name, answer.dimension);
-        let value = move |row: &SensitivityRow| Some(counted(row.slope(answer)?.1.value));
+        let value = move |row: &SensitivityRow<D>| Some(counted(slope(row)?.1.value));
+        let name = measure.name(self.name, self.dimension);
         columns.show(Shown::Files);
-        columns.converted(Head::of(answer.name, answer.dimension), value);
+        columns.converted(Head::of(self.name, self.dimension), value);
         columns.show(Shown::Everywhere);
         let head = Head::new(format!("{name}.derivative"));
         let head = head.titled(&[title, &format!("X {unit}, d/dp")]);
         columns.number(head, move |row| match row.parameter() {
-            Some(_) => Some(counted(row.slope(answer)?.1.derivative)),
+            Some(_) => Some(counted(slope(row)?.1.derivative)),
             None => value(row),
         });
         let relative = if is_phase { "p d/dp" } else { "(p/X) d/dp" };
         let head = Head::new(format!("{name}.relative")).titled(&["", relative]);
         columns.number(head, move |row| {
             row.parameter()?;
-            let (parameter, slope) = row.slope(answer)?;
+            let (parameter, slope) = slope(row)?;
             match is_phase {
                 true => Some(parameter * counted(slope.derivative)),
                 false => slope.relative(parameter),

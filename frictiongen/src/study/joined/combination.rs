@@ -8,7 +8,8 @@ use super::waveform::Course;
 use crate::study::joints::Series;
 use crate::study::response::MotionQuantity;
 use crate::{Complex, Of};
-use frictiongen_kernel::joints::{Poly, TERMS, slope, value};
+use frictiongen_kernel::Float;
+use frictiongen_kernel::joints::{Poly, TERMS, carried, slope, value};
 use frictiongen_model::joined::numbered;
 use frictiongen_model::scene::{Excitation, Node, Scene};
 use std::f64::consts::TAU;
@@ -167,10 +168,13 @@ pub fn extreme_between(terms: &Poly<f64>, end: f64) -> (f64, f64) {
 
 /// Returns the points between 0 and `end` at which a polynomial may have an extreme value, in ascending order, with the
 /// values there.
-pub fn extremes_between(terms: &Poly<f64>, end: f64) -> impl Iterator<Item = (f64, f64)> + use<> {
+pub fn extremes_between<S: Float>(
+    terms: &Poly<S>,
+    end: S,
+) -> impl Iterator<Item = (S, S)> + use<S> {
     let terms = *terms;
     let slope = slope(&terms);
-    let at = move |part: usize| end * part as f64 / PARTS as f64;
+    let at = move |part: usize| end * S::whole(part) / S::whole(PARTS);
     let inside = move |part: usize| turn(&slope, (at(part), at(part + 1)));
     let points = (0..PARTS).flat_map(move |part| [Some(at(part)), inside(part)]);
     let points = points.flatten().chain([end]);
@@ -178,20 +182,21 @@ pub fn extremes_between(terms: &Poly<f64>, end: f64) -> impl Iterator<Item = (f6
 }
 
 /// Returns the point between `low` and `high` at which a polynomial changes its sign.
-fn turn(terms: &Poly<f64>, (mut low, mut high): (f64, f64)) -> Option<f64> {
-    let rises = value(terms, low) < 0.0;
-    if rises == (value(terms, high) < 0.0) {
+fn turn<S: Float>(terms: &Poly<S>, (mut low, mut high): (S, S)) -> Option<S> {
+    let (zero, half) = (S::constant(0.0), S::constant(0.5));
+    let rises = value(terms, low) < zero;
+    if rises == (value(terms, high) < zero) {
         return None;
     }
     for _ in 0..BISECTIONS {
-        let middle = 0.5 * (low + high);
-        if (value(terms, middle) < 0.0) == rises {
+        let middle = half * (low + high);
+        if (value(terms, middle) < zero) == rises {
             low = middle;
         } else {
             high = middle;
         }
     }
-    Some(0.5 * (low + high))
+    Some(carried(terms, half * (low + high)))
 }
 
 impl JoinedOrbit<'_> {

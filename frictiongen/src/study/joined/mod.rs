@@ -50,6 +50,7 @@ mod slides;
 mod states;
 mod stepper;
 mod units;
+mod varied;
 mod waveform;
 
 #[cfg(test)]
@@ -67,7 +68,7 @@ pub use orbit::{ContactOrbit, FoundBy, JoinedOrbit};
 pub use parameter::JoinedParameter;
 pub use peaks::Peak;
 pub use scene::Joined;
-pub use sensitivity::{JoinedSensitivities, JoinedSensitivity};
+pub use sensitivity::{ContactSensitivity, JoinedSensitivities, JoinedSensitivity};
 pub use simulation::{JoinedContactNow, JoinedEvent, JoinedSimulation};
 pub use stepper::{JoinedInput, JoinedSpan, JoinedStepper};
 pub use units::AnswerUnits;

@@ -7,6 +7,7 @@ use super::units::AnswerUnits;
 use crate::study::joints::Series;
 use crate::study::response::MotionQuantity;
 use crate::{Complex, Of};
+use frictiongen_kernel::Float;
 use frictiongen_kernel::joints::{Poly, slope, value};
 use std::f64::consts::{PI, TAU};
 
@@ -175,29 +176,7 @@ impl Waveform {
     /// the positive lag.
     #[must_use]
     pub fn phase(&self) -> f64 {
-        let turns = self.turns();
-        let largest = turns
-            .iter()
-            .fold(0.0_f64, |most, turn| most.max(turn.1.abs()));
-        let is_largest = |value: f64| value.abs() >= largest * (1.0 - EQUAL);
-        let before = turns.iter().cycle().skip(turns.len().saturating_sub(1));
-        let begins = turns
-            .iter()
-            .zip(before)
-            .filter(|((_, value), (_, before))| {
-                is_largest(*value) && !(is_largest(*before) && before.signum() == value.signum())
-            });
-        let lags = begins.map(|((time, value), _)| {
-            let half = if *value < 0.0 { PI } else { 0.0 };
-            wrapped(self.omega * time + half)
-        });
-        lags.reduce(|one, other| {
-            let (size, least) = (other.abs(), one.abs());
-            let is_nearer = size < least - EQUAL;
-            let is_positive = size < least + EQUAL && one < 0.0 && 0.0 < other;
-            if is_nearer || is_positive { other } else { one }
-        })
-        .unwrap_or(0.0)
+        phase_of(&self.turns(), self.omega)
     }
 
     /// Returns the lag of the fundamental component behind the load, −arg X₁, in rad, in (−π, π].
@@ -260,6 +239,33 @@ impl Waveform {
             of(piece, at.min(piece.end))
         })
     }
+}
+
+/// Returns the lag of the largest absolute value, as [`Waveform::phase`] does. `turns` contains the instants at which the
+/// quantity may have this value, in the order of time, with the values there.
+pub(super) fn phase_of<S: Float>(turns: &[(S, S)], omega: S) -> S {
+    let size = |turn: &(S, S)| turn.1.to_f64();
+    let largest = turns
+        .iter()
+        .fold(0.0_f64, |most, turn| most.max(size(turn).abs()));
+    let is_largest = |value: f64| value.abs() >= largest * (1.0 - EQUAL);
+    let before = turns.iter().cycle().skip(turns.len().saturating_sub(1));
+    let begins = turns.iter().zip(before).filter(|(turn, before)| {
+        let (value, before) = (size(turn), size(before));
+        is_largest(value) && !(is_largest(before) && before.signum() == value.signum())
+    });
+    let lags = begins.map(|(turn, _)| {
+        let half = if size(turn) < 0.0 { PI } else { 0.0 };
+        let lag = omega * turn.0 + S::constant(half);
+        lag.replaced(wrapped(lag.to_f64()))
+    });
+    let nearest = lags.reduce(|one, other| {
+        let (new, old) = (other.to_f64(), one.to_f64());
+        let is_nearer = new.abs() < old.abs() - EQUAL;
+        let is_positive = new.abs() < old.abs() + EQUAL && old < 0.0 && 0.0 < new;
+        if is_nearer || is_positive { other } else { one }
+    });
+    nearest.unwrap_or(S::constant(0.0))
 }
 
 /// Returns an angle that differs from the given angle by full turns, in (−π, π].

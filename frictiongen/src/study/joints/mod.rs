@@ -26,8 +26,8 @@ pub use frictiongen_kernel::joints::Heap;
 pub use limit_cycle::limit_cycle;
 pub use run::{MAX_EVENTS, MAX_STRETCHES, Motion, Transition};
 pub use steady::{
-    Approach, MAX_PERIOD, Place, Steady, mirror_image, steady_state, steady_state_near,
-    steady_state_soon, steady_states_near,
+    Approach, MAX_PERIOD, Place, Steady, mirror_image, steady_state, steady_state_soon,
+    steady_states_near,
 };
 pub use stuck::{StuckResponse, stuck_response};
 

@@ -2,7 +2,9 @@
 
 use super::run::Motion;
 use super::{Chain, Cycle, Heap, JointError, State};
-use frictiongen_kernel::joints;
+use frictiongen_kernel::joints::{self, Observe};
+use frictiongen_kernel::number::dual::Dual;
+use frictiongen_kernel::orbit::NoDerivative;
 use nalgebra::Complex;
 
 pub use frictiongen_kernel::joints::{Approach, MAX_PERIOD, Place};
@@ -56,16 +58,14 @@ impl Steady {
         Self::new(joints::Steady::of_cycle(state, cycle, size))
     }
 
-    /// Returns this steady state, unless it contains the last cycles of a motion that does not settle.
-    ///
-    /// # Errors
-    ///
-    /// [`JointError::NotSteady`] for such cycles.
-    pub fn settled(self) -> Result<Self, JointError> {
-        match self.approach {
-            Approach::Unsettled(_) => Err(JointError::NotSteady),
-            Approach::Reached | Approach::Apart(_) => Ok(self),
-        }
+    /// Computes the derivatives of this steady state, as [`joints::vary`] does.
+    pub(in crate::study) fn vary(
+        &self,
+        model: joints::Model<Dual<f64>, Heap>,
+        numbers: (Dual<f64>, f64),
+        watch: &mut impl Observe<Dual<f64>, Heap>,
+    ) -> Result<joints::Cycle<Dual<f64>, Heap>, NoDerivative> {
+        joints::vary(model, numbers, &self.found, watch)
     }
 
     /// Returns true if every small deviation decays. The method ignores deviations of contacts that never slide
@@ -141,19 +141,4 @@ pub fn mirror_image(chain: &Chain, omega: f64, of: &Steady) -> Option<Steady> {
     let size = of.cycle.amplitudes.iter().copied().fold(0.0, f64::max);
     let found = joints::refine(&mirrored, omega, (of.period, size)).ok()??;
     Some(Steady::new(found))
-}
-
-/// Returns the steady state of a chain near a known steady state of a similar chain. Newton's method starts from the
-/// known state.
-///
-/// # Errors
-///
-/// [`JointError::NotSteady`] if Newton's method does not converge. Other [`JointError`]s if the motion itself fails.
-pub fn steady_state_near(chain: &Chain, omega: f64, near: &Steady) -> Result<Steady, JointError> {
-    let mut motion = Motion::from_rest(chain)?;
-    motion.restart(near.state.clone());
-    let place = near.cycle.amplitudes.iter().copied().fold(0.0, f64::max);
-    let place = if place > 0.0 { place } else { 1.0 };
-    let found = joints::refine(&motion.into_engine(), omega, (near.period, place))?;
-    found.map(Steady::new).ok_or(JointError::NotSteady)
 }

@@ -111,8 +111,8 @@ class Sensitivities(Table):
     * `["amplitude"].relative`: per cent of the answer for one per cent of the parameter.  For a phase it is the change
       of the phase.
 
-    With several contacts, the answer has the `amplitude` of a mass, or the `energy` that a contact takes.  A derivative
-    that does not exist is NaN.
+    With several contacts, the answer has the `amplitude` and the `phase` of a mass, or the `energy`, `force`, `slip`,
+    `displacement` and `stuck_fraction` of a contact.  A derivative that does not exist is NaN.
     """
 
     parameter: Words
@@ -132,7 +132,8 @@ class Sensitivities(Table):
         return item(self, name, columns)
 
     def plot(self, ax: Axes | None = None) -> Axes:
-        """Draws the change of the amplitude in per cent for one per cent of each parameter.
+        """Draws the change of the amplitude, or of the energy of one of several contacts, in per cent for one per cent of
+        each parameter.
 
         :raises ImportError: if matplotlib is not installed.
         """

@@ -86,7 +86,7 @@ class Design(Base):
         """Computes the exact derivatives of amplitude, phase and both limits with respect to every parameter.
 
         :param of: name of the mass whose amplitude and phase are differentiated, or `contact`.  With several contacts: a
-            mass for its amplitude, or a contact for the energy that it takes.
+            mass for its amplitude and phase, or a contact for its energy, force, slip, displacement and stuck fraction.
 
         >>> import frictiongen
         >>> frame = frictiongen.System(frictiongen.FRAME)
