@@ -42,8 +42,8 @@ pub struct TwoContacts;
 pub struct TwoContactsStepper(
     ::frictiongen::kernel::joints::Stepper<
         ::core::primitive::f64,
-        ::frictiongen::kernel::joints::Fixed<2, 4, 2, 1, 6, 36, 0, 10, 0, 9>,
-        [::core::primitive::f64; 760],
+        ::frictiongen::kernel::joints::Fixed<2, 4, 2, 1, 6, 36, 0, 10, 0, 9, 8, 61, 4>,
+        [::core::primitive::f64; 680],
     >,
 );
 /// Loads on [`TwoContacts`] and friction forces, in the units of the scene: the input of a step.
@@ -96,7 +96,7 @@ pub struct TwoContactsFriction {
 pub struct TwoContactsSimulation(
     ::frictiongen::kernel::joints::Simulation<
         ::core::primitive::f64,
-        ::frictiongen::kernel::joints::Fixed<2, 4, 2, 1, 6, 36, 0, 10, 0, 9>,
+        ::frictiongen::kernel::joints::Fixed<2, 4, 2, 1, 6, 36, 0, 10, 0, 9, 8, 61, 4>,
     >,
 );
 /// [`TwoContacts`] at one frequency.
@@ -105,7 +105,7 @@ pub struct TwoContactsSimulation(
 pub struct TwoContactsAt(
     ::frictiongen::kernel::joints::At<
         ::core::primitive::f64,
-        ::frictiongen::kernel::joints::Fixed<2, 4, 2, 1, 6, 36, 0, 10, 0, 9>,
+        ::frictiongen::kernel::joints::Fixed<2, 4, 2, 1, 6, 36, 0, 10, 0, 9, 8, 61, 4>,
     >,
 );
 /// State of [`TwoContacts`] in which no contact slides, in closed form.  Displacements are over P/k₁ (over Y for base motion), and forces are over P (over k₁Y).
@@ -114,7 +114,7 @@ pub struct TwoContactsAt(
 pub struct TwoContactsStuck(
     ::frictiongen::kernel::joints::StuckState<
         ::core::primitive::f64,
-        ::frictiongen::kernel::joints::Fixed<2, 4, 2, 1, 6, 36, 0, 10, 0, 9>,
+        ::frictiongen::kernel::joints::Fixed<2, 4, 2, 1, 6, 36, 0, 10, 0, 9, 8, 61, 4>,
     >,
 );
 /// Steady state of [`TwoContacts`].  Displacements are over P/k₁ (over Y for base motion), forces are over P (over k₁Y), and energies are over P²/k₁ (over k₁Y²).
@@ -123,7 +123,7 @@ pub struct TwoContactsStuck(
 pub struct TwoContactsOrbit(
     ::frictiongen::kernel::joints::Orbit<
         ::core::primitive::f64,
-        ::frictiongen::kernel::joints::Fixed<2, 4, 2, 1, 6, 36, 0, 10, 0, 9>,
+        ::frictiongen::kernel::joints::Fixed<2, 4, 2, 1, 6, 36, 0, 10, 0, 9, 8, 61, 4>,
     >,
 );
 #[allow(
@@ -169,7 +169,21 @@ const _: () = {
         /// is its share. The start of a motion sets the stretch.
         const CHAIN: ::frictiongen::kernel::joints::Model<
             ::core::primitive::f64,
-            ::frictiongen::kernel::joints::Fixed<2, 4, 2, 1, 6, 36, 0, 10, 0, 9>,
+            ::frictiongen::kernel::joints::Fixed<
+                2,
+                4,
+                2,
+                1,
+                6,
+                36,
+                0,
+                10,
+                0,
+                9,
+                8,
+                61,
+                4,
+            >,
         > = ::frictiongen::kernel::joints::Model {
             size: ::frictiongen::kernel::joints::Fixed,
             masses: &[2000.0, 1500.0],
@@ -263,7 +277,7 @@ const _: () = {
             let started = ::frictiongen::kernel::joints::Stepper::from_state(
                 Self::CHAIN,
                 (dt, ::frictiongen::kernel::stepper::Input::Linear, false),
-                [0.0; 760],
+                [0.0; 680],
                 (x, v),
             );
             started.map(TwoContactsStepper)
@@ -365,8 +379,22 @@ const _: () = {
     impl ::core::ops::Deref for TwoContactsStepper {
         type Target = ::frictiongen::kernel::joints::Stepper<
             ::core::primitive::f64,
-            ::frictiongen::kernel::joints::Fixed<2, 4, 2, 1, 6, 36, 0, 10, 0, 9>,
-            [::core::primitive::f64; 760],
+            ::frictiongen::kernel::joints::Fixed<
+                2,
+                4,
+                2,
+                1,
+                6,
+                36,
+                0,
+                10,
+                0,
+                9,
+                8,
+                61,
+                4,
+            >,
+            [::core::primitive::f64; 680],
         >;
         fn deref(&self) -> &Self::Target {
             &self.0
@@ -466,7 +494,21 @@ const _: () = {
     impl ::core::ops::Deref for TwoContactsSimulation {
         type Target = ::frictiongen::kernel::joints::Simulation<
             ::core::primitive::f64,
-            ::frictiongen::kernel::joints::Fixed<2, 4, 2, 1, 6, 36, 0, 10, 0, 9>,
+            ::frictiongen::kernel::joints::Fixed<
+                2,
+                4,
+                2,
+                1,
+                6,
+                36,
+                0,
+                10,
+                0,
+                9,
+                8,
+                61,
+                4,
+            >,
         >;
         fn deref(&self) -> &Self::Target {
             &self.0
@@ -492,7 +534,21 @@ const _: () = {
     impl ::core::ops::Deref for TwoContactsAt {
         type Target = ::frictiongen::kernel::joints::At<
             ::core::primitive::f64,
-            ::frictiongen::kernel::joints::Fixed<2, 4, 2, 1, 6, 36, 0, 10, 0, 9>,
+            ::frictiongen::kernel::joints::Fixed<
+                2,
+                4,
+                2,
+                1,
+                6,
+                36,
+                0,
+                10,
+                0,
+                9,
+                8,
+                61,
+                4,
+            >,
         >;
         fn deref(&self) -> &Self::Target {
             &self.0
@@ -535,7 +591,21 @@ const _: () = {
     impl ::core::ops::Deref for TwoContactsStuck {
         type Target = ::frictiongen::kernel::joints::StuckState<
             ::core::primitive::f64,
-            ::frictiongen::kernel::joints::Fixed<2, 4, 2, 1, 6, 36, 0, 10, 0, 9>,
+            ::frictiongen::kernel::joints::Fixed<
+                2,
+                4,
+                2,
+                1,
+                6,
+                36,
+                0,
+                10,
+                0,
+                9,
+                8,
+                61,
+                4,
+            >,
         >;
         fn deref(&self) -> &Self::Target {
             &self.0
@@ -573,35 +643,121 @@ const _: () = {
         #[must_use]
         pub fn lower(
             &self,
-        ) -> ::frictiongen::kernel::joints::MassOrbit<::core::primitive::f64> {
+        ) -> ::frictiongen::kernel::joints::MassOrbit<
+            '_,
+            ::core::primitive::f64,
+            ::frictiongen::kernel::joints::Fixed<
+                2,
+                4,
+                2,
+                1,
+                6,
+                36,
+                0,
+                10,
+                0,
+                9,
+                8,
+                61,
+                4,
+            >,
+        > {
             self.0.mass(0)
         }
         /// Motion of mass `upper` over the period.
         #[must_use]
         pub fn upper(
             &self,
-        ) -> ::frictiongen::kernel::joints::MassOrbit<::core::primitive::f64> {
+        ) -> ::frictiongen::kernel::joints::MassOrbit<
+            '_,
+            ::core::primitive::f64,
+            ::frictiongen::kernel::joints::Fixed<
+                2,
+                4,
+                2,
+                1,
+                6,
+                36,
+                0,
+                10,
+                0,
+                9,
+                8,
+                61,
+                4,
+            >,
+        > {
             self.0.mass(1)
         }
         /// Motion of contact `brace` over the period.
         #[must_use]
         pub fn brace(
             &self,
-        ) -> ::frictiongen::kernel::joints::ContactOrbit<::core::primitive::f64> {
+        ) -> ::frictiongen::kernel::joints::ContactOrbit<
+            '_,
+            ::core::primitive::f64,
+            ::frictiongen::kernel::joints::Fixed<
+                2,
+                4,
+                2,
+                1,
+                6,
+                36,
+                0,
+                10,
+                0,
+                9,
+                8,
+                61,
+                4,
+            >,
+        > {
             self.0.contact(0)
         }
         /// Motion of contact `pads` over the period.
         #[must_use]
         pub fn pads(
             &self,
-        ) -> ::frictiongen::kernel::joints::ContactOrbit<::core::primitive::f64> {
+        ) -> ::frictiongen::kernel::joints::ContactOrbit<
+            '_,
+            ::core::primitive::f64,
+            ::frictiongen::kernel::joints::Fixed<
+                2,
+                4,
+                2,
+                1,
+                6,
+                36,
+                0,
+                10,
+                0,
+                9,
+                8,
+                61,
+                4,
+            >,
+        > {
             self.0.contact(1)
         }
     }
     impl ::core::ops::Deref for TwoContactsOrbit {
         type Target = ::frictiongen::kernel::joints::Orbit<
             ::core::primitive::f64,
-            ::frictiongen::kernel::joints::Fixed<2, 4, 2, 1, 6, 36, 0, 10, 0, 9>,
+            ::frictiongen::kernel::joints::Fixed<
+                2,
+                4,
+                2,
+                1,
+                6,
+                36,
+                0,
+                10,
+                0,
+                9,
+                8,
+                61,
+                4,
+            >,
         >;
         fn deref(&self) -> &Self::Target {
             &self.0

@@ -1,6 +1,7 @@
 //! Compares emitted steady states and stuck states of scenes with several contacts with three references:
 //! `joints.json`, which a plain program with matrix exponentials made, formulas, and the run-time system bit by bit.
 
+use frictiongen::kernel::joints::{Pieces, Waveform};
 use frictiongen::study::joined::JoinedAt;
 use frictiongen::{NoOrbit, OutOfDomain, Regime, System};
 use serde_json::Value;
@@ -40,6 +41,23 @@ scenes! {
         excitation: upper,
         scalar: f32,
         provide: [stuck, orbit],
+    }
+    struct Single {
+        masses: { lower: 3.27, upper: 3.25 },
+        springs: { base - lower: 1190.0, lower - upper: 1323.0 },
+        contact: upper - wall,
+        damping: modal[0.010, 0.012],
+        excitation: base,
+        provide: [orbit],
+    }
+    struct Dashpot {
+        masses: { lower: 3.27, upper: 3.25 },
+        springs: { base - lower: 1190.0, lower - upper: 1323.0 },
+        contact: upper - wall,
+        dampers: { base - lower: 1e-10 },
+        damping: modal[0.010, 0.012],
+        excitation: base,
+        provide: [orbit],
     }
     // One mass with two elastic contacts and a dashpot. A formula gives its stuck state.
     struct Iwan {
@@ -87,6 +105,66 @@ fn close(a: f64, b: f64, size: f64) -> bool {
     (a - b).abs() <= 1e-10 * size.max(a.abs()).max(b.abs())
 }
 
+/// Compares the course of a motion with that of the run-time system, which stores its pieces. `size` is that of the
+/// displacements.
+fn same_course<P: Pieces<f64>>(
+    got: &Waveform<f64, P>,
+    want: &frictiongen::study::joined::Waveform,
+    size: f64,
+) {
+    for (got, want) in [
+        (got.amplitude(), want.amplitude()),
+        (got.middle(), want.middle()),
+        (got.displacement(1.3), want.displacement(1.3)),
+        (got.displacement(-40.0), want.displacement(-40.0)),
+        (got.largest_velocity(), want.largest_velocity()),
+        (got.velocity(2.1), want.velocity(2.1)),
+    ] {
+        assert!((got - want).abs() <= 1e-9 * size, "{got} {want}");
+    }
+    for n in [0, 1, 2, 3, 9] {
+        let apart = (got.harmonic(n) - want.harmonic(n)).norm();
+        assert!(apart <= 1e-10 * size, "harmonic {n}: {apart}");
+    }
+}
+
+/// Checks motions of one contact against the solver for one contact. A very small dashpot makes the generator use the
+/// solver for several contacts.
+#[test]
+fn motions_of_one_contact_are_those_of_its_own_solver() {
+    let mut regimes = Vec::new();
+    for (r, beta) in [(0.9, 0.3), (0.9, 0.6), (0.3, 0.4), (0.05, 0.1), (2.0, 0.05)] {
+        let at = Single::at(r).expect("a frequency");
+        let want = at.orbit(beta).expect("a steady state");
+        let at = Dashpot::at(r).expect("a frequency");
+        let got = at.orbit(beta).expect("a steady state");
+        // The solver for one contact counts phases from a maximum of the contact's motion.
+        let origin = want.origin();
+        for (got, want) in [
+            (got.contact().motion(), want.contact()),
+            (got.lower().motion(), want.lower()),
+            (got.upper().motion(), want.upper()),
+        ] {
+            let size = want.amplitude().max(1e-3);
+            assert!((got.amplitude() - want.amplitude()).abs() <= 1e-9 * size);
+            // At a flat maximum, a change of the motion by 1e-11 moves the instant of its maximum by 1e-6.
+            let turn = (got.phase() - want.phase()).abs();
+            let turn = turn.min(std::f64::consts::TAU - turn);
+            assert!(turn < 1e-5 || want.amplitude() < 1e-9, "{r} {beta}: {turn}");
+            for n in [0, 1, 2, 3, 5] {
+                let apart = (got.harmonic(n) - want.harmonic(n)).norm();
+                assert!(apart <= 1e-9 * size, "{r} {beta}, harmonic {n}: {apart}");
+            }
+            for tau in [-5.0, 0.4, 1.9, 11.0] {
+                let apart = got.displacement(tau) - want.displacement(tau - origin);
+                assert!(apart.abs() <= 1e-9 * size, "{r} {beta}, {tau}: {apart}");
+            }
+        }
+        regimes.push(got.regime());
+    }
+    assert!(regimes.contains(&Regime::StickSlip) && regimes.contains(&Regime::Continuous));
+}
+
 /// Compares an emitted steady state with that of the run-time system.
 fn same(orbit: &FrameOrbit, at: &JoinedAt<'_>, beta: f64) {
     let expected = at.orbit(beta).expect("a steady state");
@@ -129,8 +207,13 @@ fn same(orbit: &FrameOrbit, at: &JoinedAt<'_>, beta: f64) {
         (orbit.hanger(), "hanger"),
     ];
     let marginal = expected.marginal_contacts();
+    for (mass, name) in masses.iter().zip(["one", "two", "three", "four"]) {
+        same_course(&mass.motion(), &expected.mass(name).expect("a mass"), size);
+    }
     for (got, name) in contacts {
         let want = expected.contact(name).expect("a contact");
+        let course = want.motion().expect("a course");
+        same_course(&got.motion(), &course, size);
         assert_eq!(
             (got.stops(), got.reversals(), got.regime()),
             (want.stops(), want.reversals(), want.regime())

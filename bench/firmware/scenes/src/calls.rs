@@ -104,7 +104,7 @@ const NOTHING: Complex<f32> = Complex { re: 0.0, im: 0.0 };
 /// Factor by which the friction of [`INPUTS`] grows so that the contact stops in each cycle.
 const STOPPING: f32 = 10.0;
 
-calls! { f32 SINGLE 40:
+calls! { f32 SINGLE 44:
     sdof_without_search "SDOF f32" "limits without search" |at| {
         let limits = Sdof::limits_without_search(at.r)?;
         [limits.continuous, limits.sliding]
@@ -171,6 +171,11 @@ calls! { f32 SINGLE 40:
     };
     stopping_sdof "SDOF f32, [orbit]" "steady state: amplitude of the contact, stuck fraction" |at| {
         let at_r = stopping::Sdof::at(at.r)?;
+        let orbit = at_r.orbit(at.beta * STOPPING)?;
+        [orbit.contact().amplitude(), orbit.stuck_fraction()]
+    };
+    stopping_pair "2DOF f32, [orbit]" "steady state: amplitude of the contact, stuck fraction" |at| {
+        let at_r = stopping::Pair::at(at.r)?;
         let orbit = at_r.orbit(at.beta * STOPPING)?;
         [orbit.contact().amplitude(), orbit.stuck_fraction()]
     };
@@ -296,6 +301,18 @@ calls! { f32 SINGLE 40:
     joined_orbit "2DOF damped f32, two contacts" "steady state: amplitude of a mass, energy in a contact" |at| {
         let (amplitude, energy) = joined::settle(at.r, at.beta * STOPPING).unwrap_or((-1.0, -1.0));
         [amplitude, energy]
+    };
+    single_sdof "SDOF f32, one contact and a dashpot" "steady state: amplitude of the contact, stuck fraction" |at| {
+        let orbit = joined::single::Sdof::at(at.r)?.orbit(at.beta * STOPPING)?;
+        [orbit.contact().displacement(), orbit.contact().stuck_fraction()]
+    };
+    single_pair "2DOF f32, one contact and a dashpot" "steady state: amplitude of the contact, stuck fraction" |at| {
+        let orbit = joined::single::Pair::at(at.r)?.orbit(at.beta * STOPPING)?;
+        [orbit.contact().displacement(), orbit.contact().stuck_fraction()]
+    };
+    single_five "5DOF damped f32, one contact and a dashpot" "steady state: amplitude of the contact, stuck fraction" |at| {
+        let orbit = joined::single::Five::at(at.r)?.orbit(at.beta * STOPPING)?;
+        [orbit.contact().displacement(), orbit.contact().stuck_fraction()]
     };
 }
 

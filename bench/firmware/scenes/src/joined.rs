@@ -1,4 +1,5 @@
-//! A scene with an elastic contact and a rigid contact.
+//! Scenes of the solver for several contacts: two masses with an elastic contact and a rigid contact, and chains with
+//! one contact. A very small dashpot makes the generator use this solver for a chain with one contact.
 
 frictiongen::friction_system! {
     /// Two storeys with a brace and pads.
@@ -62,4 +63,47 @@ pub fn stuck_from(r: f32) -> Option<(f32, &'static str)> {
 pub fn settle(r: f32, beta: f32) -> Option<(f32, f32)> {
     let orbit = Storeys::at(r).ok()?.orbit(beta).ok()?;
     Some((orbit.upper().amplitude(), orbit.brace().energy()))
+}
+
+/// Chains of `stopping` with a very small dashpot.
+pub mod single {
+    frictiongen::friction_system! {
+        /// One mass that rubs on a wall.
+        pub struct Sdof {
+            masses: { mass_1: 1.0 },
+            springs: { base - mass_1: 1.0 },
+            contact: mass_1 - wall,
+            dampers: { base - mass_1: 1e-6 },
+            excitation: mass_1,
+            scalar: f32,
+            provide: [orbit],
+        }
+    }
+
+    frictiongen::friction_system! {
+        /// Two masses of which the upper one rubs on a wall.
+        pub struct Pair {
+            masses: { lower: 3.27, upper: 3.25 },
+            springs: { base - lower: 1190.0, lower - upper: 1323.0 },
+            contact: upper - wall,
+            dampers: { base - lower: 1e-6 },
+            excitation: base,
+            scalar: f32,
+            provide: [orbit],
+        }
+    }
+
+    frictiongen::friction_system! {
+        /// Five damped masses of which the third one rubs on the moving base.
+        pub struct Five {
+            masses: { m1: 1.0, m2: 1.0, m3: 1.0, m4: 1.0, upper: 0.5 },
+            springs: { base - m1: 1.0, m1 - m2: 1.0, m2 - m3: 1.0, m3 - m4: 1.0, m4 - upper: 1.0 },
+            contact: m3 - base,
+            dampers: { base - m1: 1e-6 },
+            excitation: base,
+            damping: modal(0.02),
+            scalar: f32,
+            provide: [orbit],
+        }
+    }
 }

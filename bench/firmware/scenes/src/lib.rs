@@ -56,6 +56,18 @@ pub mod stopping {
     }
 
     frictiongen::friction_system! {
+        /// Two masses of which the upper one rubs on a wall.
+        pub struct Pair {
+            masses: { lower: 3.27, upper: 3.25 },
+            springs: { base - lower: 1190.0, lower - upper: 1323.0 },
+            contact: upper - wall,
+            excitation: base,
+            scalar: f32,
+            provide: [orbit],
+        }
+    }
+
+    frictiongen::friction_system! {
         /// Five damped masses of which the third one rubs on the moving base.
         pub struct Five {
             masses: { m1: 1.0, m2: 1.0, m3: 1.0, m4: 1.0, upper: 0.5 },

@@ -45,21 +45,35 @@ impl Size for Heap {
     type Points<T: Value> = Vec<T>;
     type Row<T: Value> = Vec<T>;
     type Constants<T: Value> = Arc<[T]>;
-    type Cells<T: Value> = Vec<T>;
+    type Coordinates<T: Value> = Vec<T>;
+    type Matrix<T: Value> = Vec<T>;
+    type Rows<T: Value> = Vec<T>;
+    type Shared<S: Float> = Arc<Mutex<TableMap<S>>>;
     type Tables<S: Float> = KeptTables<S>;
 
     const HAS_PARTS: bool = true;
 
-    fn cells<T: Value>(&self, count: usize, value: T) -> Vec<T> {
+    fn coordinates<T: Value>(&self, count: usize, value: T) -> Vec<T> {
         vec![value; count]
     }
 
-    fn tables<S: Float>(&self) -> KeptTables<S> {
+    fn matrix<T: Value>(&self, count: usize, value: T) -> Vec<T> {
+        vec![value; count * count]
+    }
+
+    fn rows<T: Value>(&self, count: usize, value: T) -> Vec<T> {
+        vec![value; count]
+    }
+
+    fn shared<S: Float>(&self) -> Arc<Mutex<TableMap<S>>> {
+        Arc::default()
+    }
+
+    fn tables<S: Float>(&self, shared: &Arc<Mutex<TableMap<S>>>, count: usize) -> KeptTables<S> {
         KeptTables {
-            shared: Arc::default(),
-            is_used: false,
+            shared: Arc::clone(shared),
             last: None,
-            room: Room::default(),
+            room: Room::new(vec![S::constant(0.0); count]),
         }
     }
 
@@ -111,50 +125,33 @@ impl Motion<f64, Heap> {
     /// Makes searches for the steady state of this motion use, and complete, the tables of similar motions.
     #[must_use]
     pub fn sharing(mut self, tables: &SharedTables) -> Self {
-        self.tables.shared = Arc::clone(&tables.0);
+        self.shared = Arc::clone(&tables.0);
         self
     }
 }
 
-/// Tables of the sets of sticking contacts that have occurred so far. Copies of a motion share them.
-#[derive(Clone, Debug)]
+/// Tables of the sets of sticking contacts that have occurred so far.
+#[derive(Debug)]
 pub struct KeptTables<S: Float> {
     shared: Arc<Mutex<TableMap<S>>>,
-    is_used: bool,
-    last: Option<Arc<Table<S, Heap>>>,
+    /// The table of the last stretch.
+    last: Option<(u64, Arc<Table<S, Heap>>)>,
     room: Room<Vec<S>>,
 }
 
 impl<S: Float> Tables<S, Heap> for KeptTables<S> {
-    type Found = Arc<Table<S, Heap>>;
-
-    fn enable(&mut self, coordinates: Vec<S>, matrix: Vec<S>) {
-        self.is_used = true;
-        self.room = Room {
-            before: coordinates.clone(),
-            after: coordinates,
-            matrix,
-        };
-    }
-
-    fn take(&mut self, key: u64, make: impl FnOnce() -> Table<S, Heap>) -> Option<Self::Found> {
-        let find = || {
+    fn find(
+        &mut self,
+        key: u64,
+        make: impl FnOnce() -> Table<S, Heap>,
+    ) -> Option<(&Table<S, Heap>, &mut Room<Vec<S>>)> {
+        let last = self.last.take().filter(|(own, _)| *own == key);
+        let (_, table) = self.last.insert(last.unwrap_or_else(|| {
             let mut all = self.shared.lock().unwrap_or_else(PoisonError::into_inner);
-            Arc::clone(all.entry(key).or_insert_with(|| Arc::new(make())))
-        };
-        self.is_used.then(|| self.last.take().unwrap_or_else(find))
-    }
-
-    fn keep(&mut self, found: Self::Found) {
-        self.last = Some(found);
-    }
-
-    fn change(&mut self) {
-        self.last = None;
-    }
-
-    fn room(&mut self) -> &mut Room<Vec<S>> {
-        &mut self.room
+            let table = all.entry(key).or_insert_with(|| Arc::new(make()));
+            (key, Arc::clone(table))
+        }));
+        Some((table, &mut self.room))
     }
 }
 

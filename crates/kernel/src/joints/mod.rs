@@ -28,6 +28,7 @@ mod base;
 mod cycle;
 mod decide;
 mod events;
+mod grip;
 #[cfg(any(test, feature = "std"))]
 mod heap;
 mod jolt;
@@ -64,6 +65,7 @@ mod unknowns;
 #[cfg(any(test, feature = "std"))]
 mod wander;
 mod wave;
+mod waveform;
 
 #[cfg(test)]
 mod tangent_tests;
@@ -90,7 +92,7 @@ pub use run::{Bounds, Motion, Observe};
 pub use sensitivity::vary;
 pub use series::Series;
 pub use simulation::{MAX_EVENTS, MAX_STRETCHES, Reference, Simulation};
-pub use size::{Array, Fixed, Size, Value, add, at, set};
+pub use size::{Array, Fixed, Rows, Size, Value, add, at, set};
 pub use state::{FREE, IMPACT, STUCK, State};
 pub use steady::{Approach, MAX_PERIOD, Place, Soon, Steady};
 pub use stepper::{
@@ -98,6 +100,7 @@ pub use stepper::{
     Span, Stepped, Stepper, fill, image_bytes, image_step,
 };
 pub use stuck::StuckResponse;
-pub use table::{Leap, NoTables, Table, Tables};
+pub use table::{Leap, NoTables, Table, Tables, table_sizes};
 pub use tree::Tree;
 pub use wave::Wave;
+pub use waveform::{Piece, Pieces, Replay, Waveform, extremes};

@@ -6,15 +6,15 @@
 
 use super::cycle::ContactCycle;
 use super::model::Model;
-use super::run::{Bounds, Motion};
-use super::simulation::{MAX_EVENTS, MAX_STRETCHES, Reference, StartState};
+use super::run::Motion;
+use super::simulation::{Reference, StartState};
 use super::size::{Size, at};
-use super::steady::Steady;
+use super::steady::{Search, Steady};
 use super::stuck::StuckResponse;
+use super::waveform::{Replay, Waveform};
 use crate::errors::{Halt, NoOrbit, OutOfDomain, Regime, StuckResonance};
 use crate::number::complex::Complex;
 use crate::{Float, Scalar};
-use core::f64::consts::TAU;
 
 /// A chain with several contacts at one frequency.
 #[derive(Clone, Debug)]
@@ -83,7 +83,7 @@ impl<S: Float, Z: Size> At<S, Z> {
     pub fn orbit(&self, beta: S, state: Option<StartState<'_, S>>) -> Result<Orbit<S, Z>, NoOrbit> {
         let model = self.model.clone();
         let start = self.reference.start(model, (self.r, beta), state);
-        let (motion, omega) = start.map_err(NoOrbit::OutOfDomain)?;
+        let (mut motion, omega) = start.map_err(NoOrbit::OutOfDomain)?;
         let halted = |halt| NoOrbit::OutOfDomain(OutOfDomain::Motion(halt));
         let steady = match state {
             None => motion.settle(omega, None),
@@ -91,10 +91,12 @@ impl<S: Float, Z: Size> At<S, Z> {
         };
         let steady = steady.map_err(halted)?;
         let steady = steady.ok_or(NoOrbit::Unsettled)?;
-        let is_symmetric = steady.is_symmetric(motion, omega).map_err(halted)?;
+        motion.restart(steady.state.clone());
+        let is_symmetric = steady.is_symmetric(motion.clone(), omega);
         Ok(Orbit {
             steady,
-            is_symmetric,
+            motion,
+            is_symmetric: is_symmetric.map_err(halted)?,
             omega,
             stiffness: self.reference.stiffness,
         })
@@ -112,13 +114,10 @@ impl<S: Float, Z: Size> Steady<S, Z> {
         if self.period.is_multiple_of(2) {
             return Ok(false);
         }
-        let half = S::constant(0.5) * S::whole(self.period) * S::constant(TAU) / omega;
-        let bounds = Bounds {
-            events: MAX_EVENTS,
-            stretches: MAX_STRETCHES,
-        };
         motion.restart(self.state.clone());
-        motion.run(half, bounds, &mut ())?;
+        let mut search = Search::by_tables(&motion, omega, S::constant(1.0));
+        search.advance(&mut motion, self.period / 2, &mut ())?;
+        search.advance_half(&mut motion, &mut ())?;
         let sizes = self.cycle.amplitudes.as_ref().iter().copied();
         let size = sizes.fold(S::constant(f64::from(f32::MIN_POSITIVE)), Scalar::max);
         let small = S::constant(if S::EPSILON < 1e-10 { 1e-7 } else { 1e-3 });
@@ -177,6 +176,8 @@ impl<S: Float, Z: Size> StuckState<S, Z> {
 #[derive(Clone, Debug)]
 pub struct Orbit<S: Float, Z: Size> {
     steady: Steady<S, Z>,
+    /// The motion at the start of a period.
+    motion: Motion<S, Z>,
     is_symmetric: bool,
     omega: S,
     stiffness: S,
@@ -232,7 +233,7 @@ impl<S: Float, Z: Size> Orbit<S, Z> {
     }
 
     /// Returns the motion of a mass in a period of the steady state.
-    pub fn mass(&self, mass: usize) -> MassOrbit<S> {
+    pub fn mass(&self, mass: usize) -> MassOrbit<'_, S, Z> {
         let Steady { cycle, state, .. } = &self.steady;
         let (largest, centred) = (
             at(cycle.amplitudes.as_ref(), mass),
@@ -247,30 +248,54 @@ impl<S: Float, Z: Size> Orbit<S, Z> {
             centred,
             displacement: at(state.x.as_ref(), mass),
             velocity: at(state.v.as_ref(), mass) / self.omega,
+            motion: self.waveform((mass, self.motion.model().wall())),
         }
     }
 
+    /// Returns the course of the displacement of a node minus that of another node.
+    fn waveform(&self, nodes: (usize, usize)) -> Waveform<S, Replay<'_, S, Z>> {
+        let replay = Replay {
+            motion: &self.motion,
+            omega: self.omega,
+            cycles: self.steady.period,
+            nodes,
+        };
+        Waveform::new(replay, self.omega, self.steady.period)
+    }
+
     /// Returns the motion of a contact in a period of the steady state.
-    pub fn contact(&self, contact: usize) -> ContactOrbit<S> {
+    pub fn contact(&self, contact: usize) -> ContactOrbit<'_, S, Z> {
         let found = self.steady.cycle.contacts.as_ref().get(contact).copied();
+        let wall = self.motion.model().wall();
+        let own = self.motion.model().contact(contact);
+        let nodes = own.map_or((wall, wall), |own| (own.plus, own.minus));
         ContactOrbit {
             cycle: found.unwrap_or(ContactCycle::nothing()),
             is_marginal: self.steady.marginal.as_ref().get(contact) == Some(&true),
             unit: self.stiffness,
+            motion: self.waveform(nodes),
         }
     }
 }
 
 /// Motion of a mass in a period of a steady state.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct MassOrbit<S> {
+#[derive(Clone, Copy, Debug)]
+pub struct MassOrbit<'o, S: Float, Z: Size> {
+    motion: Waveform<S, Replay<'o, S, Z>>,
     amplitude: S,
     centred: S,
     displacement: S,
     velocity: S,
 }
 
-impl<S: Float> MassOrbit<S> {
+impl<'o, S: Float, Z: Size> MassOrbit<'o, S, Z> {
+    /// Returns the course of the displacement x̄ over the period, in units of P/k₁ (of the base amplitude Y for base
+    /// motion): phase, harmonics, and values at any phase. Each of its methods follows the motion over the period once or
+    /// twice.
+    pub fn motion(self) -> Waveform<S, Replay<'o, S, Z>> {
+        self.motion
+    }
+
     /// Returns the amplitude of the mass: its largest |x̄| in the period, in units of P/k₁ (of the base amplitude Y for
     /// base motion). If a part of the chain has no path of springs to a support, the result is the centred amplitude
     /// (max x̄ − min x̄)/2 about the mean motion.
@@ -291,15 +316,24 @@ impl<S: Float> MassOrbit<S> {
 }
 
 /// Motion of a contact in a period of a steady state.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct ContactOrbit<S> {
+#[derive(Clone, Copy, Debug)]
+pub struct ContactOrbit<'o, S: Float, Z: Size> {
+    motion: Waveform<S, Replay<'o, S, Z>>,
     cycle: ContactCycle<S>,
     is_marginal: bool,
     /// Unit of the contact's force in the results.
     unit: S,
 }
 
-impl<S: Float> ContactOrbit<S> {
+impl<'o, S: Float, Z: Size> ContactOrbit<'o, S, Z> {
+    /// Returns the course of the relative displacement over the period, in units of P/k₁ (of the base amplitude Y for base
+    /// motion): phase, harmonics, and values at any phase. Each of its methods follows the motion over the period once or
+    /// twice. The displacement counts as positive in the direction of the later mass, or of the mass if the other side is a
+    /// support.
+    pub fn motion(self) -> Waveform<S, Replay<'o, S, Z>> {
+        self.motion
+    }
+
     /// Returns the number of stops of the contact in a period.
     pub fn stops(&self) -> usize {
         self.cycle.stops

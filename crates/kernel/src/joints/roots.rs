@@ -104,21 +104,34 @@ fn stays_positive<S: Float>(terms: &[S]) -> bool {
 /// Returns true if the polynomial of degree 5 with the coefficients `terms` is greater than `bound` on [0, 1] by more
 /// than rounding errors.
 pub(super) fn stays_above<S: Float>(terms: [S; QUICK], bound: S) -> bool {
-    // Divides each term by its binomial coefficient. A loop over an array of these coefficients would convert `f64` at
-    // run time.
-    let (five, ten) = (S::constant(5.0), S::constant(10.0));
-    let [a, b, c, d, e, f] = terms;
-    let mut values = [a, b / five, c / ten, d / ten, e / five, f];
-    for pass in (0..QUICK - 1).rev() {
-        let mut before = S::constant(0.0);
-        for value in values.iter_mut().skip(pass) {
-            *value = *value + before;
-            before = *value;
-        }
-    }
-    // The margin, 1e-3 times the first coefficient `a`, is far larger than rounding errors.
-    let least = S::constant(1e-3) * a + bound;
-    values.iter().all(|value| *value > least)
+    // The margin, 1e-3 times the first coefficient, is far larger than rounding errors.
+    let least = S::constant(1e-3) * terms[0] + bound;
+    bernstein(terms).iter().all(|value| *value > least)
+}
+
+/// Returns the Bernstein coefficients on [0, 1] of the polynomial of degree 5 with the coefficients `terms`. The values of
+/// the polynomial lie between the smallest and the largest of them.
+fn bernstein<S: Float>([a, b, c, d, e, f]: [S; QUICK]) -> [S; QUICK] {
+    // Divides each term by its binomial coefficient, and then adds as in Pascal's triangle. Loops would take several
+    // times the instructions.
+    let (fifth, tenth) = (S::constant(0.2), S::constant(0.1));
+    let (b, c, d, e) = (fifth * b, tenth * c, tenth * d, fifth * e);
+    let f = f + e;
+    let e = e + d;
+    let f = f + e;
+    let d = d + c;
+    let e = e + d;
+    let f = f + e;
+    let c = c + b;
+    let d = d + c;
+    let e = e + d;
+    let f = f + e;
+    let b = b + a;
+    let c = c + b;
+    let d = d + c;
+    let e = e + d;
+    let f = f + e;
+    [a, b, c, d, e, f]
 }
 
 /// Returns the first point in [0, 1] at which the polynomial `terms` is no longer positive. The function bisects this

@@ -7,7 +7,7 @@ use super::roots::first_negative_within;
 use super::series::Series;
 use super::size::{Size, add, at, set, sign};
 use super::state::{FREE, STUCK, State};
-use super::table::{Leap, Room, Table, Tables, advance};
+use super::table::{Leap, NoTables, Room, Table, Tables};
 use super::tree::Tree;
 use super::wave::Wave;
 use crate::Float;
@@ -83,8 +83,8 @@ pub struct Motion<S: Float, Z: Size> {
     pub(super) tree: Tree<S, Z>,
     pub(super) stalls: usize,
     pub(super) limits: Limits,
-    /// Tables of whole stretches, if the motion uses them.
-    pub(super) tables: Z::Tables<S>,
+    /// Tables that searches for the steady state of this motion share.
+    pub(super) shared: Z::Shared<S>,
 }
 
 impl<S: Float, Z: Size> Motion<S, Z> {
@@ -99,8 +99,8 @@ impl<S: Float, Z: Size> Motion<S, Z> {
         state.keep_places(x);
         state.keep_speeds(v);
         let tree = Tree::new(&model, |_| false);
-        let tables = model.size.tables();
-        let mut motion = Self::at_start(model, state, tree, tables, S::constant(0.0));
+        let shared = model.size.shared();
+        let mut motion = Self::at_start(model, state, tree, shared, S::constant(0.0));
         motion.begin()?;
         Ok(motion)
     }
@@ -110,7 +110,7 @@ impl<S: Float, Z: Size> Motion<S, Z> {
         model: Model<S, Z>,
         state: State<S, Z>,
         tree: Tree<S, Z>,
-        tables: Z::Tables<S>,
+        shared: Z::Shared<S>,
         zero: S,
     ) -> Self {
         Self {
@@ -120,25 +120,13 @@ impl<S: Float, Z: Size> Motion<S, Z> {
             tree,
             stalls: 0,
             limits: Limits::NONE,
-            tables,
+            shared,
         }
     }
 
     /// Returns the time since the start of the motion.
     pub fn time(&self) -> S {
         self.time
-    }
-
-    /// Makes the motion use tables, if they exist for its loads. After this call the loads, the base and the friction
-    /// forces must not change.
-    #[must_use]
-    pub(super) fn with_tables(mut self) -> Self {
-        if self.model.has_tables() {
-            let count = self.model.coordinates();
-            let zeros = |count| self.model.size.cells(count, S::constant(0.0));
-            self.tables.enable(zeros(count), zeros(count * count));
-        }
-        self
     }
 
     /// Returns the present state of the masses and the contacts.
@@ -367,13 +355,24 @@ impl<S: Float, Z: Size> Motion<S, Z> {
         bounds: Bounds,
         watch: &mut impl Observe<S, Z>,
     ) -> Result<(), Halt> {
+        self.run_by(&mut NoTables, (until, bounds), watch)
+    }
+
+    /// Advances the motion as [`run`](Self::run) does, by the given tables. After the tables have been made, the loads,
+    /// the base and the friction forces must not change.
+    pub(super) fn run_by(
+        &mut self,
+        tables: &mut impl Tables<S, Z>,
+        (until, bounds): (S, Bounds),
+        watch: &mut impl Observe<S, Z>,
+    ) -> Result<(), Halt> {
         let (mut events, mut stretches) = (0, bounds.stretches);
         while stretches > 0 {
             if self.time >= until {
                 return Ok(());
             }
             let before = self.state.phases.clone();
-            let passed = self.step((until, &mut stretches), watch)?;
+            let passed = self.step(tables, (until, &mut stretches), watch)?;
             if passed && before != self.state.phases {
                 watch.event(self.time, &before, &self.state.phases);
                 self.part();
@@ -394,16 +393,13 @@ impl<S: Float, Z: Size> Motion<S, Z> {
     /// `stretches`. Returns true if the motion passed an event.
     fn step(
         &mut self,
+        tables: &mut impl Tables<S, Z>,
         (until, stretches): (S, &mut usize),
         watch: &mut impl Observe<S, Z>,
     ) -> Result<bool, Halt> {
         let make = || Table::new(&self.model, &self.state, &self.tree);
-        if let Some(found) = self.tables.take(self.state.key(), make) {
-            let passed = self.step_by_table(found.as_ref(), (until, stretches), watch)?;
-            if !passed {
-                self.tables.keep(found);
-            }
-            return Ok(passed);
+        if let Some(found) = tables.find(self.state.key(), make) {
+            return self.step_by_table(found, (until, stretches), watch);
         }
         *stretches -= 1;
         self.step_by_series(until, watch)
@@ -412,36 +408,32 @@ impl<S: Float, Z: Size> Motion<S, Z> {
     /// Advances the motion by a table, as [`step`](Self::step) does.
     fn step_by_table(
         &mut self,
-        table: &Table<S, Z>,
+        (table, room): (&Table<S, Z>, &mut Room<Z::Coordinates<S>>),
         (until, stretches): (S, &mut usize),
         watch: &mut impl Observe<S, Z>,
     ) -> Result<bool, Halt> {
         let (one, stretch) = (S::constant(1.0), self.model.stretch);
-        let Room {
-            before,
-            after,
-            matrix,
-        } = self.tables.room();
         self.model
-            .write_coordinates(&self.state, self.time, before.as_mut());
+            .write_coordinates(&self.state, self.time, room.before.as_mut());
         let event = loop {
             *stretches -= 1;
             let last = crate::Scalar::min((until - self.time) / stretch, one);
             let start = (self.time, stretch);
-            let roots = table.next_events((&self.model, &self.state), before.as_ref(), start);
+            let before = room.before.as_ref();
+            let roots = table.next_events((&self.model, &self.state), before, start);
             let first = earliest(roots.as_ref());
             let fraction = crate::Scalar::min(first, last);
-            let matrix = table.matrix(fraction, matrix.as_mut());
-            advance(matrix, before.as_ref(), after.as_mut());
+            table.advance(&self.model, fraction, room);
             let leap = Leap {
                 table,
-                matrix,
-                before: before.as_ref(),
-                after: after.as_ref(),
+                model: &self.model,
+                length: fraction * stretch,
+                before: room.before.as_ref(),
+                after: room.after.as_ref(),
                 state: &self.state,
                 is_whole: fraction == one,
             };
-            leap.show(&self.model, (self.time, fraction), watch);
+            leap.show((self.time, fraction), watch);
             self.time = if last < one && first > last {
                 until
             } else {
@@ -454,13 +446,13 @@ impl<S: Float, Z: Size> Motion<S, Z> {
             if first <= last {
                 break Some((first, roots));
             }
-            let is_finite = after.as_ref().iter().all(|value| value.is_finite());
+            let is_finite = room.after.as_ref().iter().all(|value| value.is_finite());
             if !is_finite || self.time >= until || *stretches == 0 {
                 break None;
             }
-            core::mem::swap(before, after);
+            core::mem::swap(&mut room.before, &mut room.after);
         };
-        self.state.land(&self.model, after.as_ref());
+        self.state.land(&self.model, room.after.as_ref());
         self.tree.settle(&self.model, &mut self.state, self.time);
         let Some((first, roots)) = event else {
             return self.finite().map(|()| false);
@@ -615,7 +607,6 @@ impl<S: Float, Z: Size> Motion<S, Z> {
             return;
         }
         self.tree = Tree::new(&self.model, |j| self.state.phase(j) == STUCK);
-        self.tables.change();
     }
 
     /// Returns the present displacements and velocities of all nodes: the masses, the wall and the base.

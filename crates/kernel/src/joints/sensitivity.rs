@@ -79,7 +79,7 @@ pub fn vary(
     let first = start.state().phases.clone();
     let mut both = Both(&mut grazes, watch);
     let mut all = Both(&mut results, &mut both);
-    let search = &closing.search;
+    let search = &mut closing.search;
     let run = search.advance(&mut start, steady.period, &mut all);
     run.map_err(unsettled)?;
     results.close(&first, &start.state().phases);

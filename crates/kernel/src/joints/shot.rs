@@ -4,7 +4,7 @@ use super::model::{Contact, Model};
 use super::run::{Motion, Observe};
 use super::size::Size;
 use super::slid::Slips;
-use super::steady::{BOUNDS, Search};
+use super::steady::Search;
 use super::tangent::{Both, ShotSpan, Tangent};
 use crate::Float;
 use crate::errors::Halt;
@@ -35,7 +35,7 @@ impl<S: Float, Z: Size> Search<S, Z> {
     /// Advances the motion from a state to the end of one shot. If `derives` is true, the function also computes the
     /// derivatives.
     pub(super) fn shoot(
-        &self,
+        &mut self,
         start: &Motion<S, Z>,
         span: ShotSpan,
         derives: bool,
@@ -65,7 +65,7 @@ impl<S: Float, Z: Size> Search<S, Z> {
 
     /// Advances a motion to the end of a shot of the shooting method. A shot lasts `span`.
     pub(super) fn pass(
-        &self,
+        &mut self,
         motion: &mut Motion<S, Z>,
         span: ShotSpan,
         watch: &mut impl Observe<S, Z>,
@@ -73,9 +73,7 @@ impl<S: Float, Z: Size> Search<S, Z> {
         match span {
             ShotSpan::Cycles(cycles) => self.advance(motion, cycles, watch),
             ShotSpan::Half => {
-                let state = motion.state().clone();
-                motion.restart(state);
-                motion.run(S::constant(0.5) * self.cycle, BOUNDS, watch)?;
+                self.advance_half(motion, watch)?;
                 let state = motion.state().opposite();
                 motion.restart(state);
                 Ok(())

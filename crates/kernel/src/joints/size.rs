@@ -1,7 +1,7 @@
 //! Arrays that store the quantities of a chain. They have a fixed length in emitted code, and are vectors at run time.
 
 use super::stepper::Layout;
-use super::table::{NoTables, Room, Tables};
+use super::table::{LastTables, Tables};
 use core::fmt::Debug;
 
 /// A type whose values can be entries of the arrays.
@@ -37,18 +37,30 @@ pub trait Size: Clone + Debug + PartialEq + Sized {
     /// Type of an array of any length whose entries do not change.
     type Constants<T: Value>: AsRef<[T]> + Clone + Debug;
 
-    /// Type of an array of any length.
-    type Cells<T: Value>: Array<T>;
-    /// Storage of the tables of a motion.
+    /// Type of an array with one entry for each coordinate of the tables of a search.
+    type Coordinates<T: Value>: Array<T>;
+    /// Type of a square matrix of these coordinates, row by row.
+    type Matrix<T: Value>: AsRef<[T]> + AsMut<[T]>;
+    /// Type of the rows of a table. Each row has one entry for each coordinate.
+    type Rows<T: Value>: AsRef<[T]> + AsMut<[T]> + Clone + Debug;
+    /// Tables that several searches share.
+    type Shared<S: crate::Float>: Clone + Debug;
+    /// Storage of the tables of a search.
     type Tables<S: crate::Float>: Tables<S, Self>;
 
     /// True if contacts can be stops, or have a moving surface. If false, the compiler removes all code for them.
     const HAS_PARTS: bool;
 
-    /// Returns an array of `count` entries for tables. It is empty if the storage keeps no tables.
-    fn cells<T: Value>(&self, count: usize, value: T) -> Self::Cells<T>;
-    /// Returns a storage for a motion that uses no tables yet.
-    fn tables<S: crate::Float>(&self) -> Self::Tables<S>;
+    /// Returns an array that contains `value` for each of the `count` coordinates.
+    fn coordinates<T: Value>(&self, count: usize, value: T) -> Self::Coordinates<T>;
+    /// Returns a square matrix of `count` coordinates. All its entries are `value`.
+    fn matrix<T: Value>(&self, count: usize, value: T) -> Self::Matrix<T>;
+    /// Returns rows with together `count` entries, which are all `value`.
+    fn rows<T: Value>(&self, count: usize, value: T) -> Self::Rows<T>;
+    /// Returns tables that no other search shares.
+    fn shared<S: crate::Float>(&self) -> Self::Shared<S>;
+    /// Returns a storage for the tables of a search with `count` coordinates.
+    fn tables<S: crate::Float>(&self, shared: &Self::Shared<S>, count: usize) -> Self::Tables<S>;
     /// Returns an array without entries that do not change.
     fn none<T: Value>(&self) -> Self::Constants<T>;
     /// Returns an array that contains `value` for each mass.
@@ -75,6 +87,8 @@ pub trait Size: Clone + Debug + PartialEq + Sized {
 /// closed forms, U is 2N. LAW is the number of points of the friction law, or 0 if the kinetic friction is constant.
 /// ROW is the number of coordinates of a stepper that uses tables. PARTS is the number of stops and moving
 /// surfaces. STEP contains the other properties of a stepper that uses tables, as [`Layout::properties`] writes them.
+/// The search for a steady state keeps KEPT tables of C coordinates and ROWS rows, as
+/// [`table_sizes`](super::table_sizes) returns them.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Fixed<
     const N: usize,
@@ -87,7 +101,26 @@ pub struct Fixed<
     const ROW: usize = 0,
     const PARTS: usize = 0,
     const STEP: usize = 0,
+    const C: usize = 0,
+    const ROWS: usize = 0,
+    const KEPT: usize = 0,
 >;
+
+/// Rows of an array of fixed length, one after the other.
+#[derive(Clone, Copy, Debug)]
+pub struct Rows<T, const C: usize, const ROWS: usize>([[T; C]; ROWS]);
+
+impl<T, const C: usize, const ROWS: usize> AsRef<[T]> for Rows<T, C, ROWS> {
+    fn as_ref(&self) -> &[T] {
+        self.0.as_flattened()
+    }
+}
+
+impl<T, const C: usize, const ROWS: usize> AsMut<[T]> for Rows<T, C, ROWS> {
+    fn as_mut(&mut self) -> &mut [T] {
+        self.0.as_flattened_mut()
+    }
+}
 
 impl<
     const N: usize,
@@ -100,7 +133,10 @@ impl<
     const ROW: usize,
     const PARTS: usize,
     const STEP: usize,
-> Size for Fixed<N, NODES, M, L, U, SQUARE, LAW, ROW, PARTS, STEP>
+    const C: usize,
+    const ROWS: usize,
+    const KEPT: usize,
+> Size for Fixed<N, NODES, M, L, U, SQUARE, LAW, ROW, PARTS, STEP, C, ROWS, KEPT>
 {
     type Masses<T: Value> = [T; N];
     type Nodes<T: Value> = [T; NODES];
@@ -111,17 +147,30 @@ impl<
     type Points<T: Value> = [T; LAW];
     type Row<T: Value> = [T; ROW];
     type Constants<T: Value> = &'static [T];
-    type Cells<T: Value> = [T; 0];
-    type Tables<S: crate::Float> = NoTables<[S; 0]>;
+    type Coordinates<T: Value> = [T; C];
+    type Matrix<T: Value> = Rows<T, C, C>;
+    type Rows<T: Value> = Rows<T, C, ROWS>;
+    type Shared<S: crate::Float> = ();
+    type Tables<S: crate::Float> = LastTables<S, Self, KEPT>;
 
     const HAS_PARTS: bool = PARTS > 0;
 
-    fn cells<T: Value>(&self, _: usize, _: T) -> [T; 0] {
-        []
+    fn coordinates<T: Value>(&self, _: usize, value: T) -> [T; C] {
+        [value; C]
     }
 
-    fn tables<S: crate::Float>(&self) -> NoTables<[S; 0]> {
-        NoTables(Room::EMPTY)
+    fn matrix<T: Value>(&self, _: usize, value: T) -> Rows<T, C, C> {
+        Rows([[value; C]; C])
+    }
+
+    fn rows<T: Value>(&self, _: usize, value: T) -> Rows<T, C, ROWS> {
+        Rows([[value; C]; ROWS])
+    }
+
+    fn shared<S: crate::Float>(&self) {}
+
+    fn tables<S: crate::Float>(&self, (): &(), _: usize) -> LastTables<S, Self, KEPT> {
+        LastTables::new(self)
     }
 
     fn none<T: Value>(&self) -> &'static [T] {

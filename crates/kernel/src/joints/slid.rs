@@ -135,6 +135,13 @@ impl<S: Float, Z: Size> Observe<S, Z> for Count {
 pub(super) struct LargestDisplacement<S>(pub(super) S);
 
 impl<S: Float, Z: Size> Observe<S, Z> for LargestDisplacement<S> {
+    const NEEDS_SERIES: bool = false;
+
+    fn leap(&mut self, leap: &Leap<'_, S, Z>) {
+        let displacements = leap.before.iter().take(leap.state.x.as_ref().len());
+        self.0 = displacements.fold(self.0, |most, x| Scalar::max(most, x.abs()));
+    }
+
     fn stretch(&mut self, series: &Series<S, Z>, _: S, state: &State<S, Z>) {
         for mass in 0..state.x.as_ref().len() {
             self.0 = Scalar::max(self.0, series.displacement_at_start(mass).abs());

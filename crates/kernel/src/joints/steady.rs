@@ -26,8 +26,8 @@ const WARM: usize = 30;
 pub(super) const ATTEMPTS: usize = 6;
 /// Largest period of a steady state, in cycles of the load.
 pub const MAX_PERIOD: usize = 64;
-/// Number of cycles without sliding after which the search assumes that all contacts stick for ever. Without this
-/// assumption, the search would find no steady state of an undamped chain whose contacts stick, because its free
+/// Number of cycles without sliding after which the search assumes that all contacts stick for ever, even if it cannot
+/// prove this. Without this assumption, the search would find no steady state of an undamped chain whose contacts stick, because its free
 /// vibration never decays.
 const QUIET: usize = 128;
 /// Distance from a periodic motion at which the test of this motion ends, divided by the distance at the start of the
@@ -168,9 +168,9 @@ impl<S: Float, Z: Size> Motion<S, Z> {
         omega: S,
         near: Option<&Steady<S, Z>>,
     ) -> Result<Option<Steady<S, Z>>, Halt> {
-        let mut motion = self.clone().with_tables();
-        let found = motion.reach(omega, (ATTEMPTS, Place::Centred), near, &mut |_, _| {})?;
-        Ok(found.ok())
+        let mut search = Search::by_tables(self, omega, S::constant(1.0));
+        let asked = (ATTEMPTS, Place::Centred);
+        search.reach(&mut self.clone(), asked, near, &mut |_, _| {})
     }
 
     /// Searches for the steady state that the motion reaches, under loads of the angular frequency ω. A contact that
@@ -184,9 +184,9 @@ impl<S: Float, Z: Size> Motion<S, Z> {
     ///
     /// [`Halt`] if the motion exceeds a bound.
     pub fn settle_from(&self, omega: S) -> Result<Option<Steady<S, Z>>, Halt> {
-        let mut motion = self.clone().with_tables();
-        let found = motion.reach(omega, (ATTEMPTS, Place::Reached), None, &mut |_, _| {})?;
-        Ok(found.ok())
+        let mut search = Search::by_tables(self, omega, S::constant(1.0));
+        let asked = (ATTEMPTS, Place::Reached);
+        search.reach(&mut self.clone(), asked, None, &mut |_, _| {})
     }
 
     /// Searches as [`settle`](Self::settle) does, or as [`settle_from`](Self::settle_from) if `place` is
@@ -198,46 +198,17 @@ impl<S: Float, Z: Size> Motion<S, Z> {
     ///
     /// [`Halt`] if the motion exceeds a bound.
     pub fn settle_soon(&self, omega: S, attempts: usize, place: Place) -> Result<Soon<S, Z>, Halt> {
-        let mut motion = self.clone().with_tables();
-        let search = match motion.reach(omega, (attempts, place), None, &mut |_, _| {})? {
-            Ok(steady) => return Ok(Ok(steady)),
-            Err(search) => search,
-        };
+        let mut motion = self.clone();
+        let mut search = Search::by_tables(self, omega, S::constant(1.0));
+        let found = search.reach(&mut motion, (attempts, place), None, &mut |_, _| {})?;
+        if let Some(steady) = found {
+            return Ok(Ok(steady));
+        }
         let mut watch = Watch::new(motion.model());
         search.advance(&mut motion, MAX_PERIOD, &mut watch)?;
         Ok(Err(watch.cycle(search.length(MAX_PERIOD))))
     }
 
-    /// Searches for a steady state, by Newton's method from `near` if the steady state is the only one. Afterwards the
-    /// motion is at the end of the last cycle that the search has followed. If the motion does not settle, the function
-    /// returns the search. `others` is that of [`Search::followed`].
-    pub(super) fn reach(
-        &mut self,
-        omega: S,
-        (attempts, place): (usize, Place),
-        near: Option<&Steady<S, Z>>,
-        others: &mut impl FnMut(Steady<S, Z>, S),
-    ) -> Result<Result<Steady<S, Z>, Search<S, Z>>, Halt> {
-        let mut search = Search::new(self, omega, S::constant(1.0));
-        let start = (place == Place::Centred).then(|| self.clone());
-        // If this search exceeds a bound, the code ignores the error, because the search below may still find a steady
-        // state.
-        if let Some(start) = &start {
-            if let Ok(Some(steady)) = search.only(start, near) {
-                return Ok(Ok(steady));
-            }
-            search = Search::new(self, omega, S::constant(1.0));
-        }
-        let found = search.followed(self, attempts, others)?;
-        Ok(match (found, &start) {
-            (None, _) => Err(search),
-            (Some(steady), None) => Ok(steady),
-            (Some(steady), Some(start)) => Ok(search.centred(start, steady)?),
-        })
-    }
-}
-
-impl<S: Float, Z: Size> Motion<S, Z> {
     /// Searches for a periodic motion near the present state by Newton's method alone, under loads of the angular
     /// frequency ω. `period` is the number of cycles of the load in a period. The search divides displacements by
     /// `place`, which must be about as large as the displacements. Returns `None` if Newton's method does not
@@ -251,8 +222,7 @@ impl<S: Float, Z: Size> Motion<S, Z> {
         omega: S,
         (period, place): (usize, S),
     ) -> Result<Option<Steady<S, Z>>, Halt> {
-        let motion = self.clone().with_tables();
-        let mut search = Search::new(self, omega, place);
+        let mut search = Search::by_tables(self, omega, place);
         // Where the steady state is the only one, contacts that never slide stay centred.
         let centres = period == 1 && self.model().is_contraction() && search.is_odd(self.model());
         let span = if centres {
@@ -260,9 +230,9 @@ impl<S: Float, Z: Size> Motion<S, Z> {
         } else {
             ShotSpan::Cycles(period)
         };
-        let found = search.newton(&motion, span)?;
+        let found = search.newton(self, span)?;
         match found {
-            Some(steady) if period > 1 && search.repeats_earlier(&motion, &steady)? => Ok(None),
+            Some(steady) if period > 1 && search.repeats_earlier(self, &steady)? => Ok(None),
             found => Ok(found),
         }
     }
@@ -274,11 +244,11 @@ impl<S: Float, Z: Size> Motion<S, Z> {
     ///
     /// [`Halt`] if the motion exceeds a bound.
     pub fn refine_symmetric(&self, omega: S, place: S) -> Result<Option<Steady<S, Z>>, Halt> {
-        let mut search = Search::new(self, omega, place);
+        let mut search = Search::by_tables(self, omega, place);
         if !search.is_odd(self.model()) {
             return Ok(None);
         }
-        search.newton(&self.clone().with_tables(), ShotSpan::Half)
+        search.newton(self, ShotSpan::Half)
     }
 }
 
@@ -291,7 +261,7 @@ impl Motion<f64, super::heap::Heap> {
     ///
     /// [`Halt`] if the motion exceeds a bound.
     pub fn mirrored(&self, omega: f64) -> Result<Option<Self>, Halt> {
-        let search = Search::new(self, omega, 1.0);
+        let mut search = Search::new(self, omega, 1.0);
         if !search.is_odd(self.model()) {
             return Ok(None);
         }
@@ -316,6 +286,8 @@ pub(super) struct Search<S: Float, Z: Size> {
     /// Number of cycles for which the search has followed the motion.
     pub(super) cycles: usize,
     pub(super) tolerances: Tolerances<S>,
+    /// Tables for the chain and the loads of the motion, if the search uses them.
+    tables: Option<Z::Tables<S>>,
 }
 
 impl<S: Float, Z: Size> Search<S, Z> {
@@ -328,7 +300,44 @@ impl<S: Float, Z: Size> Search<S, Z> {
             quiet: 0,
             cycles: 0,
             tolerances: Tolerances::new(),
+            tables: None,
         }
+    }
+
+    /// Returns a search that uses tables, if they exist for the loads of the motion.
+    pub(super) fn by_tables(motion: &Motion<S, Z>, omega: S, place: S) -> Self {
+        let model = motion.model();
+        let tables = || model.size.tables(&motion.shared, model.coordinates());
+        Self {
+            tables: model.has_tables().then(tables),
+            ..Self::new(motion, omega, place)
+        }
+    }
+
+    /// Searches for a steady state, by Newton's method from `near` if the steady state is the only one. Afterwards the
+    /// motion is at the end of the last cycle that the search has followed. `others` is that of
+    /// [`followed`](Self::followed).
+    pub(super) fn reach(
+        &mut self,
+        motion: &mut Motion<S, Z>,
+        (attempts, place): (usize, Place),
+        near: Option<&Steady<S, Z>>,
+        others: &mut impl FnMut(Steady<S, Z>, S),
+    ) -> Result<Option<Steady<S, Z>>, Halt> {
+        if place == Place::Reached {
+            return self.followed(motion, attempts, others);
+        }
+        let start = motion.clone();
+        // If this search exceeds a bound, the code ignores the error, because the search below may still find a steady
+        // state.
+        if let Ok(Some(steady)) = self.only(&start, near) {
+            return Ok(Some(steady));
+        }
+        self.moving = start.model().size.contacts(false);
+        let Some(steady) = self.followed(motion, attempts, others)? else {
+            return Ok(None);
+        };
+        self.centred(&start, steady).map(Some)
     }
 
     /// Advances the motion by a number of cycles. Returns the shortest period, in cycles, after which the last states
@@ -386,7 +395,9 @@ impl<S: Float, Z: Size> Search<S, Z> {
     ) -> Result<Option<Steady<S, Z>>, Halt> {
         let mut cycles = WARM;
         for _ in 0..attempts {
-            let period = self.warm(motion, cycles)?;
+            // A motion that has not slid so far need not be followed any longer than `QUIET`.
+            let left = QUIET.saturating_sub(self.quiet).max(WARM);
+            let period = self.warm(motion, cycles.min(left))?;
             for period in [Some(1), period.filter(|&period| period > 1)]
                 .into_iter()
                 .flatten()
@@ -421,13 +432,19 @@ impl<S: Float, Z: Size> Search<S, Z> {
         motion: &mut Motion<S, Z>,
         steady: &Steady<S, Z>,
     ) -> Result<bool, Halt> {
-        let slides = self.moving.as_ref().contains(&true);
-        if self.quiet >= QUIET && !slides && steady.is_bounded(self.tolerances.noise) {
+        if self.is_stuck(motion, steady) {
             return Ok(true);
         }
         let is_bounded = steady.is_bounded(self.tolerances.noise);
         let is_there = is_bounded && self.away(motion.state(), steady) <= self.tolerances.close;
         Ok((steady.is_stable() || is_there) && self.confirm(motion, steady)?)
+    }
+
+    /// Returns true if no contact slides in a steady state, and if the motion, too, has no contact that slides from now on.
+    fn is_stuck(&self, motion: &Motion<S, Z>, steady: &Steady<S, Z>) -> bool {
+        !self.moving.as_ref().contains(&true)
+            && steady.is_bounded(self.tolerances.noise)
+            && (self.quiet >= QUIET || motion.sticks_for_ever(steady))
     }
 
     /// Returns true if Newton's method finds the same periodic motion from the present state of a motion that approaches
@@ -438,7 +455,7 @@ impl<S: Float, Z: Size> Search<S, Z> {
         steady: &Steady<S, Z>,
     ) -> Result<bool, Halt> {
         let is_close = self.away(motion.state(), steady) <= self.tolerances.close;
-        if is_close || motion.model().is_contraction() {
+        if is_close || self.is_stuck(motion, steady) || motion.model().is_contraction() {
             return Ok(true);
         }
         let found = self.newton(motion, ShotSpan::Cycles(steady.period))?;
@@ -476,7 +493,7 @@ impl<S: Float, Z: Size> Search<S, Z> {
 
     /// Returns true if a periodic motion already repeats after fewer cycles than its period.
     pub(super) fn repeats_earlier(
-        &self,
+        &mut self,
         motion: &Motion<S, Z>,
         steady: &Steady<S, Z>,
     ) -> Result<bool, Halt> {
@@ -502,7 +519,7 @@ impl<S: Float, Z: Size> Search<S, Z> {
     /// Advances the motion by a number of cycles. The motion must be at a maximum of the load. At the start of each
     /// cycle the time is set to 0.
     pub(super) fn advance(
-        &self,
+        &mut self,
         motion: &mut Motion<S, Z>,
         cycles: usize,
         watch: &mut impl Observe<S, Z>,
@@ -510,9 +527,21 @@ impl<S: Float, Z: Size> Search<S, Z> {
         for _ in 0..cycles {
             let state = motion.state().clone();
             motion.restart(state);
-            motion.run(self.cycle, BOUNDS, watch)?;
+            motion.run_by(&mut self.tables, (self.cycle, BOUNDS), watch)?;
         }
         Ok(())
+    }
+
+    /// Advances the motion by half a cycle from a maximum of the load, and sets the time to 0 at its start.
+    pub(super) fn advance_half(
+        &mut self,
+        motion: &mut Motion<S, Z>,
+        watch: &mut impl Observe<S, Z>,
+    ) -> Result<(), Halt> {
+        let state = motion.state().clone();
+        motion.restart(state);
+        let half = S::constant(0.5) * self.cycle;
+        motion.run_by(&mut self.tables, (half, BOUNDS), watch)
     }
 
     /// Returns the duration of a number of cycles of the load.
@@ -524,7 +553,7 @@ impl<S: Float, Z: Size> Search<S, Z> {
     /// may drift. The function therefore first subtracts the mean velocity of each mass times the time. The centred
     /// amplitude is half the distance between the smallest and the largest displacement of the mass.
     fn about_its_mean(
-        &self,
+        &mut self,
         motion: &Motion<S, Z>,
         mut steady: Steady<S, Z>,
     ) -> Result<Steady<S, Z>, Halt> {
@@ -562,23 +591,35 @@ impl<S: Float, Z: Size> Search<S, Z> {
             expected = expected * rate;
             periods += 1;
         }
-        let mut slips = Slips::new(motion.model());
-        let before = self.away(motion.state(), steady);
-        self.advance(motion, periods / 2 * steady.period, &mut slips)?;
-        let middle = self.away(motion.state(), steady);
-        let rest = periods.div_ceil(2);
-        self.advance(motion, rest * steady.period, &mut slips)?;
-        let after = self.away(motion.state(), steady);
+        let (first, rest) = (periods / 2, periods.div_ceil(2));
         self.cycles += periods * steady.period;
-        let slides = slips.slides_in(motion.model(), periods);
-        let mut slides = slides.as_ref().iter().zip(steady.marginal.as_ref());
-        if slides.any(|(slides, marginal)| *slides && *marginal) {
+        let before = self.away(motion.state(), steady);
+        let slides = self.slides_beside(motion, steady, first)?;
+        let middle = self.away(motion.state(), steady);
+        let slides = self.slides_beside(motion, steady, rest)? || slides;
+        let after = self.away(motion.state(), steady);
+        if slides {
             return Ok(false);
         }
         let falls = after <= half * (one + expected) * before;
         let is_near = middle <= before && after <= furthest(rate, rest) * middle;
         let is_near = is_near || motion.model().is_contraction();
         Ok(after <= self.tolerances.close || (falls && is_near))
+    }
+
+    /// Advances the motion by a number of periods. Returns true if a contact slides in this time that does not slide in
+    /// the periodic motion.
+    fn slides_beside(
+        &mut self,
+        motion: &mut Motion<S, Z>,
+        steady: &Steady<S, Z>,
+        periods: usize,
+    ) -> Result<bool, Halt> {
+        let mut slips = Slips::new(motion.model());
+        self.advance(motion, periods * steady.period, &mut slips)?;
+        let slides = slips.slides_in(motion.model(), periods);
+        let mut slides = slides.as_ref().iter().zip(steady.marginal.as_ref());
+        Ok(slides.any(|(slides, marginal)| *slides && *marginal))
     }
 
     /// Returns the largest difference between a state and the initial state of a periodic motion, divided by the sizes

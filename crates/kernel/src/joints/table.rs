@@ -3,9 +3,9 @@
 //! Between events the motion is linear in its *coordinates*: those of a deviation (displacements, velocities and
 //! contact forces), and two coordinates a cos θ and a sin θ for each load and for the base, where θ = ωt + φ. The
 //! table of a stretch is the power series of the motion for each coordinate equal to 1 and all others equal to 0. Its sum
-//! is a matrix that advances the coordinates by the stretch, or by a fraction of it. The same series gives the first
-//! coefficients of each watched quantity: the relative velocity of a contact that slides, and the force of one that
-//! sticks.
+//! is a matrix that advances the coordinates by the stretch. The same series gives the coefficients of each watched
+//! quantity: the relative velocity of a contact that slides, and the force of one that sticks. The power series of one
+//! motion advances its coordinates by a fraction of the stretch.
 
 use super::least::dot;
 use super::model::{Contact, Model};
@@ -20,61 +20,87 @@ use super::tree::Tree;
 use super::wave::Wave;
 use crate::Float;
 
-/// Tables of a motion, one for each set of sticking contacts.
-pub trait Tables<S: Float, Z: Size>: Clone + core::fmt::Debug {
-    /// A table of the storage.
-    type Found: AsRef<Table<S, Z>>;
+/// A table, and the memory for a stretch.
+pub type Found<'t, S, Z> = (&'t Table<S, Z>, &'t mut Room<<Z as Size>::Coordinates<S>>);
 
-    /// Makes the motion use tables from now on. `coordinates` has one entry for each coordinate, and `matrix` is a square
-    /// matrix of them.
-    fn enable(&mut self, coordinates: Z::Cells<S>, matrix: Z::Cells<S>);
-    /// Takes the table with the given key. If the storage has none, it keeps the result of `make`. Returns `None` if
-    /// the motion uses no tables.
-    fn take(&mut self, key: u64, make: impl FnOnce() -> Table<S, Z>) -> Option<Self::Found>;
-    /// Keeps a table for the next call of [`take`](Self::take) with the same key.
-    fn keep(&mut self, found: Self::Found);
-    /// Forgets the table that [`keep`](Self::keep) has received, because the set of sticking contacts changes.
-    fn change(&mut self);
-    /// Returns the memory for a stretch.
-    fn room(&mut self) -> &mut Room<Z::Cells<S>>;
+/// Tables of a search, one for each set of sticking contacts.
+pub trait Tables<S: Float, Z: Size>: core::fmt::Debug {
+    /// Returns the table with the given key, and the memory for a stretch. If the storage has no such table, it keeps the
+    /// result of `make`. Returns `None` if the search uses no tables.
+    fn find(&mut self, key: u64, make: impl FnOnce() -> Table<S, Z>) -> Option<Found<'_, S, Z>>;
 }
 
-/// Memory for a stretch: the coordinates at its start and at its end, and a matrix that maps the first to the second.
-#[derive(Clone, Copy, Debug, Default)]
+/// Memory for a stretch: the coordinates at its start and at its end, and two coefficients of their power series.
+#[derive(Clone, Debug)]
 pub struct Room<C> {
     pub(super) before: C,
     pub(super) after: C,
-    pub(super) matrix: C,
+    pub(super) term: C,
+    pub(super) raised: C,
 }
 
-impl<S> Room<[S; 0]> {
-    /// Memory of a motion without tables.
-    pub(super) const EMPTY: Self = Self {
-        before: [],
-        after: [],
-        matrix: [],
-    };
+impl<C: Clone> Room<C> {
+    pub(super) fn new(zeros: C) -> Self {
+        Self {
+            before: zeros.clone(),
+            after: zeros.clone(),
+            term: zeros.clone(),
+            raised: zeros,
+        }
+    }
 }
 
-/// A storage without tables, for emitted code.
+/// Storage of a motion that advances by power series alone.
 #[derive(Clone, Copy, Debug)]
-pub struct NoTables<C>(pub(super) Room<C>);
+pub struct NoTables;
 
-impl<S: Float, Z: Size> Tables<S, Z> for NoTables<Z::Cells<S>> {
-    type Found = Table<S, Z>;
-
-    fn enable(&mut self, _: Z::Cells<S>, _: Z::Cells<S>) {}
-
-    fn take(&mut self, _: u64, _: impl FnOnce() -> Table<S, Z>) -> Option<Table<S, Z>> {
+impl<S: Float, Z: Size> Tables<S, Z> for NoTables {
+    fn find(&mut self, _: u64, _: impl FnOnce() -> Table<S, Z>) -> Option<Found<'_, S, Z>> {
         None
     }
+}
 
-    fn keep(&mut self, _: Table<S, Z>) {}
+/// A storage that may be missing.
+impl<S: Float, Z: Size, T: Tables<S, Z>> Tables<S, Z> for Option<T> {
+    fn find(&mut self, key: u64, make: impl FnOnce() -> Table<S, Z>) -> Option<Found<'_, S, Z>> {
+        self.as_mut()?.find(key, make)
+    }
+}
 
-    fn change(&mut self) {}
+/// Storage of emitted code: at most `KEPT` tables. A further table replaces the oldest.
+#[derive(Clone, Debug)]
+pub struct LastTables<S: Float, Z: Size, const KEPT: usize> {
+    tables: [Option<(u64, Table<S, Z>)>; KEPT],
+    /// Index of the oldest table.
+    oldest: usize,
+    room: Room<Z::Coordinates<S>>,
+}
 
-    fn room(&mut self) -> &mut Room<Z::Cells<S>> {
-        &mut self.0
+impl<S: Float, Z: Size, const KEPT: usize> LastTables<S, Z, KEPT> {
+    pub(super) fn new(size: &Z) -> Self {
+        Self {
+            tables: [const { None }; KEPT],
+            oldest: 0,
+            room: Room::new(size.coordinates(0, S::constant(0.0))),
+        }
+    }
+}
+
+impl<S: Float, Z: Size, const KEPT: usize> Tables<S, Z> for LastTables<S, Z, KEPT> {
+    fn find(&mut self, key: u64, make: impl FnOnce() -> Table<S, Z>) -> Option<Found<'_, S, Z>> {
+        let mut kept = self.tables.iter();
+        let is_found = |kept: &Option<(u64, _)>| kept.as_ref().is_some_and(|(own, _)| *own == key);
+        let index = match kept.position(is_found) {
+            Some(index) => index,
+            None => {
+                let index = self.oldest;
+                *self.tables.get_mut(index)? = Some((key, make()));
+                self.oldest = if index + 1 < KEPT { index + 1 } else { 0 };
+                index
+            }
+        };
+        let (_, table) = self.tables.get(index)?.as_ref()?;
+        Some((table, &mut self.room))
     }
 }
 
@@ -85,30 +111,67 @@ pub struct Table<S: Float, Z: Size> {
     width: usize,
     /// Number of all coordinates.
     count: usize,
-    /// Matrix that advances all coordinates by the stretch, row by row.
-    whole: Z::Cells<S>,
-    /// The coefficients of this matrix as a power series of the elapsed fraction of the stretch: a matrix for each order.
-    orders: Z::Cells<S>,
-    /// Accelerations of the masses, one row for each mass.
-    accelerations: Z::Cells<S>,
-    /// Forces of the rigid contacts that stick, one row for each contact.
-    holds: Z::Cells<S>,
-    /// Stiffness of each elastic contact that sticks and whose force changes, otherwise 0.
+    /// Blocks of rows with one entry for each coordinate, in the order of [`Block`].
+    rows: Z::Rows<S>,
+    /// Stiffness of each elastic contact that sticks and whose force changes, otherwise 0. The force does not change if
+    /// rigid contacts hold the two nodes together. Rounding would else move it beyond its limit.
     stiffnesses: Z::Contacts<S>,
-    /// Angular frequencies of the loads and of the base.
-    omegas: Z::Cells<S>,
+}
+
+/// A block of rows in a table.
+#[derive(Clone, Copy)]
+enum Block {
+    /// Matrix that advances all coordinates by the stretch.
+    Whole,
+    /// Angular frequencies of the loads and of the base, in one row.
+    Frequencies,
+    /// Accelerations of the masses: a row for each mass.
+    Accelerations,
+    /// Forces of the rigid contacts that stick: a row for each contact.
+    Holds,
+    /// For each contact, two rows whose products with the absolute values of the coordinates are bounds on sums of
+    /// absolute coefficients: from the order 1 on, and from the order [`QUICK`] on.
+    Tails,
     /// Power series of the watched quantities: a row for each coefficient of each contact.
-    watched: Z::Cells<S>,
-    /// For each contact, a row whose product with the absolute values of the coordinates is a bound on the sum of the
-    /// coefficients from the order [`QUICK`] on.
-    tails: Z::Cells<S>,
+    Watched,
+}
+
+impl Block {
+    /// Returns the index of the first row. The table has the given numbers of coordinates, masses and contacts.
+    const fn first(self, [count, masses, contacts]: [usize; 3]) -> usize {
+        let accelerations = count + 1;
+        let holds = accelerations + masses;
+        match self {
+            Self::Whole => 0,
+            Self::Frequencies => count,
+            Self::Accelerations => accelerations,
+            Self::Holds => holds,
+            Self::Tails => holds + contacts,
+            Self::Watched => holds + 3 * contacts,
+        }
+    }
+}
+
+/// Returns the number of rows of a table with the given numbers of coordinates, masses and contacts, and of coefficients
+/// of a power series.
+const fn rows_of(counts: [usize; 3], terms: usize) -> usize {
+    Block::Watched.first(counts) + counts[2] * terms
+}
+
+/// Returns the numbers of coordinates and of rows of a table for a chain with the given numbers of masses, contacts and
+/// waves. A wave is a load, or the motion of the base. `S` is the number type.
+#[must_use]
+pub fn table_sizes<S: Float>([masses, contacts, waves]: [usize; 3]) -> [usize; 2] {
+    let count = 2 * masses + contacts + 2 * waves;
+    [count, rows_of([count, masses, contacts], terms_of::<S>())]
 }
 
 /// A stretch that a table has advanced: the coordinates of the motion at both ends.
 pub struct Leap<'t, S: Float, Z: Size> {
     pub(super) table: &'t Table<S, Z>,
-    /// Matrix that maps the coordinates at the start to those at the end, row by row.
-    pub(super) matrix: &'t [S],
+    pub(super) model: &'t Model<S, Z>,
+    /// Duration of the stretch.
+    pub(super) length: S,
     /// Coordinates at the start of the stretch.
     pub(super) before: &'t [S],
     /// Coordinates at the end of the stretch.
@@ -122,27 +185,21 @@ pub struct Leap<'t, S: Float, Z: Size> {
 impl<S: Float, Z: Size> Leap<'_, S, Z> {
     /// Passes the stretch to an observer, as a power series if the observer needs one. `start` is the instant at which the
     /// stretch starts, and `fraction` its duration over that of a whole stretch.
-    pub(super) fn show<W: Observe<S, Z>>(
-        &self,
-        model: &Model<S, Z>,
-        (start, fraction): (S, S),
-        watch: &mut W,
-    ) {
+    pub(super) fn show<W: Observe<S, Z>>(&self, (start, fraction): (S, S), watch: &mut W) {
         if !W::NEEDS_SERIES {
             watch.leap(self);
             return;
         }
-        let series = self.table.series(model, start, self.before);
-        watch.follow(model, &series, fraction, self.state);
+        let series = self.table.series(self.model, start, self.before);
+        watch.follow(self.model, &series, fraction, self.state);
         watch.stretch(&series, fraction, self.state);
     }
 
     /// Returns the relative displacement of a contact between two nodes, at the start and at the end of the stretch.
     pub(super) fn places(&self, (plus, minus): (usize, usize)) -> (S, S) {
-        let masses = self.state.x.as_ref().len();
         let place = |coordinates: &[S]| {
             let [plus, minus] =
-                [plus, minus].map(|node| self.table.place(masses, node, coordinates));
+                [plus, minus].map(|node| self.table.place(self.model, node, coordinates));
             plus - minus
         };
         (place(self.before), place(self.after))
@@ -150,10 +207,15 @@ impl<S: Float, Z: Size> Leap<'_, S, Z> {
 }
 
 impl<S: Float, Z: Size> Model<S, Z> {
-    /// Returns the functions of time that act on the chain: the loads, then the displacement of the base.
+    /// Returns the functions of time that act on the chain: the loads, then the displacement of a base that moves.
     fn waves(&self) -> impl Iterator<Item = &Wave<S>> {
         let loads = self.loads.as_ref().iter().map(|(_, wave)| wave);
-        loads.chain([&self.base.wave])
+        loads.chain(self.base_moves().then_some(&self.base.wave))
+    }
+
+    /// Returns true if the displacement of the base is a coordinate.
+    fn base_moves(&self) -> bool {
+        !self.base.wave.omega.is_zero()
     }
 
     /// Returns the number of coordinates of a deviation: 2N + M.
@@ -163,7 +225,7 @@ impl<S: Float, Z: Size> Model<S, Z> {
 
     /// Returns the number of coordinates of a motion.
     pub(super) fn coordinates(&self) -> usize {
-        self.width() + 2 * (self.loads.as_ref().len() + 1)
+        self.width() + 2 * self.waves().count()
     }
 
     /// Returns true if tables can advance the motion: all loads and the base are harmonic, and the friction of no
@@ -172,6 +234,7 @@ impl<S: Float, Z: Size> Model<S, Z> {
         let steady = |wave: &Wave<S>| wave.constant.is_zero() && wave.slope.is_zero();
         self.contacts().len() <= 64
             && self.waves().all(steady)
+            && (self.base_moves() || self.base.is_zero())
             && !self.base.bends()
             && self.contacts().iter().all(Contact::has_constant_level)
             && self.law.as_ref().is_empty()
@@ -197,54 +260,95 @@ impl<S: Float, Z: Size> Model<S, Z> {
     }
 }
 
-impl<S: Float, Z: Size> AsRef<Self> for Table<S, Z> {
-    fn as_ref(&self) -> &Self {
-        self
-    }
-}
-
 impl<S: Float, Z: Size> Table<S, Z> {
     /// Computes the table for the phases in `state`. `tree` contains the trees of the rigid contacts that stick.
     pub(super) fn new(model: &Model<S, Z>, state: &State<S, Z>, tree: &Tree<S, Z>) -> Self {
         Builder::new(model, state, tree).table()
     }
 
+    fn counts(&self) -> [usize; 3] {
+        let contacts = self.stiffnesses.as_ref().len();
+        [self.count, (self.width - contacts) / 2, contacts]
+    }
+
+    /// Returns the rows of a block from the given row on, one after the other. Rows of further blocks follow.
+    fn block(&self, block: Block, row: usize) -> &[S] {
+        let first = block.first(self.counts()) + row;
+        let rows = self.rows.as_ref().get(first * self.count..);
+        rows.unwrap_or_default()
+    }
+
+    fn block_mut(&mut self, block: Block, row: usize) -> &mut [S] {
+        let first = block.first(self.counts()) + row;
+        let rows = self.rows.as_mut().get_mut(first * self.count..);
+        rows.unwrap_or_default()
+    }
+
+    fn row(&self, block: Block, row: usize) -> &[S] {
+        let row = self.block(block, row).get(..self.count);
+        row.unwrap_or_default()
+    }
+
+    /// Returns the matrix that advances the coordinates by the whole stretch, row by row.
+    pub(super) fn whole(&self) -> &[S] {
+        let matrix = self.rows.as_ref().get(..self.count * self.count);
+        matrix.unwrap_or_default()
+    }
+
     /// Returns the acceleration of each mass as a row of all coordinates.
     pub(super) fn accelerations(&self) -> impl Iterator<Item = &[S]> {
-        self.accelerations.as_ref().chunks_exact(self.count.max(1))
+        let [_, masses, _] = self.counts();
+        let rows = self.block(Block::Accelerations, 0);
+        rows.chunks_exact(self.count.max(1)).take(masses)
     }
 
     /// Returns the force of a rigid contact that sticks as a row of all coordinates.
     pub(super) fn hold(&self, contact: usize) -> &[S] {
-        let hold = self.holds.as_ref().get(contact * self.count..);
-        hold.and_then(|row| row.get(..self.count))
-            .unwrap_or_default()
+        self.row(Block::Holds, contact)
     }
 
-    /// Returns the matrix that advances the coordinates by a fraction of the stretch. `room` has the size of the matrix.
-    pub(super) fn matrix<'r>(&'r self, fraction: S, room: &'r mut [S]) -> &'r [S] {
+    /// Advances the coordinates in `room` by a fraction of the stretch.
+    pub(super) fn advance(
+        &self,
+        model: &Model<S, Z>,
+        fraction: S,
+        room: &mut Room<Z::Coordinates<S>>,
+    ) {
+        let (before, after) = (room.before.as_ref(), room.after.as_mut());
         if fraction == S::constant(1.0) {
-            return self.whole.as_ref();
+            let rows = self.whole().chunks_exact(self.count.max(1));
+            for (entry, row) in after.iter_mut().zip(rows) {
+                *entry = dot(row, before);
+            }
+            return;
         }
-        let size = room.len();
-        room.fill(S::constant(0.0));
-        for order in (0..orders_of(fraction)).rev() {
-            let terms = self.orders.as_ref().get(order * size..(order + 1) * size);
-            for (entry, term) in room.iter_mut().zip(terms.unwrap_or_default()) {
-                *entry = fraction * *entry + *term;
+        after.copy_from_slice(before);
+        room.term.as_mut().copy_from_slice(before);
+        for order in 1..orders_of(fraction) {
+            let terms = (room.term.as_mut(), room.raised.as_mut());
+            self.raise(model, fraction * model.stretch / S::whole(order), terms);
+            let after = room.after.as_mut().iter_mut();
+            for (sum, term) in after.zip(room.term.as_ref()) {
+                *sum = *sum + *term;
             }
         }
-        room
+    }
+
+    /// Replaces the coefficients of a power series by those of the next order. `next` is the duration of the stretch over
+    /// the order, and `rates` is working memory.
+    fn raise(&self, model: &Model<S, Z>, next: S, (term, rates): (&mut [S], &mut [S])) {
+        self.rates(model, term, rates);
+        for (term, rate) in term.iter_mut().zip(rates) {
+            *term = next * *rate;
+        }
     }
 
     /// Returns the power series of the motion over a whole stretch that starts at the instant `start`.
     fn series(&self, model: &Model<S, Z>, start: S, before: &[S]) -> Series<S, Z> {
         let mut series = Series::nothing(model, (start, model.stretch));
-        let mut term = model.size.cells(self.count, S::constant(0.0));
+        let mut term = model.size.coordinates(self.count, S::constant(0.0));
         let mut raised = term.clone();
-        for (term, value) in term.as_mut().iter_mut().zip(before) {
-            *term = *value;
-        }
+        term.as_mut().copy_from_slice(before);
         let mut forces = model.size.contacts(S::constant(0.0));
         for order in 0..terms_of::<S>() {
             let terms = term.as_ref();
@@ -252,15 +356,12 @@ impl<S: Float, Z: Size> Table<S, Z> {
                 *force = self.force(model, (j, terms));
             }
             let base = [
-                self.place(model.wall(), model.base_node(), terms),
+                self.place(model, model.base_node(), terms),
                 self.speed(model, model.base_node(), terms),
             ];
             series.put(order, terms, (base, forces.as_ref()));
-            self.rates(model, terms, raised.as_mut());
             let next = model.stretch / S::whole(order + 1);
-            for (term, rate) in term.as_mut().iter_mut().zip(raised.as_ref()) {
-                *term = next * *rate;
-            }
+            self.raise(model, next, (term.as_mut(), raised.as_mut()));
         }
         series
     }
@@ -290,20 +391,19 @@ impl<S: Float, Z: Size> Table<S, Z> {
         }
         let values = coordinates.get(self.width..).unwrap_or_default();
         let (rates, values) = (waves.as_chunks_mut::<2>().0, values.as_chunks::<2>().0);
-        for ((rate, [cosine, sine]), omega) in
-            rates.iter_mut().zip(values).zip(self.omegas.as_ref())
-        {
+        let omegas = self.row(Block::Frequencies, 0);
+        for ((rate, [cosine, sine]), omega) in rates.iter_mut().zip(values).zip(omegas) {
             *rate = [-*omega * *sine, *omega * *cosine];
         }
     }
 
     /// Returns the displacement of a node from the coordinates of a motion.
-    fn place(&self, masses: usize, node: usize, coordinates: &[S]) -> S {
-        match node.checked_sub(masses) {
+    fn place(&self, model: &Model<S, Z>, node: usize, coordinates: &[S]) -> S {
+        match node.checked_sub(model.wall()) {
             None => at(coordinates, node),
-            Some(0) => S::constant(0.0),
             // The displacement of the base is a cos θ, the second last coordinate.
-            Some(_) => at(coordinates, self.count.saturating_sub(2)),
+            Some(1) if model.base_moves() => at(coordinates, self.count.saturating_sub(2)),
+            Some(_) => S::constant(0.0),
         }
     }
 
@@ -312,9 +412,11 @@ impl<S: Float, Z: Size> Table<S, Z> {
         let masses = model.wall();
         match node.checked_sub(masses) {
             None => at(coordinates, masses + node),
-            Some(0) => S::constant(0.0),
             // The velocity of the base is −ω a sin θ, and a sin θ is the last coordinate.
-            Some(_) => -model.base.wave.omega * at(coordinates, self.count.saturating_sub(1)),
+            Some(1) if model.base_moves() => {
+                -model.base.wave.omega * at(coordinates, self.count.saturating_sub(1))
+            }
+            Some(_) => S::constant(0.0),
         }
     }
 
@@ -355,9 +457,9 @@ impl<S: Float, Z: Size> Table<S, Z> {
     }
 
     fn watched_rows(&self, j: usize) -> impl Iterator<Item = &[S]> {
-        let size = terms_of::<S>() * self.count;
-        let rows = self.watched.as_ref().get(j * size..(j + 1) * size);
-        rows.unwrap_or_default().chunks_exact(self.count.max(1))
+        let rows = self.block(Block::Watched, j * terms_of::<S>());
+        let rows = rows.chunks_exact(self.count.max(1));
+        rows.take(terms_of::<S>())
     }
 
     /// Returns the next event of each contact in a stretch, as [`next_event`] does. `start` contains the instant at which
@@ -389,34 +491,41 @@ impl<S: Float, Z: Size> Table<S, Z> {
         let Some(contact) = model.contact(j).filter(|_| phase != FREE) else {
             return true;
         };
-        let mut low = [S::constant(0.0); QUICK];
-        for (term, row) in low.iter_mut().zip(self.watched_rows(j)) {
+        let (zeros, zero_side) = state.zeros.as_ref().get(j).copied().unwrap_or_default();
+        let sizes = |row: usize| {
+            let sizes = self.row(Block::Tails, row).iter().zip(coordinates);
+            sizes.fold(S::constant(0.0), |sum, (size, u)| sum + *size * u.abs())
+        };
+        let limit = contact.stiction * contact.level.constant;
+        let first = dot(self.row(Block::Watched, j * terms_of::<S>()), coordinates);
+        // The margin, 1e-3 times the first coefficient, is far larger than rounding errors.
+        let margin = |value: S| S::constant(1.0 - 1e-3) * value;
+        if zeros == 0 {
+            let least = if phase == STUCK {
+                limit - first.abs()
+            } else {
+                sign::<S>(phase) * first
+            };
+            if margin(least) > sizes(2 * j) {
+                return true;
+            }
+        }
+        let mut low = [first; QUICK];
+        let rows = self.watched_rows(j).skip(1);
+        for (term, row) in low.iter_mut().skip(1).zip(rows) {
             *term = dot(row, coordinates);
         }
-        let sizes = self.tails.as_ref().chunks_exact(self.count.max(1)).nth(j);
-        let sizes = sizes.unwrap_or_default().iter().zip(coordinates);
-        let tail = sizes.fold(S::constant(0.0), |sum, (size, u)| sum + *size * u.abs());
-        let (zeros, zero_side) = state.zeros.as_ref().get(j).copied().unwrap_or_default();
+        let tail = sizes(2 * j + 1);
         if phase != STUCK {
-            return stays_above(
-                without(zeros, low.map(|term| sign::<S>(phase) * term)),
-                tail,
-            );
+            let low = low.map(|term| sign::<S>(phase) * term);
+            return stays_above(without(zeros, low), tail);
         }
         [1, -1].into_iter().all(|side: i8| {
             let mut margin = low.map(|term| -sign::<S>(side) * term);
-            add(&mut margin, 0, contact.stiction * contact.level.constant);
+            add(&mut margin, 0, limit);
             let zeros = if side == zero_side { zeros } else { 0 };
             stays_above(without(zeros, margin), tail)
         })
-    }
-}
-
-/// Multiplies a square matrix, stored row by row, by the coordinates `before`.
-pub(super) fn advance<S: Float>(matrix: &[S], before: &[S], after: &mut [S]) {
-    let rows = matrix.chunks_exact(before.len().max(1));
-    for (entry, row) in after.iter_mut().zip(rows) {
-        *entry = dot(row, before);
     }
 }
 
@@ -453,17 +562,11 @@ struct Builder<'m, S: Float, Z: Size> {
     model: &'m Model<S, Z>,
     state: &'m State<S, Z>,
     count: usize,
-    /// Accelerations of the masses, one row of all coordinates for each mass.
-    accelerations: Z::Cells<S>,
-    /// Forces of the rigid contacts that stick, one row for each contact.
-    holds: Z::Cells<S>,
-    /// Stiffness of each elastic contact that sticks and whose force changes, otherwise 0. The force does not change if
-    /// rigid contacts hold the two nodes together. Rounding would else move it beyond its limit.
-    stiffnesses: Z::Contacts<S>,
+    table: Table<S, Z>,
     /// Coefficients of one order: one row for each coordinate, one column for each initial coordinate.
-    term: Z::Cells<S>,
+    term: Z::Matrix<S>,
     /// Coefficients of the next order.
-    raised: Z::Cells<S>,
+    raised: Z::Matrix<S>,
 }
 
 impl<'m, S: Float, Z: Size> Builder<'m, S, Z> {
@@ -471,35 +574,44 @@ impl<'m, S: Float, Z: Size> Builder<'m, S, Z> {
         let zero = S::constant(0.0);
         let (masses, contacts) = (model.wall(), model.contacts().len());
         let count = model.coordinates();
-        let cells = |rows: usize| model.size.cells(rows * count, zero);
-        let mut builder = Self {
-            model,
-            state,
+        let rows = rows_of([count, masses, contacts], terms_of::<S>());
+        let mut table: Table<S, Z> = Table {
+            width: model.width(),
             count,
-            accelerations: cells(masses),
-            holds: cells(contacts),
+            rows: model.size.rows(rows * count, zero),
             stiffnesses: model.size.contacts(zero),
-            term: cells(count),
-            raised: cells(count),
         };
         for (j, contact) in model.contacts().iter().enumerate() {
             let stiffness = contact.stiffness.filter(|_| state.phase(j) == STUCK);
             if let Some(stiffness) = stiffness.filter(|_| !tree.connects(contact)) {
-                set(builder.stiffnesses.as_mut(), j, stiffness);
+                set(table.stiffnesses.as_mut(), j, stiffness);
             }
         }
+        let omegas = table.block_mut(Block::Frequencies, 0).iter_mut();
+        for (omega, wave) in omegas.zip(model.waves()) {
+            *omega = wave.omega;
+        }
+        let mut builder = Self {
+            model,
+            state,
+            count,
+            table,
+            term: model.size.matrix(count, zero),
+            raised: model.size.matrix(count, zero),
+        };
         let mut unit = UnitMotion::new(model, state, tree);
         for column in 0..count {
             let Some(coordinate) = builder.unit(column) else {
                 continue;
             };
             unit.solve(zero, coordinate);
-            let rows = [
-                (builder.accelerations.as_mut(), unit.accelerations.as_ref()),
-                (builder.holds.as_mut(), unit.holds.as_ref()),
+            let values = [
+                (Block::Accelerations, unit.accelerations.as_ref(), masses),
+                (Block::Holds, unit.holds.as_ref(), contacts),
             ];
-            for (rows, values) in rows {
-                for (row, value) in rows.chunks_exact_mut(count).zip(values) {
+            for (block, values, rows) in values {
+                let block = builder.table.block_mut(block, 0).chunks_exact_mut(count);
+                for (row, value) in block.zip(values).take(rows) {
                     set(row, column, *value);
                 }
             }
@@ -535,54 +647,36 @@ impl<'m, S: Float, Z: Size> Builder<'m, S, Z> {
     }
 
     fn table(mut self) -> Table<S, Z> {
-        let (zero, one) = (S::constant(0.0), S::constant(1.0));
+        let one = S::constant(1.0);
         let (model, count) = (self.model, self.count);
         for index in 0..count {
             set(self.term.as_mut(), index * count + index, one);
         }
-        let mut whole = model.size.cells(count * count, zero);
-        let contacts = model.contacts().len();
         let terms = terms_of::<S>();
-        let mut orders = model.size.cells(terms * count * count, zero);
-        let mut watched = model.size.cells(contacts * terms * count, zero);
-        let mut tails = model.size.cells(contacts * count, zero);
+        let mut row = model.size.coordinates(count, one);
         for order in 0..terms {
-            for (sum, term) in whole.as_mut().iter_mut().zip(self.term.as_ref()) {
+            let whole = self.table.block_mut(Block::Whole, 0).iter_mut();
+            for (sum, term) in whole.zip(self.term.as_ref()) {
                 *sum = *sum + *term;
             }
-            let mut matrices = orders.as_mut().chunks_exact_mut((count * count).max(1));
-            let matrix = matrices.nth(order).unwrap_or_default();
-            for (entry, term) in matrix.iter_mut().zip(self.term.as_ref()) {
-                *entry = *term;
-            }
-            let rows = watched.as_mut().chunks_exact_mut(terms * count);
-            let tails = tails.as_mut().chunks_exact_mut(count);
-            for (j, (rows, tail)) in rows.zip(tails).enumerate() {
-                let row = rows.chunks_exact_mut(count).nth(order);
-                let row = row.unwrap_or_default();
+            for j in 0..model.contacts().len() {
+                let row = row.as_mut();
+                row.fill(S::constant(0.0));
                 self.watch(j, row);
-                for (sum, value) in tail.iter_mut().zip(row).filter(|_| order >= QUICK) {
-                    *sum = *sum + value.abs();
+                let kept = self.table.block_mut(Block::Watched, j * terms + order);
+                for (kept, value) in kept.iter_mut().zip(row.iter()) {
+                    *kept = *value;
+                }
+                for (tail, first) in [(2 * j, 1), (2 * j + 1, QUICK)] {
+                    let tail = self.table.block_mut(Block::Tails, tail).iter_mut();
+                    for (sum, value) in tail.zip(row.iter()).filter(|_| order >= first) {
+                        *sum = *sum + value.abs();
+                    }
                 }
             }
             self.raise(model.stretch / S::whole(order + 1));
         }
-        let mut omegas = model.size.cells(model.waves().count(), zero);
-        for (omega, wave) in omegas.as_mut().iter_mut().zip(model.waves()) {
-            *omega = wave.omega;
-        }
-        Table {
-            width: model.width(),
-            count,
-            omegas,
-            whole,
-            orders,
-            accelerations: self.accelerations,
-            holds: self.holds,
-            stiffnesses: self.stiffnesses,
-            watched,
-            tails,
-        }
+        self.table
     }
 
     /// Writes the coefficients of the watched quantity of a contact: its relative velocity while it slides, its force
@@ -593,10 +687,7 @@ impl<'m, S: Float, Z: Size> Builder<'m, S, Z> {
         };
         // The row of a contact without friction is that of a contact that slides, so that both have the same table.
         match self.state.phase(j) {
-            STUCK if contact.is_rigid() => {
-                let hold = self.holds.as_ref().chunks_exact(self.count).nth(j);
-                self.combine(hold.unwrap_or_default(), row);
-            }
+            STUCK if contact.is_rigid() => self.combine(self.table.hold(j), row),
             STUCK => add_row(
                 row,
                 self.coordinate(2 * self.model.wall() + j),
@@ -636,7 +727,7 @@ impl<'m, S: Float, Z: Size> Builder<'m, S, Z> {
         for (node, factor) in [(contact.plus, factor), (contact.minus, -factor)] {
             if node < masses {
                 add_row(sum, self.coordinate(masses + node), factor);
-            } else if node == self.model.base_node() {
+            } else if node == self.model.base_node() && self.model.base_moves() {
                 let omega = self.model.base.wave.omega;
                 add_row(sum, self.coordinate(self.count - 1), -omega * factor);
             }
@@ -647,29 +738,26 @@ impl<'m, S: Float, Z: Size> Builder<'m, S, Z> {
     fn raise(&mut self, next: S) {
         let (model, count, zero) = (self.model, self.count, S::constant(0.0));
         let masses = model.wall();
-        let mut raised = core::mem::replace(&mut self.raised, model.size.cells(0, zero));
+        let mut raised = core::mem::replace(&mut self.raised, model.size.matrix(0, zero));
         raised.as_mut().fill(zero);
         for (index, row) in raised.as_mut().chunks_exact_mut(count).enumerate() {
             if index < masses {
                 add_row(row, self.coordinate(masses + index), next);
             } else if index < 2 * masses {
-                let rates = self.accelerations.as_ref().chunks_exact(count);
-                self.combine(
-                    rates.take(masses).nth(index - masses).unwrap_or_default(),
-                    row,
-                );
+                let rates = self.table.row(Block::Accelerations, index - masses);
+                self.combine(rates, row);
                 for entry in row.iter_mut() {
                     *entry = next * *entry;
                 }
             } else if index < model.width() {
                 let j = index - 2 * masses;
-                let stiffness = at(self.stiffnesses.as_ref(), j);
+                let stiffness = at(self.table.stiffnesses.as_ref(), j);
                 if !stiffness.is_zero() {
                     self.add_speed(j, next * stiffness, row);
                 }
             } else {
                 let wave = index - model.width();
-                let omega = model.waves().nth(wave / 2).map_or(zero, |wave| wave.omega);
+                let omega = at(self.table.row(Block::Frequencies, 0), wave / 2);
                 // The derivatives of a cos θ and a sin θ are −ω a sin θ and ω a cos θ.
                 if wave % 2 == 0 {
                     add_row(row, self.coordinate(index + 1), -next * omega);

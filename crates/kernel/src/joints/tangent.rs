@@ -373,6 +373,19 @@ impl<'m, S: Float, Z: Size> Tangent<'m, S, Z> {
         }
     }
 
+    /// Multiplies the deviations by a matrix of `count` coordinates, of which those of a deviation are the first.
+    fn multiply(&mut self, matrix: &[S], count: usize) {
+        let size = self.width.max(1);
+        let rows = self.term.as_mut().chunks_exact_mut(size);
+        for (row, factors) in rows.zip(matrix.chunks_exact(count.max(1))) {
+            row.fill(S::constant(0.0));
+            for (factor, other) in factors.iter().zip(self.rows.as_ref().chunks_exact(size)) {
+                add_row(row, other, *factor);
+            }
+        }
+        core::mem::swap(&mut self.rows, &mut self.term);
+    }
+
     /// Advances the deviations by their power series over the time `length`.
     fn advance(&mut self, rates: &Rates<S, Z>, state: &State<S, Z>, length: S) {
         let used = self.width * self.width;
@@ -435,23 +448,17 @@ impl<S: Float, Z: Size> Observe<S, Z> for Tangent<'_, S, Z> {
         let starts = table.accelerations().map(|row| dot(row, leap.before));
         self.jump(starts, leap.state);
         self.release(leap.state);
-        let size = self.width.max(1);
-        let factors = leap.matrix.chunks_exact(leap.before.len().max(1));
-        for (row, factors) in self.term.as_mut().chunks_exact_mut(size).zip(factors) {
-            row.fill(S::constant(0.0));
-            for (factor, other) in factors.iter().zip(self.rows.as_ref().chunks_exact(size)) {
-                add_row(row, other, *factor);
-            }
-        }
-        core::mem::swap(&mut self.rows, &mut self.term);
         if leap.is_whole {
+            self.multiply(table.whole(), leap.before.len());
             return;
         }
         let rates = self
             .known(leap.state)
             .unwrap_or_else(|| Rates::of(self.model, table));
+        self.advance(&rates, leap.state, leap.length);
         self.rates = Some((rates, leap.state.phases.clone()));
-        let mut slopes = self.model.size.cells(leap.after.len(), S::constant(0.0));
+        let zero = S::constant(0.0);
+        let mut slopes = self.model.size.coordinates(leap.after.len(), zero);
         table.rates(self.model, leap.after, slopes.as_mut());
         let slopes = slopes.as_ref();
         let masses = self.model.wall();

@@ -52,20 +52,19 @@ impl Motion<f64, Heap> {
         place: Place,
         near: Option<&Steady<f64, Heap>>,
     ) -> Result<Steady<f64, Heap>, Halt> {
-        let mut motion = self.clone().with_tables();
-        let start = motion.clone();
+        let (start, mut motion) = (self.clone(), self.clone());
+        let mut search = Search::by_tables(self, omega, 1.0);
         let mut closest = Closest::default();
         let mut others = |steady, far| closest.offer(steady, far);
-        let mut search = match motion.reach(omega, (ATTEMPTS, place), near, &mut others)? {
-            Ok(steady) => return Ok(steady),
-            Err(search) => search,
-        };
+        if let Some(steady) = search.reach(&mut motion, (ATTEMPTS, place), near, &mut others)? {
+            return Ok(steady);
+        }
         if let Some(steady) = search.visit(&mut motion, &mut closest)? {
             return Ok(steady);
         }
         let cycles = search.cycles;
-        let stuck = || search.stuck(&start).ok().flatten();
-        let other = closest.0.map(|(steady, _)| steady).or_else(stuck);
+        let other = closest.0.map(|(steady, _)| steady);
+        let other = other.or_else(|| search.stuck(&start).ok().flatten());
         let approach = Approach::Apart(cycles);
         let steady = match other {
             None => return search.last_cycles(&mut motion, cycles),
@@ -117,7 +116,7 @@ impl Search<f64, Heap> {
 
     /// Returns the next cycles of a motion that does not settle. `cycles` is the number of those before.
     fn last_cycles(
-        &self,
+        &mut self,
         motion: &mut Motion<f64, Heap>,
         cycles: usize,
     ) -> Result<Steady<f64, Heap>, Halt> {

@@ -8,17 +8,10 @@ use super::waveform::Course;
 use crate::study::joints::Series;
 use crate::study::response::MotionQuantity;
 use crate::{Complex, Of};
-use frictiongen_kernel::Float;
-use frictiongen_kernel::joints::{Poly, TERMS, carried, slope, value};
+use frictiongen_kernel::joints::{Poly, TERMS, extremes, slope};
 use frictiongen_model::joined::numbered;
 use frictiongen_model::scene::{Excitation, Node, Scene};
 use std::f64::consts::TAU;
-
-/// Number of equal parts of a stretch in which the code searches for a largest value. In a part the fastest oscillation
-/// advances by less than 0.2 rad, so that a derivative changes its sign at most once.
-const PARTS: usize = 8;
-/// Number of bisections in a search.
-const BISECTIONS: usize = 50;
 
 /// A sum of relative displacements, each times a factor, or a derivative of this sum.
 #[derive(Clone, Debug)]
@@ -156,47 +149,13 @@ impl Combination {
 
 /// Returns the point between 0 and `end` at which a polynomial has its largest absolute value, and its value there.
 pub fn extreme_between(terms: &Poly<f64>, end: f64) -> (f64, f64) {
-    let points = extremes_between(terms, end);
-    points.fold((0.0, 0.0), |most: (f64, f64), point| {
-        if most.1.abs() < point.1.abs() {
-            point
-        } else {
-            most
+    let mut most = (0.0, 0.0_f64);
+    extremes(terms, end, |at, value| {
+        if most.1.abs() < value.abs() {
+            most = (at, value);
         }
-    })
-}
-
-/// Returns the points between 0 and `end` at which a polynomial may have an extreme value, in ascending order, with the
-/// values there.
-pub fn extremes_between<S: Float>(
-    terms: &Poly<S>,
-    end: S,
-) -> impl Iterator<Item = (S, S)> + use<S> {
-    let terms = *terms;
-    let slope = slope(&terms);
-    let at = move |part: usize| end * S::whole(part) / S::whole(PARTS);
-    let inside = move |part: usize| turn(&slope, (at(part), at(part + 1)));
-    let points = (0..PARTS).flat_map(move |part| [Some(at(part)), inside(part)]);
-    let points = points.flatten().chain([end]);
-    points.map(move |at| (at, value(&terms, at)))
-}
-
-/// Returns the point between `low` and `high` at which a polynomial changes its sign.
-fn turn<S: Float>(terms: &Poly<S>, (mut low, mut high): (S, S)) -> Option<S> {
-    let (zero, half) = (S::constant(0.0), S::constant(0.5));
-    let rises = value(terms, low) < zero;
-    if rises == (value(terms, high) < zero) {
-        return None;
-    }
-    for _ in 0..BISECTIONS {
-        let middle = half * (low + high);
-        if (value(terms, middle) < zero) == rises {
-            low = middle;
-        } else {
-            high = middle;
-        }
-    }
-    Some(carried(terms, half * (low + high)))
+    });
+    most
 }
 
 impl JoinedOrbit<'_> {

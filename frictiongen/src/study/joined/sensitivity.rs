@@ -5,21 +5,19 @@
 //! numbers, whose derivatives pass through all events ([`frictiongen_kernel::joints::vary`]).
 
 use super::at::JoinedAt;
-use super::combination::extremes_between;
 use super::error::JoinedError;
 use super::orbit::JoinedOrbit;
 use super::parameter::{JoinedParameter, JoinedPoint};
 use super::scene::Joined;
 use super::units::AnswerUnits;
 use super::varied::Number;
-use super::waveform::phase_of;
 use crate::study::joints::{Chain, Heap};
 use crate::study::parameter::Slope;
 use crate::study::sensitivity::{NoDerivative, OperatingPoint};
 use crate::study::system::System;
 use crate::study::units::angular_frequency;
 use crate::{OutOfDomain, Regime};
-use frictiongen_kernel::joints::{self, Observe};
+use frictiongen_kernel::joints::{self, Observe, Piece, Waveform};
 use frictiongen_model::scene::Scene;
 
 /// Derivatives of a steady state with respect to one parameter p.
@@ -157,10 +155,10 @@ impl KnownState<'_> {
             .setting
             .varied(self.system, &self.chain.model()?, parameter);
         let steady = self.orbit.steady();
-        let mut turns = Turns(vec![Vec::new(); self.chain.masses.len()]);
+        let mut pieces = Pieces(vec![Vec::new(); self.chain.masses.len()]);
         let (omega, force) = (varied.omega, varied.force);
         let size = if value == 0.0 { 1.0 } else { value.abs() };
-        let cycle = steady.vary(varied.model, (omega, size), &mut turns)?;
+        let cycle = steady.vary(varied.model, (omega, size), &mut pieces)?;
         let slope = |number, unit| slope(number, (size, unit));
         let amplitudes = match steady.neutral {
             0 => &cycle.amplitudes,
@@ -168,11 +166,10 @@ impl KnownState<'_> {
         };
         let amplitudes = amplitudes.iter().map(|own| slope(*own, 0.0));
         let amplitudes: Result<Vec<Slope>, _> = amplitudes.collect();
-        let phases = turns.0.iter().map(|turns| {
-            let moves = turns.iter().any(|(_, place)| place.value != 0.0);
-            moves
-                .then(|| slope(phase_of(turns, omega), 1.0))
-                .transpose()
+        let phases = pieces.0.into_iter().map(|pieces| {
+            let course = Waveform::new(pieces, omega, steady.period);
+            let moves = course.amplitude().value != 0.0;
+            moves.then(|| slope(course.phase(), 1.0)).transpose()
         });
         let contacts = cycle.contacts.iter().map(|own| {
             Ok(ContactSensitivity {
@@ -209,20 +206,23 @@ fn slope(number: Number, (parameter, unit): (f64, f64)) -> Result<Slope, NoDeriv
     is_finite.then_some(found).ok_or(NoDerivative::Graze)
 }
 
-/// Observer of a period that collects, for each mass, the instants at which its displacement may be largest, with the
-/// displacements there.
-struct Turns(Vec<Vec<(Number, Number)>>);
+/// Observer of a period that collects the course of each mass.
+struct Pieces(Vec<Vec<Piece<Number>>>);
 
-impl Observe<Number, Heap> for Turns {
+impl Observe<Number, Heap> for Pieces {
     fn stretch(
         &mut self,
         series: &joints::Series<Number, Heap>,
         end: Number,
         _: &joints::State<Number, Heap>,
     ) {
-        for (mass, turns) in self.0.iter_mut().enumerate() {
-            let points = extremes_between(&series.displacement_terms(mass), end);
-            turns.extend(points.map(|(at, place)| (series.start + at * series.length, place)));
+        for (mass, pieces) in self.0.iter_mut().enumerate() {
+            pieces.push(Piece {
+                start: series.start,
+                length: series.length,
+                end,
+                terms: series.displacement_terms(mass),
+            });
         }
     }
 }

@@ -113,6 +113,7 @@ fn orbit(emission: &JointsEmission<'_>) -> (TokenStream, TokenStream) {
     let JointsEmission {
         description,
         scalar,
+        size,
         engine,
         ..
     } = emission;
@@ -130,8 +131,8 @@ fn orbit(emission: &JointsEmission<'_>) -> (TokenStream, TokenStream) {
             "Motion of contact `{}` over the period.",
         ],
         [
-            &code!(#engine::MassOrbit<#scalar>),
-            &code!(#engine::ContactOrbit<#scalar>),
+            &code!(#engine::MassOrbit<'_, #scalar, #size>),
+            &code!(#engine::ContactOrbit<'_, #scalar, #size>),
         ],
     );
     let masses = Literal::usize_unsuffixed(description.scene.masses.len());

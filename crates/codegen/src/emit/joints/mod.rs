@@ -12,7 +12,7 @@ use super::names::TypeNames;
 use super::units::scene_hash;
 use crate::Description;
 use crate::graph::literal::{literal, scalar};
-use frictiongen_kernel::joints::Layout;
+use frictiongen_kernel::joints::{Layout, table_sizes};
 use frictiongen_kernel::number::dd::Dd;
 use frictiongen_model::joined::{at_rest, damping_matrix, is_turned, numbered};
 use frictiongen_model::modal::Modal;
@@ -363,6 +363,9 @@ pub(crate) fn step_layout(scene: &Scene, loads: usize) -> Option<Layout> {
     has_tables.then_some(layout)
 }
 
+/// Largest number of tables that the search for a steady state keeps. A table belongs to one set of sticking contacts.
+const MAX_TABLES: usize = 4;
+
 /// Returns the arguments of the kernel's type that fixes the lengths of all arrays.
 pub(crate) fn sizes(scene: &Scene, loads: usize) -> Vec<usize> {
     let joints = &scene.joints;
@@ -386,6 +389,15 @@ pub(crate) fn sizes(scene: &Scene, loads: usize) -> Vec<usize> {
     let step = layout.map_or(0, |layout| layout.properties());
     let mut sizes = vec![masses, masses + 2, contacts, loads];
     sizes.extend([unknowns, unknowns * unknowns, points, row, parts, step]);
+    if scene.provides(&Provide::Orbit) && points == 0 && parts == joints.constant.len() {
+        let waves = loads + usize::from(scene.excitation == Excitation::Base);
+        let counts = [masses, contacts, waves];
+        sizes.extend(match scene.precision {
+            Precision::F32 => table_sizes::<f32>(counts),
+            Precision::F64 => table_sizes::<f64>(counts),
+        });
+        sizes.push(MAX_TABLES.min(1 << contacts.min(8)));
+    }
     // The last arguments are 0 by default.
     while sizes.len() > 4 && sizes.last() == Some(&0) {
         sizes.pop();

@@ -6,7 +6,6 @@ use crate::joints::model::Model;
 use crate::joints::run::Motion;
 use crate::joints::size::Fixed;
 use crate::joints::state::{FREE, State};
-use crate::joints::table::{NoTables, Room};
 use crate::joints::tree::{NONE, Tree, UNUSED};
 
 impl<
@@ -20,14 +19,22 @@ impl<
     const LAW: usize,
     const ROW: usize,
     const STEP: usize,
+    const C: usize,
+    const ROWS: usize,
+    const KEPT: usize,
     const ENTRIES: usize,
-> Stepper<S, Fixed<N, NODES, M, L, U, SQUARE, LAW, ROW, 0, STEP>, &'static [S; ENTRIES]>
+>
+    Stepper<
+        S,
+        Fixed<N, NODES, M, L, U, SQUARE, LAW, ROW, 0, STEP, C, ROWS, KEPT>,
+        &'static [S; ENTRIES],
+    >
 {
     /// Creates a stepper at rest. `model` has no loads, friction forces of 0, and its longest stretch. `tables` are
     /// those of the model and the pace. `zero` is the number 0.
     #[must_use]
     pub const fn declared(
-        model: Model<S, Fixed<N, NODES, M, L, U, SQUARE, LAW, ROW, 0, STEP>>,
+        model: Model<S, Fixed<N, NODES, M, L, U, SQUARE, LAW, ROW, 0, STEP, C, ROWS, KEPT>>,
         pace: Pace<S>,
         tables: &'static [S; ENTRIES],
         zero: S,
@@ -42,7 +49,7 @@ impl<
         };
         let tree = Tree::empty([UNUSED; M], [false; M], [NONE; NODES], [zero; NODES]);
         Self {
-            motion: Motion::at_start(model, state, tree, NoTables(Room::EMPTY), zero),
+            motion: Motion::at_start(model, state, tree, (), zero),
             pace,
             layout: Layout::of_properties((N, M, L), STEP),
             tables,

@@ -192,7 +192,9 @@ fn a_motion_that_wanders_has_another_answer() {
     for (scene, r, beta, displacement) in asked {
         let at = scene.joined().expect("answers").at(r).expect("r");
         let orbit = at.orbit_or_last_cycles(beta, None).expect("cycles");
-        assert!(!orbit.is_from_rest() && orbit.cycles_followed() > Some(4000));
+        let followed = orbit.cycles_followed();
+        assert!(followed > Some(4000), "r {r}: {followed:?}");
+        assert!(!orbit.is_from_rest());
         assert!(orbit.period() == 1 || !orbit.is_settled(), "r {r}");
         assert_eq!(orbit.is_settled(), displacement.is_some(), "r {r}");
         assert_eq!(at.orbit(beta).is_ok(), displacement.is_some(), "r {r}");

@@ -300,7 +300,8 @@ fn other_motions_are_those_of_a_single_contact() {
                 _ => of,
             };
             let got = orbit.largest(of, size).expect("a size");
-            let differs = apart(got, expected);
+            // While the contact is stuck, its slip is 0 to within rounding, and its energy is 0.
+            let differs = (got - expected).abs() / expected.abs().max(1e-6);
             assert!(
                 differs < 1e-8,
                 "r {r}, beta {beta}, {name}: {got} {expected}"
