@@ -33,7 +33,7 @@ const QUIET: usize = 128;
 /// Distance from a periodic motion at which the test of this motion ends, divided by the distance at the start of the
 /// test. The code predicts this ratio from the Floquet multipliers.
 const DECAY: f64 = 1e-3;
-/// Factor by which a deviation in the second half of the test may exceed the prediction from the Floquet multipliers.
+/// Factor by which a deviation may exceed the prediction from the Floquet multipliers.
 const TRANSIENT: f64 = 5.0;
 /// Largest number of cycles for which the test of a periodic motion follows the motion.
 const MAX_CONFIRM: usize = 256;
@@ -578,8 +578,8 @@ impl<S: Float, Z: Size> Search<S, Z> {
     /// Returns true if the motion approaches a periodic motion as fast as its Floquet multipliers predict. Returns
     /// false if a contact slides during this test, but not in the periodic motion.
     ///
-    /// With μ > 1 a motion that approaches another periodic motion, or wanders, may at first come closer to this one. In the
-    /// second half of the test the distance therefore has to fall about as far as predicted.
+    /// With μ > 1 a motion that approaches another periodic motion, or wanders, may come closer to this one, too. The
+    /// distance therefore has to fall about as far as predicted, and again in the second half of the test.
     fn confirm(&mut self, motion: &mut Motion<S, Z>, steady: &Steady<S, Z>) -> Result<bool, Halt> {
         let (one, half) = (S::constant(1.0), S::constant(0.5));
         let rate = steady.multipliers().first();
@@ -602,7 +602,8 @@ impl<S: Float, Z: Size> Search<S, Z> {
             return Ok(false);
         }
         let falls = after <= half * (one + expected) * before;
-        let is_near = middle <= before && after <= furthest(rate, rest) * middle;
+        let is_near =
+            after <= furthest(rate, periods) * before && after <= furthest(rate, rest) * middle;
         let is_near = is_near || motion.model().is_contraction();
         Ok(after <= self.tolerances.close || (falls && is_near))
     }

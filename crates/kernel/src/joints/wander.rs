@@ -21,7 +21,7 @@ const NEARBY: usize = 4;
 const LATE_VISITS: usize = 30;
 /// Distance of the motion from a steady state, divided by the size of the displacements, below which the motion may be
 /// on its way there.
-const NEAR: f64 = 0.1;
+const NEAR: f64 = 0.01;
 
 /// The stable steady state to which a motion has come closest without settling there.
 #[derive(Default)]
