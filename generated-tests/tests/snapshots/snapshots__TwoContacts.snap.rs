@@ -43,7 +43,7 @@ pub struct TwoContactsStepper(
     ::frictiongen::kernel::joints::Stepper<
         ::core::primitive::f64,
         ::frictiongen::kernel::joints::Fixed<2, 4, 2, 1, 6, 36, 0, 10, 0, 9, 8, 61, 4>,
-        [::core::primitive::f64; 680],
+        [::core::primitive::f64; 760],
     >,
 );
 /// Loads on [`TwoContacts`] and friction forces, in the units of the scene: the input of a step.
@@ -277,7 +277,7 @@ const _: () = {
             let started = ::frictiongen::kernel::joints::Stepper::from_state(
                 Self::CHAIN,
                 (dt, ::frictiongen::kernel::stepper::Input::Linear, false),
-                [0.0; 680],
+                [0.0; 760],
                 (x, v),
             );
             started.map(TwoContactsStepper)
@@ -394,7 +394,7 @@ const _: () = {
                 61,
                 4,
             >,
-            [::core::primitive::f64; 680],
+            [::core::primitive::f64; 760],
         >;
         fn deref(&self) -> &Self::Target {
             &self.0

@@ -396,7 +396,11 @@ impl<S: Float, Z: Size> Search<S, Z> {
         let mut cycles = WARM;
         for _ in 0..attempts {
             // A motion that has not slid so far need not be followed any longer than `QUIET`.
-            let left = QUIET.saturating_sub(self.quiet).max(WARM);
+            let left = if self.quiet == self.cycles {
+                QUIET.saturating_sub(self.quiet).max(WARM)
+            } else {
+                cycles
+            };
             let period = self.warm(motion, cycles.min(left))?;
             for period in [Some(1), period.filter(|&period| period > 1)]
                 .into_iter()

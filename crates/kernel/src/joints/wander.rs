@@ -83,10 +83,6 @@ impl Search<f64, Heap> {
         motion: &mut Motion<f64, Heap>,
         closest: &mut Closest,
     ) -> Result<Option<Steady<f64, Heap>>, Halt> {
-        // With μ = 1 every motion approaches every stable steady state, so that Newton's method finds nothing else.
-        if motion.model().is_contraction() {
-            return Ok(None);
-        }
         for visit in 0..VISITS + LATE_VISITS {
             let cycles = if visit < VISITS { NEARBY } else { MAX_PERIOD };
             let back = self.warm(motion, cycles)?;
