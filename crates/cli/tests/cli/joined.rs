@@ -326,7 +326,8 @@ fn the_best_friction_bounds_the_force_of_a_contact() {
     };
     let bound = 0.7 * force(value(&free, "beta"));
     let keep = format!("force(brace) <= {bound}");
-    let mut line = words(&format!("{band} --json --keep"));
+    let asked = format!("{band} --json --keep");
+    let mut line = words(&asked);
     line.push(&keep);
     let kept: serde_json::Value = serde_json::from_str(&output(FRAME, &line)).expect("JSON");
     assert!(value(&free, "amplitude") < value(&kept, "amplitude"));
