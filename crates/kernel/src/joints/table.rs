@@ -322,8 +322,8 @@ impl<S: Float, Z: Size> Table<S, Z> {
             }
             return;
         }
-        after.copy_from_slice(before);
-        room.term.as_mut().copy_from_slice(before);
+        copy(after, before);
+        copy(room.term.as_mut(), before);
         for order in 1..orders_of(fraction) {
             let terms = (room.term.as_mut(), room.raised.as_mut());
             self.raise(model, fraction * model.stretch / S::whole(order), terms);
@@ -348,7 +348,7 @@ impl<S: Float, Z: Size> Table<S, Z> {
         let mut series = Series::nothing(model, (start, model.stretch));
         let mut term = model.size.coordinates(self.count, S::constant(0.0));
         let mut raised = term.clone();
-        term.as_mut().copy_from_slice(before);
+        copy(term.as_mut(), before);
         let mut forces = model.size.contacts(S::constant(0.0));
         for order in 0..terms_of::<S>() {
             let terms = term.as_ref();
@@ -541,6 +541,13 @@ fn orders_of<S: Float>(fraction: S) -> usize {
     terms_of::<S>()
 }
 
+/// Copies numbers. Slices of different lengths cause no panic.
+fn copy<S: Float>(to: &mut [S], from: &[S]) {
+    for (to, from) in to.iter_mut().zip(from) {
+        *to = *from;
+    }
+}
+
 /// Divides a polynomial by a power of its variable. The first `zeros` coefficients are 0.
 fn without<S: Float>(zeros: usize, terms: [S; QUICK]) -> [S; QUICK] {
     let mut divided = [S::constant(0.0); QUICK];
@@ -610,7 +617,10 @@ impl<'m, S: Float, Z: Size> Builder<'m, S, Z> {
                 (Block::Holds, unit.holds.as_ref(), contacts),
             ];
             for (block, values, rows) in values {
-                let block = builder.table.block_mut(block, 0).chunks_exact_mut(count);
+                let block = builder
+                    .table
+                    .block_mut(block, 0)
+                    .chunks_exact_mut(count.max(1));
                 for (row, value) in block.zip(values).take(rows) {
                     set(row, column, *value);
                 }
@@ -708,7 +718,7 @@ impl<'m, S: Float, Z: Size> Builder<'m, S, Z> {
 
     /// Adds the coefficients of a linear function of the coordinates.
     fn combine(&self, factors: &[S], sum: &mut [S]) {
-        let rows = self.term.as_ref().chunks_exact(self.count);
+        let rows = self.term.as_ref().chunks_exact(self.count.max(1));
         for (factor, row) in factors
             .iter()
             .zip(rows)
@@ -740,7 +750,7 @@ impl<'m, S: Float, Z: Size> Builder<'m, S, Z> {
         let masses = model.wall();
         let mut raised = core::mem::replace(&mut self.raised, model.size.matrix(0, zero));
         raised.as_mut().fill(zero);
-        for (index, row) in raised.as_mut().chunks_exact_mut(count).enumerate() {
+        for (index, row) in raised.as_mut().chunks_exact_mut(count.max(1)).enumerate() {
             if index < masses {
                 add_row(row, self.coordinate(masses + index), next);
             } else if index < 2 * masses {
