@@ -413,10 +413,7 @@ fn what_does_not_fit_is_refused() {
     let path = file("pair.csv", "time_s,force_N\n0,0\n0.01,1\n0.02,1\n");
     for (options, told) in [
         (&["--of", "c"][..], "the contacts are left, right"),
-        (
-            &["--of", "contact"],
-            "several contacts; name one of them: left, right",
-        ),
+        (&["--of", "contact"], "the contacts are left, right"),
         (&["--of", "left", "--of", "left"], "it is given twice"),
         (&["--of", "accel(a)"], "this command has displacements"),
         (&["--spectrum", "0.05"], "--spectrum has no answer"),

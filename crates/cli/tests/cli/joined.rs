@@ -929,7 +929,7 @@ fn features_that_several_contacts_do_not_have() {
         ),
         (
             "features --of pads",
-            "there is no mass `pads`; the masses are lower, upper",
+            "`pads` is no mass, and this answer has masses only",
         ),
         (
             "features --of upper-lower",

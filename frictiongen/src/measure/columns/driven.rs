@@ -77,14 +77,8 @@ pub(super) fn part_beside(
     (contacts, name): (&[String], &str),
 ) -> Result<MovingPart, String> {
     let known = contacts.join(", ");
-    let part = MovingPart::named(system, name)
-        .map_err(|error| format!("{argument}: {error}; the contacts are {known}"))?;
-    if part.of == Of::Contact && 1 < contacts.len() {
-        return Err(format!(
-            "{argument} `{name}`: the scene has several contacts; name one of them: {known}"
-        ));
-    }
-    Ok(part)
+    MovingPart::named(system, name)
+        .map_err(|error| format!("{argument}: {error}; the contacts are {known}"))
 }
 
 impl DrivenTable<'_> {
@@ -92,7 +86,11 @@ impl DrivenTable<'_> {
     fn contact(&self, part: &MovingPart) -> Option<usize> {
         let index = || self.names.iter().position(|name| *name == part.name);
         // With a single contact, its name may also be `slip(contact)`.
-        (part.of == Of::Contact).then(|| index().unwrap_or(0))
+        match part.of {
+            Of::Contact => Some(index().unwrap_or(0)),
+            Of::ContactAt(index) => Some(index),
+            _ => None,
+        }
     }
 
     /// Returns a row of the table. `base` and `masses` have displacements in m and velocities in m/s.

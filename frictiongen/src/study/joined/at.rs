@@ -16,6 +16,8 @@ use frictiongen_model::scene::Excitation;
 
 /// Number of attempts of a search that soon gives up a motion that does not settle. It then has followed 210 cycles.
 const ATTEMPTS: usize = 3;
+/// Number of attempts of a search that follows a motion for 1890 cycles, but finds no other state if it does not settle.
+const LONG_ATTEMPTS: usize = 6;
 
 /// Displacements and velocities of all masses, in the units of [`JoinedAt::units`].
 type GivenState<'s> = (&'s [f64], &'s [f64]);
@@ -280,6 +282,22 @@ impl<'a> JoinedAt<'a> {
         state: GivenState<'_>,
     ) -> Result<JoinedOrbit<'a>, JoinedError> {
         settled(self.found(friction, Some(state), (Place::Reached, None))?)
+    }
+
+    /// Returns the steady state of [`orbit_from`](Self::orbit_from) if the motion settles.
+    ///
+    /// # Errors
+    /// Same errors as [`orbit_from`](Self::orbit_from).
+    pub(super) fn orbit_reached_from(
+        &self,
+        friction: f64,
+        state: GivenState<'_>,
+    ) -> Result<JoinedOrbit<'a>, JoinedError> {
+        let chain = self.chain(friction)?;
+        let motion = self.started(&chain, Some(state))?;
+        let found = steady_state_soon(motion, self.omega, (LONG_ATTEMPTS, Place::Reached))?;
+        let steady = found.map_err(|_| JointError::NotSteady)?;
+        Ok(self.settled(steady, chain))
     }
 
     fn found(

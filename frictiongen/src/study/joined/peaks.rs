@@ -48,7 +48,12 @@ impl Peaks {
         use MotionQuantity::{Displacement, Energy, Force};
         let tracked = quantities.iter();
         let tracked = tracked.map(|&(of, size, contact)| match (of, size) {
-            (Of::Contact, Displacement | Force | Energy) => {
+            (Of::Contact | Of::ContactAt(_), Displacement | Force | Energy) => {
+                let contact = if let Of::ContactAt(own) = of {
+                    own
+                } else {
+                    contact
+                };
                 Some(Tracked::Contact(contact, size, joined.sign(contact)))
             }
             _ => Combination::of(joined.scene(), of, size).map(Tracked::Combination),

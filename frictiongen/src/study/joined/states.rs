@@ -116,7 +116,8 @@ impl<'a> StatesSearch<'_, 'a> {
 
     /// Follows the motion from a state to a steady state.
     fn follow(&mut self, state: (Vec<f64>, Vec<f64>), found: FoundBy) -> Result<(), JoinedError> {
-        let orbit = self.at.orbit_from(self.friction, (&state.0, &state.1));
+        let start = (state.0.as_slice(), state.1.as_slice());
+        let orbit = self.at.orbit_reached_from(self.friction, start);
         self.guesses.push(state);
         self.keep(orbit, found)
     }
