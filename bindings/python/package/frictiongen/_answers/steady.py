@@ -97,6 +97,9 @@ class ByContact(Grid):
       `slides_first`: the contact that slides first below it.
     * `found_by`: the start from which the search found the state.
     * `marginal`: names of the contacts whose place or force depends on the start.
+    * `symmetry`: symmetric or asymmetric.
+    * `from_rest`: whether motion from rest, or from the given start, reaches the state.
+    * `cycles_followed`: number of cycles after which that motion has not settled, or -1 if it settles.
 
     `answer[name]` of a contact, or of a stop, has its `regime`, `stops`, `reversals`, `stuck_fraction`, and over the period the largest
     `slip` (`slip_m`), the largest `force` (`force_N`), the `energy` (`energy_J`) that it takes, and its `amplitude`.
@@ -112,6 +115,9 @@ class ByContact(Grid):
     slides_first: Words
     found_by: Words
     marginal: Words
+    symmetry: Words
+    from_rest: Flags
+    cycles_followed: Counts
 
     def plot(self, ax: Axes | None = None, of: str | None = None) -> Axes:
         """Draws the amplitude of one motion over frequency, one line for each friction.
