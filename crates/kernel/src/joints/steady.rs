@@ -27,8 +27,8 @@ pub(super) const ATTEMPTS: usize = 6;
 /// Largest period of a steady state, in cycles of the load.
 pub const MAX_PERIOD: usize = 64;
 /// Number of cycles without sliding after which the search assumes that all contacts stick for ever, even if it cannot
-/// prove this. Without this assumption, the search would find no steady state of an undamped chain whose contacts stick, because its free
-/// vibration never decays.
+/// prove this. Without this assumption, the search would find no steady state of an undamped chain whose contacts stick,
+/// because its free vibration never decays.
 const QUIET: usize = 128;
 /// Distance from a periodic motion at which the test of this motion ends, divided by the distance at the start of the
 /// test. The code predicts this ratio from the Floquet multipliers.
@@ -176,7 +176,7 @@ impl<S: Float, Z: Size> Motion<S, Z> {
     /// Searches for the steady state that the motion reaches, under loads of the angular frequency ω. A contact that
     /// never slides stays where the motion has left it.
     ///
-    /// The search follows at most 1890 cycles until the motion settles, 12 times 319 cycles to confirm a result, and 12
+    /// The search follows at most 1890 cycles until the motion settles, 12 times 319 cycles to confirm a result, and 24
     /// times 49 periods in Newton's method. If no contact slides for 128 cycles, the result is the state in which all
     /// contacts stick, even if a free vibration about this state does not decay.
     ///
@@ -413,7 +413,7 @@ impl<S: Float, Z: Size> Search<S, Z> {
                     continue;
                 }
                 let far = self.away(motion.state(), &steady);
-                if self.accepts(motion, &steady)? && self.leads_to(motion, &steady)? {
+                if self.accepts(motion, &steady)? {
                     return self.about_its_mean(motion, steady).map(Some);
                 }
                 others(steady, far);
@@ -441,7 +441,9 @@ impl<S: Float, Z: Size> Search<S, Z> {
         }
         let is_bounded = steady.is_bounded(self.tolerances.noise);
         let is_there = is_bounded && self.away(motion.state(), steady) <= self.tolerances.close;
-        Ok((steady.is_stable() || is_there) && self.confirm(motion, steady)?)
+        Ok((steady.is_stable() || is_there)
+            && self.confirm(motion, steady)?
+            && self.leads_to(motion, steady)?)
     }
 
     /// Returns true if no contact slides in a steady state, and if the motion, too, has no contact that slides from now on.
@@ -453,11 +455,7 @@ impl<S: Float, Z: Size> Search<S, Z> {
 
     /// Returns true if Newton's method finds the same periodic motion from the present state of a motion that approaches
     /// it. Another periodic motion may be so close that the motion comes near this one on its way there.
-    pub(super) fn leads_to(
-        &mut self,
-        motion: &Motion<S, Z>,
-        steady: &Steady<S, Z>,
-    ) -> Result<bool, Halt> {
+    fn leads_to(&mut self, motion: &Motion<S, Z>, steady: &Steady<S, Z>) -> Result<bool, Halt> {
         let is_close = self.away(motion.state(), steady) <= self.tolerances.close;
         if is_close || self.is_stuck(motion, steady) || motion.model().is_contraction() {
             return Ok(true);

@@ -98,10 +98,7 @@ impl Search<f64, Heap> {
                     continue;
                 }
                 let far = self.away(motion.state(), &steady);
-                if far <= NEAR
-                    && self.accepts(motion, &steady)?
-                    && self.leads_to(motion, &steady)?
-                {
+                if far <= NEAR && self.accepts(motion, &steady)? {
                     return Ok(Some(steady));
                 }
                 closest.offer(steady, far);

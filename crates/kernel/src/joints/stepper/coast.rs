@@ -10,7 +10,8 @@ use crate::joints::state::{FREE, STUCK};
 /// Number of pieces of motion for each event, before the stepper ends a sub-interval by the rule of this module. An event
 /// ends a piece even if no contact changes its phase.
 const PIECES: usize = 2;
-/// The same number for a friction law, whose straight lines end pieces, too.
+/// Number of pieces of motion for each event with a friction law. A piece then also ends where the sliding speed leaves a
+/// straight line of the law.
 const PIECES_OF_LAW: usize = 4;
 
 /// Limits on the work for one event in a step with an event budget.

@@ -140,8 +140,9 @@ impl Extent {
         known + 12 * nodes + 3 * self.at_instant() + patterns.saturating_mul(pattern)
     }
 
-    /// Returns the largest number of patterns in a decision: the first, all patterns by Murty's rule and all in their
-    /// order, for contacts that must slide after they have broken away, and once more without this condition.
+    /// Returns the largest number of patterns that a decision tries. A decision tries the first pattern, then at most all
+    /// patterns by Murty's rule, and then all patterns in their order. It first requires that contacts which have broken
+    /// away slide. If no pattern fits, it tries all of these again without this condition.
     fn patterns(&self) -> u64 {
         let [_, limit] = self.limits;
         let all = all_patterns(self.rigid) as u64;
